@@ -1,0 +1,22 @@
+// How a long computation is steered from outside: stop, progress, number of threads.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+
+namespace covaria {
+
+struct Progress {
+    std::uint64_t trials_done = 0;
+    std::uint64_t trials_planned = 0;  ///< 0 = not known (adaptive)
+};
+
+struct RunControl {
+    std::stop_token stop = {};
+    /// Called only on the thread that called the engine, some ten times a second at most. May be empty.
+    std::function<void(const Progress&)> progress = {};
+    int threads = 0;  ///< 0 = as many as the machine has
+};
+
+}  // namespace covaria

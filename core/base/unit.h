@@ -1,0 +1,57 @@
+// Units of measurement: parsing ("um", "1/K", "N*m", "degC"), dimensions, conversion to and from SI.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace covaria {
+
+/// Exponents of length, mass, time, current, temperature, amount, luminous intensity, plane angle.
+/// Plane angle is kept apart so that a length typed into an angle field is refused.
+struct Dimension {
+    std::array<std::int8_t, 8> exponents{};
+    bool operator==(const Dimension&) const = default;
+    bool is_one() const { return *this == Dimension{}; }
+};
+
+class Unit {
+public:
+    Unit() = default;  ///< the unit one
+    /// Parses products, quotients and powers of known units: "mm", "1/K", "um/m", "N*m", "mV/V", "degC",
+    /// "arcsec", "%". Both "u" and the micro sign are read as micro. Error: unknown or malformed unit.
+    static Result<Unit> parse(std::string_view text);
+    /// For literals in code that are known to be right; terminates on a malformed text.
+    static Unit of(std::string_view text);
+
+    const std::string& text() const { return text_; }  ///< as written in files, plain ASCII ("um", "deg")
+    std::string display() const;                       ///< as shown to people ("µm", "°", "N·m")
+    const Dimension& dimension() const { return dimension_; }
+
+    double to_si(double value) const { return value * factor_ + offset_; }
+    double from_si(double value) const { return (value - offset_) / factor_; }
+    /// For differences and uncertainties: without the offset of degC.
+    double interval_to_si(double value) const { return value * factor_; }
+    double interval_from_si(double value) const { return value / factor_; }
+
+    bool operator==(const Unit& other) const { return text_ == other.text_; }
+
+private:
+    std::string text_ = "1";
+    Dimension dimension_{};
+    double factor_ = 1.0;
+    double offset_ = 0.0;
+};
+
+/// A number as somebody typed it, with its unit: nothing is lost by conversion until `si()` is asked for.
+struct Quantity {
+    double value = 0.0;
+    Unit unit = {};
+    double si() const { return unit.to_si(value); }
+    bool operator==(const Quantity&) const = default;
+};
+
+}  // namespace covaria

@@ -1,0 +1,96 @@
+// Assets: artefacts, instruments, robots, point sets. Defined once in a project, used by many analyses.
+//
+// A model asks an asset for a capability (an interface below), never for its kind. A new capability is added
+// here with its interface; asset kinds live in core/assets.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/data_table.h"
+#include "core/base/error.h"
+#include "core/model/layout.h"
+#include "core/model/setup_schema.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+/// Deviation of a measured point along one direction, with its distribution.
+struct PointDeviation {
+    std::string id;    ///< "x", "range", "azimuth": unique per point
+    std::string name;  ///< "coordinate x"
+    Eigen::Vector3d direction =
+        Eigen::Vector3d::UnitX();    ///< per unit of the component; need not be a unit vector
+    UncertaintyComponent component;  ///< its id is completed by the model ("b_1." + id)
+    bool common = false;             ///< one and the same draw for all points of a set-up
+};
+
+/// Capability "point-uncertainty": what the asset says about the uncertainty of a measured point's
+/// coordinates.
+class PointUncertaintySource {
+public:
+    virtual ~PointUncertaintySource() = default;
+    enum class Axes {
+        own_frame,  ///< directions are along the axes of the frame the points define
+        world,      ///< directions are in the world frame (an instrument that stands somewhere)
+    };
+    virtual Axes axes() const = 0;
+    /// Deviations of a point at p (in the frame that `axes` names).
+    virtual std::vector<PointDeviation> deviations(const Eigen::Vector3d& p) const = 0;
+};
+
+/// Made from a checked set-up; immutable.
+class Asset {
+public:
+    virtual ~Asset() = default;
+    virtual const PointUncertaintySource* point_uncertainty() const { return nullptr; }
+    /// The asset's own evaluation as tables (budget of calibration, temperature, variability, bias;
+    /// observations ...).
+    virtual std::vector<DataTable> evaluation() const { return {}; }
+    /// What to draw when the asset itself is looked at.
+    virtual Layout layout() const { return {}; }
+};
+
+enum class AssetCategory { artefact, instrument, robot, points };
+
+struct Reference {
+    std::string text;  ///< "Porath, Gross, Eger: Experimental-numerical approach ..., Eqs 1-6"
+};
+
+struct AssetDescriptor {
+    std::string kind;  ///< in files: "artefact-2d"
+    std::string title;
+    AssetCategory category = AssetCategory::artefact;
+    std::string summary;
+    std::vector<Reference> references;
+    std::vector<std::string> notes;
+    std::vector<std::string> capabilities;  ///< "point-uncertainty"
+    SetupSchema schema;
+    /// Null if `problems` got an error. `setup` has passed check_setup.
+    std::function<std::unique_ptr<Asset>(const SetupReader& setup, Problems& problems)> create;
+};
+
+/// The assets of a project, made; what models see.
+class AssetLibrary {
+public:
+    struct Entry {
+        std::string name;
+        const AssetDescriptor* descriptor = nullptr;
+        std::shared_ptr<const Asset> asset;
+    };
+    void add(const std::string& id, Entry entry) { entries_[id] = std::move(entry); }
+    const Entry* find(const std::string& id) const {
+        auto it = entries_.find(id);
+        return it == entries_.end() ? nullptr : &it->second;
+    }
+    const std::map<std::string, Entry>& entries() const { return entries_; }
+
+private:
+    std::map<std::string, Entry> entries_;
+};
+
+}  // namespace covaria

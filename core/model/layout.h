@@ -1,0 +1,87 @@
+// Where things are, in metrology words: frames, points, bodies, links, sight lines. No colours, no drawing.
+//
+// Items carry `group` (the output group they belong to: "pose 7"; empty = belongs to all) and `source`, the
+// JSON pointer of the set-up field they come from (relative to the set-up), so that picking or dragging them
+// edits that field.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace covaria {
+
+/// Draggable: where in the set-up the position is written (three number cells).
+struct LayoutSource {
+    std::string path = {};  ///< "/base_points/rows/1"; empty = not from one field
+    bool draggable = false;
+    Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  ///< frame in which the field gives the position
+};
+
+struct LayoutFrame {
+    std::string name;  ///< "base b"
+    Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
+    std::string group = {};
+    LayoutSource source = {};
+};
+
+enum class PointKind { nest, target, support, ball, flange, tool, station, other };
+
+struct LayoutPoint {
+    std::string name;  ///< "b1"
+    PointKind kind = PointKind::other;
+    Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
+    std::string group = {};
+    LayoutSource source = {};
+    /// The point is itself a set of input quantities (index of x, y, z, possibly in frame F) ...
+    std::optional<std::array<std::size_t, 3>> inputs = {};
+    /// ... or of output quantities; its uncertainty ellipsoid is then drawn from the result.
+    std::optional<std::array<std::size_t, 3>> outputs = {};
+    Eigen::Matrix3d R_WQ =
+        Eigen::Matrix3d::Identity();  ///< axes in which those three coordinates are expressed
+};
+
+enum class LinkKind { leg, robot_link, bar, joint_axis, sight_line, dimension, edge };
+
+struct LayoutLink {
+    std::string name;
+    LinkKind kind = LinkKind::edge;
+    Eigen::Vector3d from_W = Eigen::Vector3d::Zero();
+    Eigen::Vector3d to_W = Eigen::Vector3d::Zero();
+    std::string group = {};
+};
+
+enum class BodyKind { plate, artefact, instrument, force_sensor };
+
+/// A flat or solid thing outlined by points ("the moving platform", "plate of the artefact"), or an
+/// instrument glyph.
+struct LayoutBody {
+    std::string name;
+    BodyKind kind = BodyKind::plate;
+    std::vector<Eigen::Vector3d> outline_W = {};  ///< polygon, in order; empty for glyphs
+    double thickness = 0.0;                       ///< 0 = chosen by the picture
+    Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+    std::string glyph = {};  ///< for instruments: "total-station", "tracker", "camera", "distance-meter"
+    std::string group = {};
+    LayoutSource source = {};
+};
+
+/// A quantity with direction (force, moment) at a point.
+struct LayoutVector {
+    std::string name;
+    Eigen::Vector3d at_W = Eigen::Vector3d::Zero();
+    Eigen::Vector3d vector_W = Eigen::Vector3d::Zero();
+    std::string group = {};
+};
+
+struct Layout {
+    std::vector<LayoutFrame> frames;
+    std::vector<LayoutPoint> points;
+    std::vector<LayoutLink> links;
+    std::vector<LayoutBody> bodies;
+    std::vector<LayoutVector> vectors;
+};
+
+}  // namespace covaria

@@ -1,0 +1,55 @@
+// The interface between measurement models and the engine: y = f(x), one method wide; the rest has defaults.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/model/layout.h"
+#include "core/model/output_quantity.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+/// A block of trials, structure of arrays: quantity i of trial t is inputs[i * stride + t], output j is
+/// outputs[j * stride + t]. `stride` is a multiple of 8 and all rows are 64-byte aligned; lanes from `trials`
+/// to the next multiple of 8 may be read and written (the engine fills them with copies of a valid trial).
+struct TrialBlock {
+    const double* inputs = nullptr;
+    double* outputs = nullptr;
+    std::uint8_t* valid = nullptr;  ///< set to 1 or 0 for each trial
+    std::size_t stride = 0;
+    std::size_t trials = 0;
+};
+
+/// Immutable after construction and safe to use from many threads at once. Everything is SI.
+class MeasurementModel {
+public:
+    virtual ~MeasurementModel() = default;
+
+    /// Input quantities with their default components.
+    virtual const InputSet& inputs() const = 0;
+    virtual const std::vector<OutputQuantity>& outputs() const = 0;
+
+    /// y = f(x) for one trial. false: this trial has no value (negative root, singular geometry); y is then
+    /// unspecified. Never leaves NaN behind a `true`.
+    virtual bool evaluate(std::span<const double> x, std::span<double> y) const = 0;
+
+    /// Many trials at once, without allocation. Default: `evaluate` for each.
+    virtual void evaluate_block(const TrialBlock& block) const;
+
+    /// Sensitivity coefficients: jacobian(j, i) = dy_j/dx_i at x (outputs x inputs). Default: central
+    /// differences with Richardson extrapolation. false: no value at x.
+    virtual bool jacobian(std::span<const double> x, Eigen::MatrixXd& jacobian) const;
+
+    /// Where things are when the inputs are x, in metrology words; see layout.h.
+    virtual Layout layout(std::span<const double> x) const = 0;
+
+    MeasurementModel() = default;
+    MeasurementModel(const MeasurementModel&) = delete;
+    MeasurementModel& operator=(const MeasurementModel&) = delete;
+};
+
+}  // namespace covaria

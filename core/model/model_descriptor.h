@@ -1,0 +1,37 @@
+// What the program knows about a kind of measurement model without having one.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/model/asset.h"
+#include "core/model/measurement_model.h"
+#include "core/model/setup_schema.h"
+
+namespace covaria {
+
+struct ModelEquation {
+    std::string text;    ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
+    std::string source;  ///< "Porath et al., Eq. 19, corrected"
+};
+
+struct ModelDescriptor {
+    std::string id;  ///< in files: "pose-from-points"
+    std::string title;
+    std::string summary;
+    std::vector<Reference> references;
+    std::vector<ModelEquation> equations;
+    std::vector<std::string> notes;  ///< deviations from the paper, conventions, limits of validity
+    std::string help_page;           ///< file in resources/help
+    std::string example;             ///< file in projects/
+    SetupSchema schema;
+    /// Null if `problems` got an error (paths relative to the set-up). `setup` has passed check_setup and its
+    /// references exist. Warnings may be added to `problems` beside a model.
+    std::function<std::unique_ptr<MeasurementModel>(const SetupReader& setup, const AssetLibrary& assets,
+                                                    Problems& problems)>
+        create;
+};
+
+}  // namespace covaria

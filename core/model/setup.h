@@ -1,0 +1,75 @@
+// The values a user gave for the fields of a SetupSchema, kept as typed (with their units), read as SI.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/unit.h"
+
+namespace covaria {
+
+class SetupSchema;
+
+/// A pose as typed: X_AB by position and ZYX angles (R = Rz(gamma) Ry(beta) Rx(alpha)).
+struct PoseValue {
+    std::array<double, 3> position{};  ///< in length_unit
+    std::array<double, 3> angles{};    ///< alpha, beta, gamma in angle_unit
+    Unit length_unit = Unit::of("mm");
+    Unit angle_unit = Unit::of("deg");
+    Eigen::Isometry3d si() const;
+    bool operator==(const PoseValue&) const = default;
+};
+
+using SetupCell =
+    std::variant<std::monostate, double, std::string, bool>;  ///< numbers in the unit of their column
+
+struct SetupTable {
+    std::vector<Unit> units;  ///< one per column of the schema (unit one for columns without)
+    std::vector<std::vector<SetupCell>> rows;
+    std::string csv_file =
+        {};  ///< if not empty: rows were read from this file beside the project, and are not saved
+    bool operator==(const SetupTable&) const = default;
+};
+
+/// Nothing, a number, an integer/flag/choice/text/reference, a table, a pose.
+using SetupValue = std::variant<std::monostate, Quantity, bool, std::string, SetupTable, PoseValue>;
+
+/// Plain value: key -> value. Keys missing here take the schema's default. Equality is as typed (bytes on
+/// disk follow).
+struct Setup {
+    std::map<std::string, SetupValue> values;
+    bool operator==(const Setup&) const = default;
+};
+
+/// A set-up together with the schema that gives defaults and units. Valid only while both live. Reading a key
+/// that the schema does not have, or as another kind, is a programming error (terminates with the key's
+/// name).
+class SetupReader {
+public:
+    SetupReader(const SetupSchema& schema, const Setup& setup) : schema_(&schema), setup_(&setup) {}
+
+    bool has(const std::string& key) const;       ///< given, or the schema has a default
+    double number(const std::string& key) const;  ///< SI
+    int integer(const std::string& key) const;
+    bool flag(const std::string& key) const;
+    std::string text(const std::string& key) const;  ///< text, choice (its key) or reference (the asset's id)
+    Eigen::Isometry3d pose(const std::string& key) const;
+
+    std::size_t rows(const std::string& table) const;
+    bool cell_empty(const std::string& table, std::size_t row, const std::string& column) const;
+    double cell_number(const std::string& table, std::size_t row, const std::string& column) const;  ///< SI
+    std::string cell_text(const std::string& table, std::size_t row, const std::string& column) const;
+    Eigen::Vector3d cell_vector(const std::string& table, std::size_t row,
+                                const std::string& first_column) const;  ///< three columns on end
+
+private:
+    const SetupSchema* schema_;
+    const Setup* setup_;
+};
+
+}  // namespace covaria

@@ -1,0 +1,86 @@
+// The fields of a model's or asset's set-up, listed once: form, validation, `covaria describe`, report and
+// help derive from it.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/unit.h"
+#include "core/model/setup.h"
+
+namespace covaria {
+
+enum class FieldKind { number, integer, choice, text, flag, pose, table, reference };
+
+struct Choice {
+    std::string key;    ///< in files: "zyx"
+    std::string title;  ///< for people: "Z-Y-X (yaw, pitch, roll)"
+};
+
+/// The field is shown and used only where another field has one of these values.
+struct Condition {
+    std::string key;
+    std::vector<std::string> values;  ///< choice keys; "true"/"false" for flags
+};
+
+struct Range {
+    double low = -infinity_value;  ///< SI
+    double high = infinity_value;
+    bool low_open = false;  ///< value must be greater than, not equal to, low
+    static constexpr double infinity_value = std::numeric_limits<double>::infinity();
+};
+
+/// A column of a table: number, integer, choice, text or flag.
+struct ColumnSpec {
+    std::string key;
+    std::string title;  ///< may be a symbol: "x", "u_x"
+    FieldKind kind = FieldKind::number;
+    Unit unit = {};  ///< default unit of the column; files may use any unit of the same dimension
+    Range range = {};
+    bool optional = false;  ///< cell may be empty
+    std::vector<Choice> choices = {};
+    std::string help = {};
+};
+
+struct FieldSpec {
+    std::string key;
+    std::string title;
+    FieldKind kind = FieldKind::number;
+    std::string help;  ///< one or two sentences; never empty (contract test)
+    Unit unit = {};    ///< default unit of a number
+    Range range = {};
+    SetupValue default_value = {};  ///< monostate = must be given, unless optional
+    bool optional = false;
+    std::vector<Choice> choices = {};
+    std::vector<ColumnSpec> columns = {};  ///< of a table
+    std::size_t min_rows = 0;
+    std::vector<std::string> capabilities =
+        {};  ///< of a reference: asset must offer one of these ("point-uncertainty")
+    std::optional<Condition> shown_if = {};
+    std::string section = {};  ///< heading under which forms and reports show the field
+};
+
+class SetupSchema {
+public:
+    SetupSchema() = default;
+    explicit SetupSchema(std::vector<FieldSpec> fields) : fields_(std::move(fields)) {}
+    const std::vector<FieldSpec>& fields() const { return fields_; }
+    const FieldSpec* find(const std::string& key) const;
+    /// Index of a table's column, or npos.
+    static std::size_t column(const FieldSpec& table, const std::string& key);
+
+private:
+    std::vector<FieldSpec> fields_;
+};
+
+/// Value of the field: as given, else the default, else monostate.
+const SetupValue& value_of(const FieldSpec& field, const Setup& setup);
+/// Whether the field's condition holds (fields that are not shown are neither required nor used).
+bool is_shown(const SetupSchema& schema, const FieldSpec& field, const Setup& setup);
+/// Kinds, units' dimensions, ranges, choices, required fields, unknown keys, NaN. Paths are relative to the
+/// set-up ("/alpha").
+void check_setup(const SetupSchema& schema, const Setup& setup, Problems& problems);
+
+}  // namespace covaria

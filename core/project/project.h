@@ -1,0 +1,87 @@
+// A project: a value of a few kilobytes. Assets are defined once and referred to by id; analyses use them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/setup.h"
+#include "core/propagation/options.h"
+#include "core/quantity/distribution.h"
+
+namespace covaria {
+
+struct AssetEntry {
+    std::string id;    ///< unique in the project: letters, digits, '-' and '_'
+    std::string kind;  ///< of the asset registry
+    std::string name;
+    std::string notes = {};
+    Setup setup = {};
+    bool operator==(const AssetEntry&) const = default;
+};
+
+/// A component as typed: the distribution's kind and parameters in `unit`.
+struct ComponentEdit {
+    std::string name;
+    std::string distribution;        ///< key of distribution_kinds()
+    std::vector<double> parameters;  ///< in the order of distribution_kinds(), in `unit`
+    Unit unit = {};
+    EvaluationType type = EvaluationType::type_b;
+    std::optional<double> degrees_of_freedom = {};
+    std::string origin = {};
+    bool operator==(const ComponentEdit&) const = default;
+};
+
+/// Changes to one input quantity of a model, by symbol. Empty fields leave the model's default.
+struct InputEdit {
+    std::string symbol;
+    std::optional<Quantity> estimate = {};
+    std::optional<std::vector<ComponentEdit>> components = {};  ///< replaces all own components
+    std::optional<Combination> combination = {};
+    bool held = false;
+    bool operator==(const InputEdit&) const = default;
+};
+
+struct CorrelationEdit {
+    std::string first, second;  ///< component ids
+    double coefficient = 0.0;
+    bool operator==(const CorrelationEdit&) const = default;
+};
+
+/// Target or tolerance for an output.
+struct Requirement {
+    std::string group, symbol;
+    std::optional<Quantity> target_uncertainty = {};  ///< U must not exceed this
+    bool operator==(const Requirement&) const = default;
+};
+
+struct AnalysisEntry {
+    std::string id;
+    std::string model;  ///< of the model registry
+    std::string name;
+    std::string notes = {};
+    Setup setup = {};
+    std::vector<InputEdit> inputs = {};
+    std::vector<CorrelationEdit> correlations = {};
+    EvaluationOptions options = {};
+    std::vector<Requirement> requirements = {};
+    bool operator==(const AnalysisEntry&) const = default;
+};
+
+struct Project {
+    std::string title;
+    std::string notes = {};
+    std::vector<AssetEntry> assets = {};
+    std::vector<AnalysisEntry> analyses = {};
+    std::filesystem::path directory = {};  ///< where CSV files are looked for; not saved, not compared
+
+    const AssetEntry* find_asset(const std::string& id) const;
+    const AnalysisEntry* find_analysis(const std::string& id) const;
+    bool operator==(const Project& other) const {
+        return title == other.title && notes == other.notes && assets == other.assets &&
+               analyses == other.analyses;
+    }
+};
+
+}  // namespace covaria

@@ -1,0 +1,38 @@
+// Reading and writing *.covaria files: one JSON file, UTF-8, fixed key order, one table row a line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+
+namespace covaria {
+
+inline constexpr int project_schema_version = 1;
+
+struct LoadedProject {
+    Project project;    ///< meaningful only if `problems` has no errors
+    Problems problems;  ///< with JSON path, file and line where known
+};
+
+/// Reads, migrates older versions, reads referenced CSV files, checks everything (setups against schemas,
+/// units, references, edits, correlations, options). An unknown key, a wrong unit, a missing reference, a
+/// newer version: an error.
+LoadedProject load_project(const std::filesystem::path& file);
+/// The same from text; `directory` is where CSV files are looked for; `name` stands for the file in messages.
+LoadedProject parse_project(const std::string& text, const std::filesystem::path& directory,
+                            const std::string& name);
+
+/// Canonical text: loading and writing a canonical file gives the same bytes.
+std::string project_text(const Project& project);
+/// Atomic: temporary file in the same folder, flush, rename. Error{io} leaves the old file as it was.
+Result<void> save_project(const Project& project, const std::filesystem::path& file);
+/// Any text, the same way; for everything the program writes.
+Result<void> write_file_atomically(const std::filesystem::path& file, const std::string& bytes);
+
+/// 16 hexadecimal digits over everything that influences numbers (not titles and notes), CSV contents
+/// included.
+std::string fingerprint(const Project& project);
+
+}  // namespace covaria

@@ -1,0 +1,45 @@
+// From a project to things that can be evaluated: assets made, models created, edits applied; what depends on
+// what.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/run_control.h"
+#include "core/model/asset.h"
+#include "core/model/model_descriptor.h"
+#include "core/project/project.h"
+#include "core/result/uncertainty_result.h"
+
+namespace covaria {
+
+/// An immutable snapshot of what one analysis needs: safe to hand to a worker thread.
+struct PreparedAnalysis {
+    std::string id;
+    std::string name;
+    const ModelDescriptor* descriptor = nullptr;
+    std::shared_ptr<const MeasurementModel> model;
+    InputSet inputs;  ///< the model's, with the analysis' edits and correlations applied
+    EvaluationOptions options;
+    std::string fingerprint;  ///< of everything that influences this analysis' numbers (its assets included)
+};
+
+/// Makes all assets; those with errors are left out and reported under "/assets/N/...".
+AssetLibrary make_assets(const Project& project, Problems& problems);
+/// Null if the analysis has errors; problems under "/analyses/N/...".
+std::shared_ptr<const PreparedAnalysis> prepare_analysis(const Project& project,
+                                                         const std::string& analysis_id,
+                                                         const AssetLibrary& assets, Problems& problems);
+/// Every problem of the project: setups, assets, models, edits.
+void check_project(const Project& project, Problems& problems);
+
+/// Evaluates and fills in provenance.
+Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control = {});
+
+/// Ids of analyses that use the asset, directly or through another asset.
+std::vector<std::string> analyses_using(const Project& project, const std::string& asset_id);
+/// Ids of assets the analysis (or asset) refers to, transitively.
+std::vector<std::string> assets_used_by(const Project& project, const AnalysisEntry& analysis);
+
+}  // namespace covaria

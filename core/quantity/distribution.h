@@ -1,0 +1,140 @@
+// Probability distributions of input quantities (JCGM 101 table 1 and the usual extras): moments, density,
+// quantiles.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace covaria {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Parameters, SI. JCGM 101 clause in brackets.
+struct Normal {
+    double mean, standard_deviation;
+    bool operator==(const Normal&) const = default;
+};  // 6.4.7
+struct StudentT {
+    double mean, scale, degrees_of_freedom;
+    bool operator==(const StudentT&) const = default;
+};  // 6.4.9
+struct Rectangular {
+    double low, high;
+    bool operator==(const Rectangular&) const = default;
+};  // 6.4.2
+struct CurvilinearTrapezoid {
+    double low, high, inexactness;
+    bool operator==(const CurvilinearTrapezoid&) const = default;
+};  // 6.4.3
+struct Trapezoidal {
+    double low, high, beta;
+    bool operator==(const Trapezoidal&) const = default;
+};  // 6.4.4
+struct Triangular {
+    double low, high;
+    bool operator==(const Triangular&) const = default;
+};  // 6.4.5
+struct Arcsine {
+    double low, high;
+    bool operator==(const Arcsine&) const = default;
+};  // 6.4.6
+struct Exponential {
+    double mean;
+    bool operator==(const Exponential&) const = default;
+};  // 6.4.10
+struct Gamma {
+    double shape, scale;
+    bool operator==(const Gamma&) const = default;
+};  // 6.4.11 (q counts: shape q+1)
+struct TruncatedNormal {
+    double mean, standard_deviation, low, high;
+    bool operator==(const TruncatedNormal&) const = default;
+};
+struct Lognormal {
+    double log_mean, log_standard_deviation;
+    bool operator==(const Lognormal&) const = default;
+};
+struct Beta {
+    double low, high, alpha, beta;
+    bool operator==(const Beta&) const = default;
+};
+struct Discrete {
+    std::vector<double> values, probabilities;
+    bool operator==(const Discrete&) const = default;
+};  // empirical too
+
+using DistributionParameters =
+    std::variant<Normal, StudentT, Rectangular, CurvilinearTrapezoid, Trapezoidal, Triangular, Arcsine,
+                 Exponential, Gamma, TruncatedNormal, Lognormal, Beta, Discrete>;
+
+/// A distribution whose parameters have been checked. A width of zero is legal everywhere it makes sense
+/// (normal with standard deviation 0, rectangular with low == high): the quantity is then a constant.
+class Distribution {
+public:
+    Distribution() : parameters_(Normal{0.0, 0.0}) {}
+    /// Errors: not finite, negative width or scale, shape not positive, probabilities that do not sum to 1
+    /// ...; the message names the parameter.
+    static Result<Distribution> make(DistributionParameters parameters);
+    /// For values known to be right (computed by the program); terminates otherwise.
+    static Distribution of(DistributionParameters parameters);
+    static Distribution normal(double standard_uncertainty) { return of(Normal{0.0, standard_uncertainty}); }
+
+    const DistributionParameters& parameters() const { return parameters_; }
+
+    double mean() const;
+    /// Standard deviation of the drawn values: for Student t scale*sqrt(nu/(nu-2)), infinite for nu <= 2.
+    double standard_deviation() const;
+    /// Standard uncertainty of the law of propagation: as `standard_deviation`, but the scale for Student t
+    /// (JCGM 100 G.3).
+    double standard_uncertainty() const;
+    double degrees_of_freedom() const;  ///< of a Student t; infinite otherwise
+    double density(double x) const;     ///< 0 for Discrete
+    double quantile(double p) const;    ///< inverse distribution function, 0 < p < 1
+
+    /// Vectorised inverse distribution function: x[i] = quantile(p[i]). No allocation. `p` and `x` may be the
+    /// same memory. Element i depends on p[i] only, whatever the length of the span (bit-identical for any
+    /// blocking).
+    void quantiles(std::span<const double> p, std::span<double> x) const;
+    /// Same from standard normal draws z (correlated components): x = quantile(Phi(z)); exact shortcut for
+    /// Normal.
+    void from_standard_normal(std::span<const double> z, std::span<double> x) const;
+
+    /// The distribution of c*X (c may be negative) and of X + d.
+    Distribution scaled(double c) const;
+    Distribution shifted(double d) const;
+
+    std::string_view kind() const;   ///< key used in files: "normal", "student-t", "rectangular" ...
+    std::string_view title() const;  ///< for people: "normal", "Student t", "rectangular" ...
+
+    bool operator==(const Distribution&) const = default;
+
+private:
+    explicit Distribution(DistributionParameters parameters) : parameters_(std::move(parameters)) {}
+    DistributionParameters parameters_;
+};
+
+/// The kinds in the order of DistributionParameters with the names of their parameters, for files and forms.
+struct DistributionParameterInfo {
+    std::string_view key;    ///< "mean"
+    std::string_view title;  ///< "mean value"
+    bool has_unit;           ///< carries the quantity's unit (false: pure number such as degrees of freedom)
+    bool is_interval;        ///< a width or scale: converted without the offset of degC
+};
+struct DistributionKindInfo {
+    std::string_view key;
+    std::string_view title;
+    std::vector<DistributionParameterInfo> parameters;  ///< empty for "discrete", whose parameters are lists
+};
+const std::vector<DistributionKindInfo>& distribution_kinds();
+/// Builds from a kind's key and its parameters in the order of `distribution_kinds()` (SI).
+Result<Distribution> distribution_from(std::string_view kind, std::span<const double> parameters);
+/// The parameters in that order (SI).
+std::vector<double> distribution_parameters(const Distribution& distribution);
+
+}  // namespace covaria

@@ -1,0 +1,88 @@
+// Input quantities and the components of uncertainty they are made of.
+//
+// x_i = offset_i + sum_j factor_ij * epsilon_j: every input quantity is a number plus a linear combination of
+// components. A component that occurs in several quantities (the scale of one instrument, the temperature of
+// one artefact) makes them correlated, exactly and at no cost. Further correlation between components is a
+// Gaussian copula.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/base/unit.h"
+#include "core/quantity/distribution.h"
+
+namespace covaria {
+
+enum class EvaluationType { type_a, type_b };  // JCGM 100 2.3.2, 2.3.3
+
+/// One component of uncertainty epsilon_j. Its index in InputSet::components is its address for random draws.
+struct UncertaintyComponent {
+    std::string id;    ///< unique in the set: "b_1x.calibration"
+    std::string name;  ///< for people: "calibration of the artefact"
+    Unit unit = {};    ///< for display
+    Distribution distribution = {};
+    EvaluationType type = EvaluationType::type_b;
+    double degrees_of_freedom = infinity;
+    std::string origin = {};  ///< where the figure comes from: "artefact plate-2d, Eq. 2", "certificate ..."
+    bool held = false;        ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
+};
+
+struct Share {
+    std::size_t component = 0;
+    double factor = 1.0;
+    bool operator==(const Share&) const = default;
+};
+
+/// How the components of one quantity combine.
+enum class Combination {
+    quadrature,  ///< independent components (JCGM 100 5.1.2)
+    arithmetic,  ///< fully correlated: standard uncertainties add linearly
+};
+
+struct InputQuantity {
+    std::string symbol;  ///< "b_1x"
+    std::string name;    ///< "base point 1, x"
+    Unit unit = {};      ///< for display
+    double offset = 0.0;
+    std::vector<Share> shares = {};
+    Combination combination = Combination::quadrature;
+    std::string group = {};  ///< "base", "pose 7": for filtering and grouped contributions
+    std::string source =
+        {};  ///< JSON pointer of the set-up field the estimate comes from, relative to the set-up
+};
+
+/// Correlation coefficient (of the Gaussian copula) between two components.
+struct ComponentCorrelation {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double coefficient = 0.0;
+};
+
+struct InputSet {
+    std::vector<UncertaintyComponent> components;
+    std::vector<InputQuantity> quantities;
+    std::vector<ComponentCorrelation> correlations;
+
+    /// Adds a component and returns its index.
+    std::size_t add(UncertaintyComponent component);
+    /// Adds a quantity with independent components of its own; `estimate` is the offset.
+    std::size_t add(InputQuantity quantity, std::vector<UncertaintyComponent> own_components);
+    std::size_t find(const std::string& symbol) const;  ///< index of a quantity, or npos
+    static constexpr std::size_t npos = static_cast<std::size_t>(-1);
+};
+
+/// x_i = offset + sum factor * mean(component): the estimate of quantity i.
+double estimate_of(const InputSet& inputs, std::size_t quantity);
+/// Standard uncertainty of quantity i for the law of propagation, with correlations and the rule of
+/// combination.
+double standard_uncertainty_of(const InputSet& inputs, std::size_t quantity);
+/// Effective degrees of freedom of quantity i (Welch-Satterthwaite over its components).
+double degrees_of_freedom_of(const InputSet& inputs, std::size_t quantity);
+/// All pairwise correlations between components: those declared plus +-1 between components of arithmetic
+/// quantities. Error: coefficient outside [-1, 1], index out of range, a set of components whose matrix is
+/// not positive semi-definite (the message names the components and the smallest eigenvalue).
+Result<std::vector<ComponentCorrelation>> resolved_correlations(const InputSet& inputs);
+
+}  // namespace covaria

@@ -1,0 +1,23 @@
+// Type A evaluation of standard uncertainty (JCGM 100 4.2, H.2, H.5).
+#pragma once
+
+#include <span>
+
+#include "core/base/error.h"
+
+namespace covaria {
+
+struct TypeA {
+    double mean = 0.0;
+    double standard_deviation = 0.0;    ///< of a single observation, n - 1 (JCGM 100 4.2.2)
+    double standard_uncertainty = 0.0;  ///< of the mean: s/sqrt(n) (4.2.3)
+    double degrees_of_freedom = 0.0;    ///< n - 1
+};
+
+/// Error: fewer than two observations, or one that is not finite.
+Result<TypeA> type_a_evaluation(std::span<const double> observations);
+
+/// Covariance u(xbar, ybar) of the means of two series observed simultaneously (JCGM 100 5.2.3, Eq. 17).
+Result<double> covariance_of_means(std::span<const double> x, std::span<const double> y);
+
+}  // namespace covaria

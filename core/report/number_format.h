@@ -1,0 +1,24 @@
+// Numbers as metrologists write them: U to two significant digits, the value to match (JCGM 100 7.2.6).
+#pragma once
+
+#include <string>
+
+#include "core/base/data_table.h"
+
+namespace covaria {
+
+/// Rounded to `digits` significant digits, without exponent where 1e-4 <= |x| < 1e7: "0.066", "1 234.5" has
+/// no spaces.
+std::string format_significant(double value, int digits);
+/// Rounded to the given number of decimals (may be negative).
+std::string format_decimals(double value, int decimals);
+/// Decimals that show `uncertainty` to `digits` significant digits.
+int decimals_for(double uncertainty, int digits = 2);
+/// Value rounded to match its uncertainty: "1 174.91" style without spaces.
+std::string format_to_match(double value, double uncertainty, int digits = 2);
+/// Cell as people read it, in the column's unit.
+std::string format_cell(const TableCell& cell, const TableColumn& column);
+/// Shortest text that reads back to the same double: for CSV.
+std::string format_exact(double value);
+
+}  // namespace covaria

@@ -1,0 +1,35 @@
+// Builds the report of a project's results, and writes it and the tables in text formats.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/project/workspace.h"
+#include "core/report/report_document.h"
+#include "core/result/uncertainty_result.h"
+
+namespace covaria {
+
+struct EvaluatedAnalysis {
+    std::shared_ptr<const PreparedAnalysis> analysis;
+    std::shared_ptr<const UncertaintyResult> result;
+    std::vector<std::string> warnings = {};  ///< of the model's creation
+};
+
+/// Title block, model and references, inputs and origin, asset evaluations, budgets, results, distributions,
+/// scene, correlation, notes, provenance.
+ReportDocument build_report(const Project& project, const AssetLibrary& assets,
+                            const std::vector<EvaluatedAnalysis>& analyses);
+
+/// Tables by themselves: results, budget, covariance ... of one analysis, and the evaluation of each asset.
+std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated);
+
+std::string to_markdown(const ReportDocument& document);  ///< figures as "ID.png" / "ID.svg" beside the file
+std::string to_html(const ReportDocument& document);      ///< one file; figures beside it as in Markdown
+std::string to_csv(const DataTable& table);               ///< RFC 4180, full precision, units in the heads
+std::string results_json(const Project& project,
+                         const std::vector<EvaluatedAnalysis>& analyses);  ///< DESIGN 9
+
+}  // namespace covaria

@@ -1,0 +1,167 @@
+// Results of an evaluation: plain data, never a pointer to a model. Everything SI; `unit` is for display.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/output_quantity.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+struct CoverageInterval {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// Law of propagation of uncertainty for one output (JCGM 100 5, G.4).
+struct FirstOrderOutput {
+    double estimate = 0.0;              ///< f at the estimates
+    double standard_uncertainty = 0.0;  ///< u_c
+    double effective_degrees_of_freedom = infinity;
+    double coverage_factor = 0.0;
+    double expanded_uncertainty = 0.0;
+    std::optional<double> second_order_standard_uncertainty = {};  ///< NOTE to JCGM 100 5.1.2, if asked for
+    std::optional<double> second_order_estimate_shift = {};
+    /// JCGM 101 clause 8 (empty without Monte Carlo): |y -+ U - y_low/high| <= delta
+    struct Validation {
+        double tolerance = 0.0;  ///< delta
+        double d_low = 0.0;
+        double d_high = 0.0;
+        bool validated = false;
+    };
+    std::optional<Validation> validation = {};
+};
+
+/// Equal cells over [low, high]; values outside are counted in below/above.
+struct Histogram {
+    double low = 0.0;
+    double high = 0.0;
+    std::vector<std::uint64_t> counts;
+    std::uint64_t below = 0;
+    std::uint64_t above = 0;
+};
+
+/// Is a normal distribution an acceptable description? (porath.md: never a single Shapiro-Wilk test)
+struct NormalityVerdict {
+    double skewness_z = 0.0;  ///< skewness / its standard error under normality
+    double kurtosis_z = 0.0;
+    double coverage_ratio = 1.0;  ///< (q_high - q_low) / (2 k_normal u): 1 for a normal distribution
+    bool acceptable = true;       ///< for stating U = k u
+    std::string words;            ///< "normal within 1 %", "too heavy-tailed for k u"
+};
+
+/// Propagation of distributions for one output (JCGM 101 7).
+struct MonteCarloOutput {
+    double mean = 0.0;
+    double standard_uncertainty = 0.0;
+    double standard_error_of_mean = 0.0;
+    double standard_error_of_uncertainty = 0.0;
+    CoverageInterval symmetric;  ///< probabilistically symmetric
+    CoverageInterval shortest;
+    double skewness = 0.0;
+    double kurtosis = 0.0;  ///< excess kurtosis (normal: 0)
+    double minimum = 0.0;
+    double maximum = 0.0;
+    NormalityVerdict normality;
+    Histogram histogram;
+    std::vector<double> quantiles;  ///< at (i - 0.5)/n, i = 1..n (n = 199): for the Q-Q chart
+};
+
+struct OutputResult {
+    OutputQuantity quantity;
+    FirstOrderOutput first_order;
+    std::optional<MonteCarloOutput> monte_carlo = {};
+    /// The result line: Monte Carlo where it ran, else first order.
+    double estimate = 0.0;
+    double standard_uncertainty = 0.0;
+    double coverage_factor = 0.0;       ///< U / u; first order's k, or the fixed one
+    double expanded_uncertainty = 0.0;  ///< k u of the result line
+};
+
+/// A row of the budget: one component (or all components of one quantity) and its effect on one output.
+struct BudgetRow {
+    std::size_t component = 0;  ///< index into UncertaintyBudget::components
+    double sensitivity = 0.0;   ///< c = dy/d epsilon, through every quantity that shares the component
+    double contribution = 0.0;  ///< |c| u
+    double share = 0.0;  ///< of the variance, with its part of the covariances (may be negative); sums to 1
+    std::optional<double> one_at_a_time = {};  ///< u(y) by Monte Carlo with everything else held
+};
+
+struct BudgetComponent {
+    std::string id, name, origin;
+    Unit unit;
+    std::string distribution;  ///< title
+    EvaluationType type;
+    double standard_uncertainty = 0.0;
+    double degrees_of_freedom = infinity;
+    bool held = false;
+    std::string group;      ///< of the (first) quantity it belongs to
+    std::string quantity;   ///< symbol of that quantity; of all, joined, when shared
+    double estimate = 0.0;  ///< of that quantity
+};
+
+/// Per output, the rows sorted by falling |share|.
+struct UncertaintyBudget {
+    std::vector<BudgetComponent> components;
+    std::vector<std::vector<BudgetRow>>
+        rows;  ///< [output][...]; components with zero sensitivity are left out
+};
+
+/// Joint coverage region of outputs of one group (JCGM 102 6.5, 7.7).
+struct CoverageRegion {
+    std::string group;
+    std::vector<std::size_t> outputs;
+    double ellipsoid_first_order = 0.0;  ///< k_p from chi-squared
+    double rectangle_first_order = 0.0;  ///< k_q, Bonferroni
+    std::optional<double> ellipsoid_monte_carlo = {};
+    std::optional<double> rectangle_monte_carlo = {};
+    std::uint64_t trials = 0;  ///< used for the Monte Carlo factors
+    bool singular = false;     ///< covariance of rank too low for an ellipsoid
+};
+
+/// Running mean and u of every output at some numbers of trials.
+struct ConvergencePoint {
+    std::uint64_t trials = 0;
+    std::vector<double> mean;
+    std::vector<double> standard_uncertainty;
+};
+
+struct Provenance {
+    std::string project_fingerprint;  ///< filled by the caller that knows the project
+    std::string covaria_version;
+    std::uint64_t seed = 0;
+};
+
+struct UncertaintyResult {
+    std::vector<OutputResult> outputs;
+    InputSet inputs;  ///< as evaluated (edits applied)
+    Eigen::MatrixXd covariance_first_order;
+    Eigen::MatrixXd covariance;  ///< Monte Carlo where it ran, else first order
+    UncertaintyBudget budget;
+    std::vector<CoverageRegion> regions;
+    double coverage_probability = 0.95;
+
+    std::uint64_t trials = 0;         ///< 0 = first order only
+    std::uint64_t failed_trials = 0;  ///< without a value; not part of the statistics
+    bool adaptive = false;
+    bool stabilised = true;  ///< false: adaptive run stopped at its cap
+    std::uint64_t batches = 0;
+    bool intervals_exact = true;  ///< false: from cells (more trials than memory for exact order statistics)
+    std::vector<ConvergencePoint> convergence;
+    std::vector<std::string> warnings;
+    Provenance provenance;
+};
+
+/// Indices of the outputs of a group, in order; all groups in order of appearance.
+std::vector<std::size_t> outputs_of_group(const std::vector<OutputQuantity>& outputs,
+                                          const std::string& group);
+std::vector<std::string> groups_of(const std::vector<OutputQuantity>& outputs);
+/// Correlation matrix of a covariance matrix; 0 off the diagonal and 1 on it where a variance is 0.
+Eigen::MatrixXd correlation_of(const Eigen::MatrixXd& covariance);
+
+}  // namespace covaria

@@ -1,0 +1,4 @@
+#pragma once
+namespace covaria {
+struct Scene {};
+}  // namespace covaria
