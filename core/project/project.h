@@ -9,6 +9,7 @@
 #include "core/model/setup.h"
 #include "core/propagation/options.h"
 #include "core/quantity/distribution.h"
+#include "core/quantity/input_quantity.h"
 
 namespace covaria {
 

@@ -1,0 +1,10 @@
+#include "app/commands/commands.h"
+
+namespace covaria {
+
+std::vector<Command> all_commands(CLI::App& app) {
+    return {run_command(app),      report_command(app),   render_command(app),
+            validate_command(app), describe_command(app), convert_command(app)};
+}
+
+}  // namespace covaria

@@ -1,0 +1,53 @@
+// covaria describe: models and assets with their fields, units and defaults, from the schemas.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands/commands.h"
+#include "app/exit_status.h"
+#include "app/schema_text.h"
+#include "app/terminal.h"
+#include "core/assets/registry.h"
+#include "core/models/registry.h"
+
+namespace covaria {
+namespace {
+
+void list_everything() {
+    std::printf("Measurement models\n");
+    for (const ModelDescriptor& model : model_registry())
+        std::printf("  %-24s %s\n", model.id.c_str(), model.title.c_str());
+    std::printf("\nAssets\n");
+    for (const AssetDescriptor& asset : asset_registry())
+        std::printf("  %-24s %s\n", asset.kind.c_str(), asset.title.c_str());
+    std::printf("\n\"covaria describe NAME\" shows the fields of one of them.\n");
+}
+
+int describe(const std::string& name) {
+    if (name.empty()) {
+        list_everything();
+        return exit_success;
+    }
+    if (const ModelDescriptor* model = find_model(name)) {
+        std::fputs(description_of(*model).c_str(), stdout);
+        return exit_success;
+    }
+    if (const AssetDescriptor* asset = find_asset_kind(name)) {
+        std::fputs(description_of(*asset).c_str(), stdout);
+        return exit_success;
+    }
+    print_message("there is no model or asset \"" + name + "\"; \"covaria describe\" lists them");
+    return exit_bad_input;
+}
+
+}  // namespace
+
+Command describe_command(CLI::App& app) {
+    auto name = std::make_shared<std::string>();
+    CLI::App* command =
+        app.add_subcommand("describe", "List models and assets, or the fields, units and defaults of one");
+    command->add_option("NAME", *name, "a model or an asset kind; all are listed without it");
+    return {command, [name](const std::stop_token&) { return describe(*name); }};
+}
+
+}  // namespace covaria

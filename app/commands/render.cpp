@@ -1,0 +1,68 @@
+// covaria render FILE: a picture of an analysis.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands/commands.h"
+#include "app/commands/run_options.h"
+#include "app/exit_status.h"
+#include "app/pictures.h"
+#include "app/terminal.h"
+
+namespace covaria {
+namespace {
+
+struct RenderArguments {
+    RunRequest request;
+    PictureRequest picture;
+    std::string output = "scene.png";
+};
+
+Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
+    auto opened = open_project(arguments.request.file);
+    if (!opened) return fail(opened.error());
+    if (opened->project.analyses.empty())
+        return fail(ErrorCode::bad_input, "the project has no analysis to draw");
+    if (arguments.request.analyses.empty())
+        arguments.request.analyses = {opened->project.analyses.front().id};
+    auto evaluated = evaluate_analyses(*opened, arguments.request, stop);
+    if (!evaluated) return fail(evaluated.error());
+    return write_picture(evaluated->front(), arguments.picture, arguments.output);
+}
+
+}  // namespace
+
+Command render_command(CLI::App& app) {
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* command =
+        app.add_subcommand("render", "Evaluate an analysis and draw its scene as PNG (needs no display)");
+    add_run_options(*command, arguments->request);
+    PictureRequest& picture = arguments->picture;
+    command->add_option("--output,-o", arguments->output, "PNG file to write")
+        ->type_name("FILE.png")
+        ->capture_default_str();
+    command->add_option("--group", picture.group, "group of outputs to show, e.g. \"pose 7\"")
+        ->type_name("NAME");
+    command->add_option("--view", picture.view, "direction of view")
+        ->check(CLI::IsMember({"iso", "top", "front", "right"}))
+        ->capture_default_str();
+    command->add_option("--width", picture.width, "pixels")
+        ->check(CLI::Range(64, 16384))
+        ->capture_default_str();
+    command->add_option("--height", picture.height, "pixels")
+        ->check(CLI::Range(64, 16384))
+        ->capture_default_str();
+    command->add_option("--magnification", picture.magnification, "of the uncertainty; automatic without it")
+        ->check(CLI::PositiveNumber);
+    command
+        ->add_option("--probability", picture.probability, "of the ellipsoids; the analysis' own without it")
+        ->check(CLI::Range(0.01, 0.9999));
+    command->add_flag("--dark", picture.dark, "dark background");
+    return {command, [arguments](const std::stop_token& stop) {
+                const auto done = render(*arguments, stop);
+                if (done) return int(exit_success);
+                print_error(done.error());
+                return exit_status_of(done.error());
+            }};
+}
+
+}  // namespace covaria

@@ -1,0 +1,61 @@
+// covaria run FILE: evaluates a project and writes results.json and CSV tables; on request report and
+// pictures too.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands/commands.h"
+#include "app/commands/run_options.h"
+#include "app/exit_status.h"
+#include "app/output_folder.h"
+#include "app/pictures.h"
+#include "app/report_files.h"
+#include "app/terminal.h"
+
+namespace covaria {
+namespace {
+
+struct RunArguments {
+    RunRequest request;
+    std::string out = "out";
+    bool report = false;
+    bool pictures = false;
+};
+
+Result<void> run(const RunArguments& arguments, const std::stop_token& stop) {
+    if (auto made = make_output_folder(arguments.out); !made) return made;
+    auto opened = open_project(arguments.request.file);
+    if (!opened) return fail(opened.error());
+    auto evaluated = evaluate_analyses(*opened, arguments.request, stop);
+    if (!evaluated) return fail(evaluated.error());
+    if (auto written = write_results(arguments.out, opened->project, *evaluated); !written) return written;
+    if (arguments.pictures)
+        if (auto written = write_pictures(arguments.out, *evaluated, stop); !written) return written;
+    if (arguments.report)
+        return write_reports({opened->project, opened->assets, *evaluated}, {arguments.out}, stop);
+    return {};
+}
+
+}  // namespace
+
+Command run_command(CLI::App& app) {
+    auto arguments = std::make_shared<RunArguments>();
+    CLI::App* command = app.add_subcommand("run", "Evaluate a project; write results.json and CSV tables");
+    add_run_options(*command, arguments->request);
+    command->add_option("--out", arguments->out, "folder for the results")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command->add_flag("--report", arguments->report, "write the report too (PDF, HTML, Markdown)");
+    command->add_flag("--pictures", arguments->pictures, "write pictures of every analysis too (PNG)");
+    return {command, [arguments](const std::stop_token& stop) {
+                const auto done = run(*arguments, stop);
+                if (!done) {
+                    print_error(done.error());
+                    return exit_status_of(done.error());
+                }
+                std::printf("results are in %s\n", arguments->out.c_str());
+                return int(exit_success);
+            }};
+}
+
+}  // namespace covaria

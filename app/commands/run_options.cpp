@@ -1,0 +1,28 @@
+#include "app/commands/run_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace covaria {
+
+void add_run_options(CLI::App& command, RunRequest& request) {
+    command.add_option("FILE", request.file, "project file (*.covaria)")->required();
+    command
+        .add_option("--analysis", request.analyses,
+                    "evaluate only the analysis with this id (may be repeated)")
+        ->type_name("ID");
+    auto* trials = command.add_option("--trials", request.trials, "Monte Carlo with this number of trials")
+                       ->type_name("N")
+                       ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
+    auto* adaptive =
+        command.add_flag("--adaptive", request.adaptive, "adaptive Monte Carlo (JCGM 101 7.9, JCGM 102 7.8)");
+    auto* first =
+        command.add_flag("--first-order", request.first_order, "law of propagation of uncertainty only");
+    adaptive->excludes(trials);
+    first->excludes(trials)->excludes(adaptive);
+    command.add_option("--seed", request.seed, "seed of the random draws")->type_name("S");
+    command.add_option("--threads", request.threads, "number of threads (results do not depend on it)")
+        ->type_name("T")
+        ->check(CLI::Range(0, 1024));
+}
+
+}  // namespace covaria

@@ -1,0 +1,84 @@
+#include "app/evaluation.h"
+
+#include "app/terminal.h"
+#include "core/project/project_file.h"
+
+namespace covaria {
+namespace {
+
+EvaluationOptions overridden(EvaluationOptions options, const RunRequest& request) {
+    if (request.trials) {
+        options.method = Method::monte_carlo;
+        options.trials = *request.trials;
+    }
+    if (request.adaptive) options.method = Method::adaptive;
+    if (request.first_order) options.method = Method::first_order;
+    if (request.seed) options.seed = *request.seed;
+    return options;
+}
+
+/// The project as the command line wants it evaluated; the fingerprint then covers the changes too.
+Project with_overrides(Project project, const RunRequest& request) {
+    for (AnalysisEntry& analysis : project.analyses) analysis.options = overridden(analysis.options, request);
+    return project;
+}
+
+Result<std::vector<std::string>> selected(const Project& project, const std::vector<std::string>& wanted) {
+    std::vector<std::string> ids;
+    for (const AnalysisEntry& analysis : project.analyses) ids.push_back(analysis.id);
+    if (wanted.empty()) return ids;
+    for (const std::string& id : wanted) {
+        if (project.find_analysis(id)) continue;
+        std::string known;
+        for (const std::string& other : ids) known += (known.empty() ? "" : ", ") + other;
+        return fail(ErrorCode::not_found, "there is no analysis \"" + id + "\"; the project has: " + known);
+    }
+    return wanted;
+}
+
+Result<EvaluatedAnalysis> evaluate_one(const Project& project, const AssetLibrary& assets,
+                                       const std::string& id, const RunControl& control) {
+    Problems problems;
+    auto prepared = prepare_analysis(project, id, assets, problems);
+    if (!prepared) {
+        print_problems(problems);
+        return fail(ErrorCode::bad_input, "analysis \"" + id + "\" cannot be evaluated");
+    }
+    auto result = run_analysis(*prepared, control);
+    if (!result) return fail(result.error());
+    EvaluatedAnalysis evaluated{prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};
+    for (const Problem& problem : problems.items()) evaluated.warnings.push_back(problem.message);
+    return evaluated;
+}
+
+}  // namespace
+
+Result<OpenedProject> open_project(const std::string& file) {
+    LoadedProject loaded = load_project(file);
+    print_problems(loaded.problems);
+    if (loaded.problems.has_errors())
+        return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");
+    Problems asset_problems;
+    AssetLibrary assets = make_assets(loaded.project, asset_problems);
+    return OpenedProject{std::move(loaded.project), std::move(assets)};
+}
+
+Result<std::vector<EvaluatedAnalysis>> evaluate_analyses(const OpenedProject& opened,
+                                                         const RunRequest& request,
+                                                         const std::stop_token& stop) {
+    const Project project = with_overrides(opened.project, request);
+    const auto ids = selected(project, request.analyses);
+    if (!ids) return fail(ids.error());
+    std::vector<EvaluatedAnalysis> evaluated;
+    for (const std::string& id : *ids) {
+        const RunControl control{stop, progress_line("analysis " + id), request.threads};
+        auto one = evaluate_one(project, opened.assets, id, control);
+        end_progress_line();
+        if (!one) return fail(one.error());
+        for (const std::string& warning : one->result->warnings) print_message(id + ": warning: " + warning);
+        evaluated.push_back(std::move(*one));
+    }
+    return evaluated;
+}
+
+}  // namespace covaria

@@ -1,0 +1,39 @@
+// Loading and evaluating a project for the subcommands.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/project/workspace.h"
+#include "core/report/report.h"
+
+namespace covaria {
+
+/// What the command line changes about a project's analyses.
+struct RunRequest {
+    std::string file;
+    std::vector<std::string> analyses = {};  ///< ids; empty = all
+    std::optional<std::uint64_t> trials = {};
+    bool adaptive = false;
+    bool first_order = false;
+    std::optional<std::uint64_t> seed = {};
+    int threads = 0;
+};
+
+/// A loaded project with its assets made.
+struct OpenedProject {
+    Project project;
+    AssetLibrary assets;
+};
+
+/// Prints every problem; an error of the project becomes Error{bad_input}.
+Result<OpenedProject> open_project(const std::string& file);
+
+/// Evaluates the requested analyses one after the other, with progress on a terminal.
+Result<std::vector<EvaluatedAnalysis>> evaluate_analyses(const OpenedProject& opened,
+                                                         const RunRequest& request,
+                                                         const std::stop_token& stop);
+
+}  // namespace covaria

@@ -1,0 +1,45 @@
+// The program: a window without a subcommand, a headless tool with one.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/commands/commands.h"
+#include "app/exit_status.h"
+#include "app/interrupt.h"
+#include "app/terminal.h"
+
+namespace {
+
+const char* const description =
+    "Covaria evaluates the measurement uncertainty of robots and large-scale metrology.\n"
+    "A project (*.covaria) describes artefacts, instruments, robots and analyses; Covaria propagates their\n"
+    "uncertainties (law of propagation and Monte Carlo) and writes results, pictures and a report.";
+
+const char* const footer =
+    "Examples:\n"
+    "  covaria run projects/stewart-platform.covaria --out out\n"
+    "  covaria report projects/stewart-platform.covaria --format pdf\n"
+    "  covaria render projects/stewart-platform.covaria --group \"pose 13\" --view top -o top.png\n"
+    "  covaria validate my.covaria\n"
+    "  covaria describe pose-from-points\n"
+    "\n"
+    "Exit status: 0 success, 1 bad input, 2 wrong usage, 130 interrupted.";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace covaria;
+    CLI::App app(description, "covaria");
+    app.footer(footer);
+    app.set_version_flag("--version", std::string("covaria ") + COVARIA_VERSION);
+    app.require_subcommand(1);
+    const std::vector<Command> commands = all_commands(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        return app.exit(problem) == 0 ? exit_success : exit_wrong_usage;
+    }
+    const Interrupt interrupt;
+    for (const Command& command : commands)
+        if (command.parser->parsed()) return command.run(interrupt.token());
+    return exit_wrong_usage;
+}

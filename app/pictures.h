@@ -1,0 +1,34 @@
+// Pictures of evaluated analyses, rendered off screen.
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/evaluation.h"
+#include "viz/scene/scene.h"
+
+namespace covaria {
+
+/// What to draw of an analysis and how.
+struct PictureRequest {
+    std::string group = {};  ///< empty: the first group of outputs
+    std::string view = "iso";
+    int width = 1280;
+    int height = 800;
+    bool dark = false;
+    std::optional<double> magnification = {};
+    double probability = 0.0;  ///< 0: the analysis' coverage probability
+};
+
+/// The scene of one group with ellipsoids and a cloud of replayed trials.
+Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest& request);
+/// Renders to a PNG file. Error{bad_input} names an unknown group or view.
+Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
+                           const std::filesystem::path& file);
+/// One picture per view of the first group, and the isometric view of every other group.
+Result<void> write_pictures(const std::filesystem::path& folder,
+                            const std::vector<EvaluatedAnalysis>& analyses, const std::stop_token& stop);
+
+}  // namespace covaria

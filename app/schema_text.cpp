@@ -1,0 +1,152 @@
+#include "app/schema_text.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace covaria {
+namespace {
+
+const char* kind_name(FieldKind kind) {
+    switch (kind) {
+        case FieldKind::number:
+            return "number";
+        case FieldKind::integer:
+            return "integer";
+        case FieldKind::choice:
+            return "choice";
+        case FieldKind::text:
+            return "text";
+        case FieldKind::flag:
+            return "flag";
+        case FieldKind::pose:
+            return "pose";
+        case FieldKind::table:
+            return "table";
+        case FieldKind::reference:
+            return "reference to an asset";
+    }
+    return "";
+}
+
+std::string number_text(double value) {
+    std::ostringstream out;
+    out.precision(12);
+    out << value;
+    return out.str();
+}
+
+std::string value_text(const SetupValue& value) {
+    if (const auto* quantity = std::get_if<Quantity>(&value))
+        return number_text(quantity->value) + (quantity->unit == Unit() ? "" : " " + quantity->unit.text());
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (std::holds_alternative<PoseValue>(value)) return "identity";
+    return {};
+}
+
+std::string range_text(const Range& range, const Unit& unit) {
+    if (std::isinf(range.low) && std::isinf(range.high)) return {};
+    std::string text = range.low_open ? "(" : "[";
+    text += std::isinf(range.low) ? "-inf" : number_text(unit.from_si(range.low));
+    text += ", ";
+    text += std::isinf(range.high) ? "inf" : number_text(unit.from_si(range.high));
+    return text + (std::isinf(range.high) ? ")" : "]");
+}
+
+void write_wrapped(std::ostringstream& out, const std::string& text, const std::string& indent) {
+    std::istringstream words(text);
+    std::string word, line;
+    while (words >> word) {
+        if (!line.empty() && indent.size() + line.size() + 1 + word.size() > 100) {
+            out << indent << line << '\n';
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + word;
+    }
+    if (!line.empty()) out << indent << line << '\n';
+}
+
+void write_choices(std::ostringstream& out, const std::vector<Choice>& choices, const std::string& indent) {
+    for (const Choice& choice : choices) out << indent << choice.key << ": " << choice.title << '\n';
+}
+
+void write_column(std::ostringstream& out, const ColumnSpec& column) {
+    out << "        " << column.key;
+    if (column.kind == FieldKind::number && !(column.unit == Unit()))
+        out << " [" << column.unit.text() << "]";
+    out << " (" << kind_name(column.kind) << (column.optional ? ", optional" : "") << ")";
+    const std::string range = range_text(column.range, column.unit);
+    if (!range.empty()) out << ' ' << range;
+    out << (column.help.empty() ? "" : ": " + column.help) << '\n';
+    write_choices(out, column.choices, "            ");
+}
+
+void write_field(std::ostringstream& out, const FieldSpec& field) {
+    out << "  " << field.key << " (" << kind_name(field.kind);
+    if (field.kind == FieldKind::number && !(field.unit == Unit())) out << ", " << field.unit.text();
+    if (field.optional) out << ", optional";
+    out << ")";
+    const std::string default_text = value_text(field.default_value);
+    if (!default_text.empty()) out << "  default " << default_text;
+    const std::string range = range_text(field.range, field.unit);
+    if (!range.empty()) out << "  range " << range;
+    out << '\n';
+    write_wrapped(out, field.title + ". " + field.help, "      ");
+    if (field.shown_if) {
+        out << "      used if " << field.shown_if->key << " is";
+        for (std::size_t i = 0; i < field.shown_if->values.size(); ++i)
+            out << (i ? " or " : " ") << field.shown_if->values[i];
+        out << '\n';
+    }
+    write_choices(out, field.choices, "        ");
+    for (const ColumnSpec& column : field.columns) write_column(out, column);
+}
+
+void write_schema(std::ostringstream& out, const SetupSchema& schema) {
+    out << "\nFields of the set-up\n";
+    std::string section;
+    for (const FieldSpec& field : schema.fields()) {
+        if (field.section != section) out << "\n  -- " << (section = field.section) << " --\n";
+        write_field(out, field);
+    }
+}
+
+void write_list(std::ostringstream& out, const std::string& title, const std::vector<std::string>& items) {
+    if (items.empty()) return;
+    out << '\n' << title << '\n';
+    for (const std::string& item : items) write_wrapped(out, "- " + item, "  ");
+}
+
+std::vector<std::string> texts_of(const std::vector<Reference>& references) {
+    std::vector<std::string> texts;
+    for (const Reference& reference : references) texts.push_back(reference.text);
+    return texts;
+}
+
+}  // namespace
+
+std::string description_of(const ModelDescriptor& model) {
+    std::ostringstream out;
+    out << model.id << ": " << model.title << '\n';
+    write_wrapped(out, model.summary, "  ");
+    std::vector<std::string> equations;
+    for (const ModelEquation& equation : model.equations)
+        equations.push_back(equation.text + "   (" + equation.source + ")");
+    write_list(out, "Equations", equations);
+    write_schema(out, model.schema);
+    write_list(out, "Notes", model.notes);
+    write_list(out, "References", texts_of(model.references));
+    return out.str();
+}
+
+std::string description_of(const AssetDescriptor& asset) {
+    std::ostringstream out;
+    out << asset.kind << ": " << asset.title << '\n';
+    write_wrapped(out, asset.summary, "  ");
+    write_schema(out, asset.schema);
+    write_list(out, "Notes", asset.notes);
+    write_list(out, "References", texts_of(asset.references));
+    return out.str();
+}
+
+}  // namespace covaria

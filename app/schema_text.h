@@ -1,0 +1,13 @@
+// Models and assets described as plain text for the terminal.
+#pragma once
+
+#include <string>
+
+#include "core/model/model_descriptor.h"
+
+namespace covaria {
+
+std::string description_of(const ModelDescriptor& model);
+std::string description_of(const AssetDescriptor& asset);
+
+}  // namespace covaria

@@ -1,0 +1,61 @@
+#include "app/terminal.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace covaria {
+namespace {
+
+bool progress_shown = false;
+
+std::string place(const std::string& file, int line, const std::string& path) {
+    std::string text;
+    if (!file.empty()) text += file + (line > 0 ? ":" + std::to_string(line) : "") + ": ";
+    if (!path.empty()) text += path + ": ";
+    return text;
+}
+
+}  // namespace
+
+void end_progress_line() {
+    if (!progress_shown) return;
+    std::fputs("\r\x1b[K", stderr);
+    progress_shown = false;
+}
+
+void print_message(const std::string& message) {
+    end_progress_line();
+    std::fprintf(stderr, "covaria: %s\n", message.c_str());
+}
+
+void print_error(const Error& error) {
+    print_message(place(error.file, error.line, error.path) + error.message);
+}
+
+void print_problems(const Problems& problems) {
+    end_progress_line();
+    for (const Problem& p : problems.items()) {
+        const char* kind = p.severity == Severity::error ? "error: " : "warning: ";
+        const std::string where =
+            p.file.empty() ? "" : p.file + (p.line > 0 ? ":" + std::to_string(p.line) : "") + ": ";
+        const std::string path = p.path.empty() ? "" : p.path + ": ";
+        std::fprintf(stderr, "%s%s%s%s\n", where.c_str(), kind, path.c_str(), p.message.c_str());
+    }
+}
+
+std::function<void(const Progress&)> progress_line(const std::string& what) {
+    if (!isatty(STDERR_FILENO)) return {};
+    return [what](const Progress& p) {
+        progress_shown = true;
+        if (p.trials_planned > 0)
+            std::fprintf(stderr, "\r\x1b[K%s: %3.0f %%", what.c_str(),
+                         100.0 * double(p.trials_done) / double(p.trials_planned));
+        else
+            std::fprintf(stderr, "\r\x1b[K%s: %llu trials", what.c_str(),
+                         static_cast<unsigned long long>(p.trials_done));
+        std::fflush(stderr);
+    };
+}
+
+}  // namespace covaria

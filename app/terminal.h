@@ -1,0 +1,23 @@
+// What the command line says to people: messages and progress on stderr, never on stdout.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/run_control.h"
+
+namespace covaria {
+
+/// "covaria: FILE:LINE: /json/path: message"
+void print_error(const Error& error);
+/// One line per problem, as "FILE:LINE: error: /json/path: message".
+void print_problems(const Problems& problems);
+void print_message(const std::string& message);
+
+/// A progress callback that keeps one line up to date on a terminal; empty when stderr is not a terminal.
+std::function<void(const Progress&)> progress_line(const std::string& what);
+/// Ends the progress line, if there is one.
+void end_progress_line();
+
+}  // namespace covaria
