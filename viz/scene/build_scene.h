@@ -17,10 +17,12 @@ struct SceneOptions {
     std::optional<double> magnification =
         {};  ///< empty = automatic (a round number, so that the largest ellipsoid is seen)
     bool ellipsoids = true, clouds = true, wall_histograms = true, labels = true, links = true, bodies = true;
+    std::size_t cloud_limit = 20'000;  ///< points of each cloud; more trials are thinned evenly
+    std::string histograms_of = {};    ///< name of the point; empty = the first with output quantities
 };
 
-/// `result` and `trials` may be null (layout only; no clouds). `trials.outputs` and `.inputs` are columns of
-/// trials.
+/// `result` and the trials may be null (layout only; no clouds). Column t of the trials is trial t, as
+/// `replay_trials` gives them; trials with NaN are left out.
 struct SceneSource {
     const Layout* layout = nullptr;
     const UncertaintyResult* result = nullptr;
@@ -29,6 +31,8 @@ struct SceneSource {
     std::string title = {};
 };
 
+/// Pure: the same arguments give the same scene. Never fails: what has no value (no result, no uncertainty)
+/// is left out.
 Scene build_scene(const SceneSource& source, const SceneOptions& options);
 
 }  // namespace covaria

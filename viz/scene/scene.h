@@ -1,4 +1,217 @@
+// What to draw, as plain data: no VTK, no Qt. Lengths in metres, in the world frame W; roles instead of
+// colours.
 #pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/layout.h"
+
 namespace covaria {
-struct Scene {};
+
+/// What a mark means; the palette of viz/vtk gives each role a colour on a light and on a dark ground.
+enum class Role {
+    axis_x,
+    axis_y,
+    axis_z,
+    point,
+    input,   ///< uncertainty of input quantities
+    output,  ///< uncertainty of output quantities
+    body,
+    link,
+    sight_line,
+    instrument,
+    vector,
+    text,
+    quiet_text
+};
+
+/// What can be shown and hidden as a whole.
+enum class Layer {
+    frames,
+    points,
+    bodies,
+    links,
+    vectors,
+    ellipsoids,
+    clouds,
+    wall_histograms,
+    labels,
+    axes,
+    legend
+};
+inline constexpr std::size_t layer_count = 11;
+/// Key of a layer in settings and dumps: "wall_histograms".
+const char* layer_key(Layer layer);
+
+/// What a pick tells about an item.
+struct SceneItem {
+    std::string id;    ///< unique in the scene: "point:b1", "link:leg 3"
+    std::string name;  ///< as in the layout
+    std::string group = {};
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in W, m
+    /// Standard and expanded uncertainties of the three coordinates, m, along the axes in which the point's
+    /// quantities are expressed; empty where nothing is known.
+    std::optional<Eigen::Vector3d> u = {};
+    std::optional<Eigen::Vector3d> U = {};
+    LayoutSource source = {};  ///< the set-up field it comes from
+    bool operator==(const SceneItem& other) const;
+};
+
+struct SceneFrame {
+    SceneItem item;
+    Eigen::Matrix3d R_WF = Eigen::Matrix3d::Identity();
+    double length = 0.0;  ///< of the arrows, m
+    bool operator==(const SceneFrame&) const = default;
+};
+
+struct ScenePoint {
+    SceneItem item;
+    PointKind kind = PointKind::other;
+    double radius = 0.0;                              ///< m
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of its seat: the normal of the plate it sits on
+    bool operator==(const ScenePoint&) const = default;
+};
+
+/// A plate (outline extruded along its normal, half to either side) or, without outline, a glyph.
+struct SceneBody {
+    SceneItem item;
+    BodyKind kind = BodyKind::plate;
+    std::string glyph = {};  ///< as in LayoutBody; its +x axis is the line of sight
+    std::vector<Eigen::Vector3d> outline = {};
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+    double thickness = 0.0;                              ///< m
+    Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< of a glyph
+    double size = 0.0;                                   ///< of a glyph, m
+    bool operator==(const SceneBody&) const = default;
+};
+
+struct SceneLink {
+    SceneItem item;  ///< position: the middle
+    LinkKind kind = LinkKind::edge;
+    Eigen::Vector3d from = Eigen::Vector3d::Zero();
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();
+    double radius = 0.0;  ///< of tubes, m; 0 = a thin line
+    double dash = 0.0;    ///< length of a dash, m; 0 = unbroken
+    bool operator==(const SceneLink&) const = default;
+};
+
+/// An arrow from item.position.
+struct SceneVector {
+    SceneItem item;
+    Eigen::Vector3d arrow = Eigen::Vector3d::Zero();  ///< as drawn, m: scaled to the scene
+    double radius = 0.0;
+    bool operator==(const SceneVector&) const = default;
+};
+
+/// { centre + axes * s, |s| <= 1 }: coverage region of a point, magnified.
+struct SceneEllipsoid {
+    SceneItem item;  ///< of the point; position = centre
+    Role role = Role::output;
+    /// Semi-axes as columns, longest first, already magnified, m. A flat region has zero columns.
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+    int rank = 3;                  ///< 1 = a line, 2 = a disc
+    double coverage_factor = 0.0;  ///< k_p from chi-squared with `rank` degrees of freedom
+    bool operator==(const SceneEllipsoid&) const = default;
+};
+
+struct SceneCloud {
+    SceneItem item;
+    Role role = Role::output;
+    std::vector<float> offsets = {};  ///< x y z of each trial from item.position, already magnified, m
+    std::size_t size() const { return offsets.size() / 3; }
+    bool operator==(const SceneCloud&) const = default;
+};
+
+/// Histogram of one coordinate of a cloud, on a wall of the cloud's bounding box.
+struct SceneWallHistogram {
+    std::string cloud;  ///< id of the cloud's item
+    Role role = Role::output;
+    int axis = 0;                                   ///< coordinate that is counted: 0 x, 1 y, 2 z
+    int height = 2;                                 ///< direction of the bars
+    int normal = 1;                                 ///< direction across the wall
+    Eigen::Vector3d low = Eigen::Vector3d::Zero();  ///< corners of the box, magnified, m
+    Eigen::Vector3d high = Eigen::Vector3d::Zero();
+    std::vector<double> bars = {};  ///< heights, 0 ... 1, over equal cells from low[axis] to high[axis]
+    bool operator==(const SceneWallHistogram&) const = default;
+};
+
+struct SceneLabel {
+    std::string text;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    double clearance = 0.0;  ///< radius of what it must not cover, m
+    Role role = Role::text;
+    int priority = 0;  ///< higher is placed first; a label without room is left out
+    bool operator==(const SceneLabel&) const = default;
+};
+
+struct AxisTick {
+    double at = 0.0;  ///< m
+    std::string text;
+    bool operator==(const AxisTick&) const = default;
+};
+
+/// Axes on the edges of the box around everything drawn.
+struct SceneAxes {
+    Eigen::Vector3d low = Eigen::Vector3d::Zero();
+    Eigen::Vector3d high = Eigen::Vector3d::Zero();
+    std::array<std::string, 3> titles = {};  ///< "x / mm"
+    std::array<std::vector<AxisTick>, 3> ticks = {};
+    bool operator==(const SceneAxes&) const = default;
+};
+
+/// Unit of the lengths written in the picture.
+struct LengthUnit {
+    std::string text = "mm";
+    double per_metre = 1000.0;
+    bool operator==(const LengthUnit&) const = default;
+};
+
+enum class LegendMark { none, ellipsoid, cloud, histogram, line, arrow };
+
+struct LegendLine {
+    LegendMark mark = LegendMark::none;
+    Role role = Role::text;
+    std::string text;
+    bool operator==(const LegendLine&) const = default;
+};
+
+struct Scene {
+    std::string title = {};
+    std::string group = {};    ///< the output group shown
+    std::string caption = {};  ///< "uncertainty × 2000, ellipsoids p = 95 %": whenever uncertainty is drawn
+    double magnification = 1.0;
+    double probability = 0.95;
+    double size = 0.0;  ///< diagonal of the box of the layout (without uncertainties), m; 0 = empty
+    LengthUnit unit = {};
+    bool scale_bar = false;
+
+    std::vector<SceneFrame> frames;
+    std::vector<ScenePoint> points;
+    std::vector<SceneBody> bodies;
+    std::vector<SceneLink> links;
+    std::vector<SceneVector> vectors;
+    std::vector<SceneEllipsoid> ellipsoids;
+    std::vector<SceneCloud> clouds;
+    std::vector<SceneWallHistogram> wall_histograms;
+    std::vector<SceneLabel> labels;
+    std::optional<SceneAxes> axes = {};
+    std::vector<LegendLine> legend;
+
+    bool operator==(const Scene&) const = default;
+};
+
+/// The item with this id, or null.
+const SceneItem* find_item(const Scene& scene, const std::string& id);
+
+/// Box around everything that is drawn (axes included).
+struct SceneBounds {
+    Eigen::Vector3d low = Eigen::Vector3d::Zero();
+    Eigen::Vector3d high = Eigen::Vector3d::Zero();
+};
+SceneBounds bounds_of(const Scene& scene);
+
 }  // namespace covaria
