@@ -1,0 +1,136 @@
+// Editing, opening and saving. The history holds snapshots that neighbouring steps share.
+#include "ui/document/document.h"
+
+#include <QFileInfo>
+#include <QMetaObject>
+
+#include "core/project/workspace.h"
+#include "ui/document/linked_files.h"
+#include "ui/document/project_command.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+std::filesystem::path folder_of(const QString& file) {
+    return file.isEmpty() ? std::filesystem::path{} : to_path(QFileInfo(file).absolutePath());
+}
+
+}  // namespace
+
+Document::Document(QObject* parent)
+    : Document([](const Project& project, Problems& problems) { check_project(project, problems); }, parent) {
+}
+
+Document::Document(ProblemChecker::Check check, QObject* parent)
+    : QObject(parent), checker_(std::move(check)) {
+    open_pool_.setMaxThreadCount(1);
+    connect(&checker_, &ProblemChecker::checked, this, &Document::problems_changed);
+    connect(&watch_, &FileWatch::changed, this, &Document::changed_on_disk);
+    connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { emit modified_changed(is_modified()); });
+}
+
+Document::~Document() {
+    undo_stack_.disconnect(this);
+    open_pool_.waitForDone();
+}
+
+bool Document::apply(const QString& text, const ProjectEdit& edit, const QString& merge_key) {
+    auto after = std::make_shared<Project>(*project_);
+    edit(*after);
+    if (*after == *project_) return false;
+    undo_stack_.push(
+        new ProjectCommand(*this, text, std::move(after), {merge_key, merge_series_, merge_window_}));
+    return true;
+}
+
+void Document::set_project(ProjectSnapshot project) {
+    // Steps from before "save as" know the former folder.
+    if (const auto folder = folder_of(file_); !file_.isEmpty() && project->directory != folder) {
+        auto moved = std::make_shared<Project>(*project);
+        moved->directory = folder;
+        project = std::move(moved);
+    }
+    project_ = std::move(project);
+    checker_.request(project_);
+    emit project_changed();
+}
+
+void Document::adopt(Project project, const QString& file) {
+    ++open_number_;
+    undo_stack_.clear();
+    recovered_ = false;
+    set_file(file);
+    project_ = std::make_shared<const Project>(std::move(project));
+    emit project_replaced();
+    set_project(project_);
+    emit modified_changed(is_modified());
+}
+
+void Document::replace(Project project) {
+    adopt(std::move(project), {});
+}
+
+void Document::restore(Project project, const QString& original_file) {
+    adopt(std::move(project), original_file);
+    recovered_ = true;
+    emit modified_changed(true);
+}
+
+void Document::set_file(const QString& file) {
+    watch_.watch(file);
+    if (file == file_) return;
+    file_ = file;
+    emit file_changed();
+}
+
+QString Document::display_name() const {
+    if (!file_.isEmpty()) return QFileInfo(file_).completeBaseName();
+    return project_->title.empty() ? tr("Untitled") : to_qt(project_->title);
+}
+
+Problems Document::open(const QString& file) {
+    LoadedProject loaded = load_project(to_path(file));
+    if (!loaded.problems.has_errors()) adopt(std::move(loaded.project), QFileInfo(file).absoluteFilePath());
+    return loaded.problems;
+}
+
+void Document::open_in_background(const QString& file) {
+    open_pool_.start([this, file, number = ++open_number_] {
+        auto loaded = std::make_shared<LoadedProject>(load_project(to_path(file)));
+        QMetaObject::invokeMethod(
+            this,
+            [this, file, number, loaded] {
+                if (number == open_number_) finish_open(file, std::move(*loaded));
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void Document::finish_open(const QString& file, LoadedProject loaded) {
+    if (!loaded.problems.has_errors()) adopt(std::move(loaded.project), QFileInfo(file).absoluteFilePath());
+    emit open_finished(file, loaded.problems);
+}
+
+Result<void> Document::save() {
+    if (file_.isEmpty())
+        return fail(ErrorCode::usage, to_std(tr("The project has no file yet: choose a name for it.")));
+    return save_as(file_);
+}
+
+Result<void> Document::save_as(const QString& file) {
+    const QString absolute = QFileInfo(file).absoluteFilePath();
+    if (absolute != file_)
+        if (auto copied = copy_linked_files(*project_, folder_of(absolute)); !copied) return copied;
+    if (auto saved = save_project(*project_, to_path(absolute)); !saved) return saved;
+    set_file(absolute);
+    if (project_->directory != folder_of(absolute)) set_project(project_);
+    recovered_ = false;
+    end_merging();
+    undo_stack_.setClean();
+    emit modified_changed(false);
+    return {};
+}
+
+}  // namespace covaria::ui

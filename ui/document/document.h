@@ -1,0 +1,94 @@
+// The project being edited: a value, its history and its file. Every change goes through `apply`.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <functional>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+#include "core/project/project_file.h"
+#include "ui/document/file_watch.h"
+#include "ui/document/problem_checker.h"
+
+namespace covaria::ui {
+
+using ProjectEdit = std::function<void(Project&)>;
+
+class Document : public QObject {
+    Q_OBJECT
+public:
+    explicit Document(QObject* parent = nullptr);
+    /// With another check than `check_project`.
+    Document(ProblemChecker::Check check, QObject* parent);
+    ~Document() override;
+
+    const Project& project() const { return *project_; }
+    /// The present value; stays as it is whatever is edited later (for worker threads).
+    ProjectSnapshot snapshot() const { return project_; }
+
+    /// Copies the project, edits the copy, and if it differs pushes one undo step. Edits with the same
+    /// `merge_key` (not empty) that follow each other closely become one step: drags and typing.
+    /// Returns whether the project changed.
+    bool apply(const QString& text, const ProjectEdit& edit, const QString& merge_key = {});
+    /// The next edit starts a new undo step whatever its key (end of a drag).
+    void end_merging() { ++merge_series_; }
+    /// Longest pause between two edits that merge, in milliseconds.
+    void set_merge_window(int milliseconds) { merge_window_ = milliseconds; }
+
+    QUndoStack& undo_stack() { return undo_stack_; }
+    bool is_modified() const { return recovered_ || !undo_stack_.isClean(); }
+
+    const QString& file() const { return file_; }  ///< empty: never saved
+    /// The file's name without folder and ending, or the title, or "Untitled".
+    QString display_name() const;
+
+    /// Another project takes the place of this one; history and file are forgotten.
+    void replace(Project project);
+    /// A project read from a recovery file: like `open`, but unsaved.
+    void restore(Project project, const QString& original_file);
+    /// Reads a file. With errors among the problems the document stays as it was.
+    Problems open(const QString& file);
+    /// The same with the reading done in a worker thread; ends with `open_finished`. The latest call wins.
+    void open_in_background(const QString& file);
+    Result<void> save();
+    /// CSV files the project refers to are copied beside the new file where they are not there yet.
+    Result<void> save_as(const QString& file);
+
+    const Problems& problems() const { return checker_.problems(); }
+    /// Checks at once instead of in the worker thread (which happens after every change by itself).
+    void check_now() { checker_.check_now(project_); }
+
+signals:
+    void project_changed();
+    /// Another project is open: emitted before `project_changed`.
+    void project_replaced();
+    void problems_changed();
+    void modified_changed(bool modified);
+    void file_changed();
+    void open_finished(const QString& file, const covaria::Problems& problems);
+    /// Another program wrote or removed the file.
+    void changed_on_disk();
+
+private:
+    friend class ProjectCommand;
+    void set_project(ProjectSnapshot project);
+    void adopt(Project project, const QString& file);
+    void set_file(const QString& file);
+    void finish_open(const QString& file, LoadedProject loaded);
+
+    ProjectSnapshot project_ = std::make_shared<const Project>();
+    QUndoStack undo_stack_;
+    ProblemChecker checker_;
+    FileWatch watch_;
+    QThreadPool open_pool_;
+    QString file_;
+    bool recovered_ = false;
+    int merge_window_ = 2000;
+    int merge_series_ = 0;
+    quint64 open_number_ = 0;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,51 @@
+// Content hashes decide, because saving atomically replaces the file and touches its time in any case.
+#include "ui/document/file_watch.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+namespace covaria::ui {
+
+namespace {
+
+QByteArray content_hash(const QString& name) {
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(&file);
+    return hash.result();
+}
+
+}  // namespace
+
+FileWatch::FileWatch(QObject* parent) : QObject(parent) {
+    connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &FileWatch::look);
+    connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &FileWatch::look);
+}
+
+void FileWatch::watch(const QString& file) {
+    if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
+    if (!watcher_.directories().isEmpty()) watcher_.removePaths(watcher_.directories());
+    file_ = file;
+    seen_ = content_hash(file);
+    rearm();
+}
+
+void FileWatch::rearm() {
+    // The folder is watched too: replacing the file by renaming ends the watch on the file itself.
+    if (file_.isEmpty()) return;
+    if (QFileInfo::exists(file_) && !watcher_.files().contains(file_)) watcher_.addPath(file_);
+    const QString folder = QFileInfo(file_).absolutePath();
+    if (QFileInfo::exists(folder) && !watcher_.directories().contains(folder)) watcher_.addPath(folder);
+}
+
+void FileWatch::look() {
+    rearm();
+    const QByteArray now = content_hash(file_);
+    if (now == seen_) return;
+    seen_ = now;
+    emit changed();
+}
+
+}  // namespace covaria::ui

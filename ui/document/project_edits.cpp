@@ -1,0 +1,157 @@
+// Edits of the lists of assets and analyses.
+#include "ui/document/project_edits.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "core/assets/registry.h"
+#include "core/models/registry.h"
+#include "core/project/workspace.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+template <class Function>
+void visit_entry(Project& project, const SetupAddress& address, Function&& function) {
+    if (address.owner == SetupOwner::asset) {
+        if (AssetEntry* entry = find_asset_entry(project, address.id)) function(*entry, project.assets);
+    } else if (AnalysisEntry* entry = find_analysis_entry(project, address.id)) {
+        function(*entry, project.analyses);
+    }
+}
+
+QString name_of(const Project& project, const SetupAddress& address) {
+    std::string name;
+    Project copy = project;
+    visit_entry(copy, address, [&](auto& entry, auto&) { name = entry.name; });
+    return to_qt(name);
+}
+
+std::string file_safe(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_';
+        safe += plain ? c : '-';
+    }
+    return safe.empty() ? "item" : safe;
+}
+
+bool refers_to(const AssetEntry& entry, const std::string& id) {
+    const AssetDescriptor* kind = find_asset_kind(entry.kind);
+    if (!kind) return false;
+    return std::any_of(kind->schema.fields().begin(), kind->schema.fields().end(),
+                       [&](const FieldSpec& field) {
+                           if (field.kind != FieldKind::reference) return false;
+                           const auto* referred = std::get_if<std::string>(&value_of(field, entry.setup));
+                           return referred && *referred == id;
+                       });
+}
+
+}  // namespace
+
+std::string unique_id(const Project& project, const std::string& wanted) {
+    std::set<std::string> taken;
+    for (const AssetEntry& asset : project.assets) taken.insert(asset.id);
+    for (const AnalysisEntry& analysis : project.analyses) taken.insert(analysis.id);
+    const std::string base = file_safe(wanted);
+    std::string id = base;
+    for (int number = 2; taken.count(id) > 0; ++number) id = base + '-' + std::to_string(number);
+    return id;
+}
+
+std::string unique_name(const Project& project, const std::string& wanted) {
+    std::set<std::string> taken;
+    for (const AssetEntry& asset : project.assets) taken.insert(asset.name);
+    for (const AnalysisEntry& analysis : project.analyses) taken.insert(analysis.name);
+    std::string name = wanted;
+    for (int number = 2; taken.count(name) > 0; ++number) name = wanted + " (" + std::to_string(number) + ')';
+    return name;
+}
+
+std::string add_asset(Document& document, const std::string& kind) {
+    const AssetDescriptor* descriptor = find_asset_kind(kind);
+    if (!descriptor) return {};
+    const std::string id = unique_id(document.project(), kind);
+    const std::string name = unique_name(document.project(), descriptor->title);
+    document.apply(Document::tr("Add %1").arg(to_qt(descriptor->title)), [&](Project& project) {
+        project.assets.push_back({id, kind, name, {}, {}});
+    });
+    return id;
+}
+
+std::string add_analysis(Document& document, const std::string& model) {
+    const ModelDescriptor* descriptor = find_model(model);
+    if (!descriptor) return {};
+    AnalysisEntry entry;
+    entry.id = unique_id(document.project(), model);
+    entry.model = model;
+    entry.name = unique_name(document.project(), descriptor->title);
+    document.apply(Document::tr("Add %1").arg(to_qt(descriptor->title)),
+                   [&](Project& project) { project.analyses.push_back(entry); });
+    return entry.id;
+}
+
+std::string duplicate(Document& document, const SetupAddress& address) {
+    std::string id;
+    document.apply(Document::tr("Duplicate %1").arg(name_of(document.project(), address)),
+                   [&](Project& project) {
+                       visit_entry(project, address, [&](auto& entry, auto& entries) {
+                           auto copy = entry;
+                           copy.id = id = unique_id(project, entry.id);
+                           copy.name = unique_name(project, entry.name);
+                           entries.insert(entries.begin() + (&entry - entries.data()) + 1, std::move(copy));
+                       });
+                   });
+    return id;
+}
+
+void rename(Document& document, const SetupAddress& address, const QString& name) {
+    document.apply(Document::tr("Rename %1").arg(name_of(document.project(), address)),
+                   [&](Project& project) {
+                       visit_entry(project, address, [&](auto& entry, auto&) { entry.name = to_std(name); });
+                   });
+}
+
+void set_notes(Document& document, const SetupAddress& address, const QString& notes) {
+    document.apply(
+        Document::tr("Change notes of %1").arg(name_of(document.project(), address)),
+        [&](Project& project) {
+            visit_entry(project, address, [&](auto& entry, auto&) { entry.notes = to_std(notes); });
+        },
+        "notes:" + to_qt(address.id));
+}
+
+void remove(Document& document, const SetupAddress& address) {
+    document.apply(Document::tr("Delete %1").arg(name_of(document.project(), address)),
+                   [&](Project& project) {
+                       visit_entry(project, address, [](auto& entry, auto& entries) {
+                           entries.erase(entries.begin() + (&entry - entries.data()));
+                       });
+                   });
+}
+
+void move_entry(Document& document, const SetupAddress& address, std::size_t position) {
+    document.apply(Document::tr("Move %1").arg(name_of(document.project(), address)), [&](Project& project) {
+        visit_entry(project, address, [&](auto& entry, auto& entries) {
+            auto moved = entry;
+            entries.erase(entries.begin() + (&entry - entries.data()));
+            entries.insert(entries.begin() + static_cast<std::ptrdiff_t>(std::min(position, entries.size())),
+                           std::move(moved));
+        });
+    });
+}
+
+QStringList dependants(const Project& project, const SetupAddress& address) {
+    QStringList names;
+    if (address.owner == SetupOwner::analysis) return names;  // nothing refers to an analysis
+    for (const AssetEntry& asset : project.assets)
+        if (refers_to(asset, address.id)) names << to_qt(asset.name);
+    for (const std::string& id : analyses_using(project, address.id))
+        if (const AnalysisEntry* analysis = project.find_analysis(id)) names << to_qt(analysis->name);
+    return names;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,101 @@
+// Parsing and writing of quantities in the user's locale.
+#include "ui/document/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("covaria::ui::Quantity", text);
+}
+
+/// Signs that other programs and our own display use, in the plain writing of files.
+QString plain_unit(QString text) {
+    static const std::array<std::pair<QString, QString>, 8> replacements{{{QStringLiteral("°C"), "degC"},
+                                                                          {QStringLiteral("°"), "deg"},
+                                                                          {QStringLiteral("·"), "*"},
+                                                                          {QStringLiteral("⋅"), "*"},
+                                                                          {QStringLiteral("²"), "^2"},
+                                                                          {QStringLiteral("³"), "^3"},
+                                                                          {QStringLiteral("μ"), "u"},
+                                                                          {QStringLiteral("µ"), "u"}}};
+    for (const auto& [from, to] : replacements) text.replace(from, to);
+    return text.trimmed();
+}
+
+QString plain_number(QString text) {
+    return text.trimmed().replace(QChar(0x2212), '-').remove(QChar(0x00a0)).remove(QChar(0x202f));
+}
+
+}  // namespace
+
+std::optional<double> parse_number(const QString& text, const QLocale& locale) {
+    const QString plain = plain_number(text);
+    for (QLocale candidate : {locale, QLocale::c()}) {
+        candidate.setNumberOptions(QLocale::RejectGroupSeparator);
+        bool ok = false;
+        const double value = candidate.toDouble(plain, &ok);
+        if (ok && std::isfinite(value)) return value;
+    }
+    return std::nullopt;
+}
+
+Result<Unit> parse_unit(const QString& text) {
+    return Unit::parse(to_std(plain_unit(text)));
+}
+
+Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& unit, const QLocale& locale) {
+    const QString trimmed = text.trimmed();
+    if (trimmed.isEmpty()) return std::optional<Quantity>{};
+    static const QRegularExpression pattern(
+        QStringLiteral("^([+\\-−]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+\\-−]?\\d+)?)\\s*(\\S.*)?$"));
+    const QRegularExpressionMatch match = pattern.match(trimmed);
+    const std::optional<double> value =
+        match.hasMatch() ? parse_number(match.captured(1), locale) : std::nullopt;
+    if (!value) return fail(ErrorCode::bad_input, to_std(tr("“%1” is not a number.").arg(trimmed)));
+    const QString unit_text = match.captured(2);
+    if (unit_text.isEmpty()) return std::optional<Quantity>(Quantity{*value, unit});
+    const Result<Unit> typed = parse_unit(unit_text);
+    if (!typed) return fail(ErrorCode::bad_input, to_std(tr("“%1” is not a unit.").arg(unit_text)));
+    if (!(typed->dimension() == unit.dimension())) {
+        const QString expected = unit.dimension().is_one()
+                                     ? tr("a number without unit is expected.")
+                                     : tr("a unit like %1 is expected.").arg(to_qt(unit.display()));
+        return fail(ErrorCode::bad_input,
+                    to_std(tr("The unit %1 does not fit here: ").arg(unit_text) + expected));
+    }
+    return std::optional<Quantity>(Quantity{*value, *typed});
+}
+
+QString number_text(double value, const QLocale& locale) {
+    QLocale plain = locale;
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double magnitude = std::abs(value);
+    const bool fixed = value == 0.0 || (magnitude >= 1e-4 && magnitude < 1e9);
+    return plain.toString(value, fixed ? 'f' : 'e', QLocale::FloatingPointShortest);
+}
+
+QString quantity_text(const Quantity& quantity, const QLocale& locale) {
+    const QString number = number_text(quantity.value, locale);
+    if (quantity.unit == Unit()) return number;
+    return number + QChar(' ') + to_qt(quantity.unit.display());
+}
+
+double converted(double value, const Unit& from, const Unit& to) {
+    if (from == to) return value;
+    return QString::number(to.from_si(from.to_si(value)), 'g', 15).toDouble();
+}
+
+QString with_unit(const QString& title, const Unit& unit) {
+    return unit == Unit() ? title : title + QStringLiteral(" / ") + to_qt(unit.display());
+}
+
+}  // namespace covaria::ui

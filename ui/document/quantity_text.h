@@ -1,0 +1,34 @@
+// Numbers and quantities as people type and read them, in their locale.
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/base/unit.h"
+
+namespace covaria::ui {
+
+/// A number in the locale's writing, or with a decimal point; no digit grouping. Empty: not a number.
+std::optional<double> parse_number(const QString& text, const QLocale& locale);
+
+/// Unit as typed: "um", "µm", "°", "N·m". Error: unknown unit.
+Result<Unit> parse_unit(const QString& text);
+
+/// "0.5 um", "1,5", "12 °C"; a number without a unit is in `unit`. An empty text is an empty optional.
+/// Errors: not a number, unknown unit, a unit of another dimension than `unit`.
+Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& unit, const QLocale& locale);
+
+/// Shortest text that reads back to the same number.
+QString number_text(double value, const QLocale& locale);
+/// Number and unit: "0.5 µm"; the unit one is left out.
+QString quantity_text(const Quantity& quantity, const QLocale& locale);
+
+/// The number in another unit of the same dimension, cleaned of the last digit's conversion noise.
+double converted(double value, const Unit& from, const Unit& to);
+
+/// "x / mm": title of a column or field with its unit.
+QString with_unit(const QString& title, const Unit& unit);
+
+}  // namespace covaria::ui

@@ -1,0 +1,36 @@
+// Which set-up of the project a form or table edits, and where that is in the file.
+#pragma once
+
+#include <string>
+
+#include "core/model/setup_schema.h"
+#include "core/project/project.h"
+
+namespace covaria::ui {
+
+enum class SetupOwner { asset, analysis };
+
+/// By id, so that it stays right when entries are added, removed or reordered.
+struct SetupAddress {
+    SetupOwner owner = SetupOwner::analysis;
+    std::string id = {};
+    bool operator==(const SetupAddress&) const = default;
+};
+
+/// Null when the entry is gone.
+const Setup* find_setup(const Project& project, const SetupAddress& address);
+Setup* find_setup(Project& project, const SetupAddress& address);
+/// Null when the entry is gone or its kind is not registered.
+const SetupSchema* find_schema(const Project& project, const SetupAddress& address);
+
+/// JSON pointer of the entry ("/assets/3"); empty when it is gone.
+std::string entry_path(const Project& project, const SetupAddress& address);
+/// JSON pointer of the entry's set-up ("/assets/3/setup"); empty when it is gone.
+std::string setup_path(const Project& project, const SetupAddress& address);
+/// The entry a JSON pointer points into; an empty id when it points elsewhere.
+SetupAddress address_of_path(const Project& project, const std::string& path);
+
+AssetEntry* find_asset_entry(Project& project, const std::string& id);
+AnalysisEntry* find_analysis_entry(Project& project, const std::string& id);
+
+}  // namespace covaria::ui

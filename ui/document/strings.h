@@ -1,0 +1,26 @@
+// Text between the core (UTF-8 std::string, std::filesystem::path) and Qt.
+#pragma once
+
+#include <QString>
+#include <filesystem>
+#include <string>
+
+namespace covaria::ui {
+
+inline QString to_qt(const std::string& text) {
+    return QString::fromStdString(text);
+}
+inline QString to_qt(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+inline std::string to_std(const QString& text) {
+    return text.toStdString();
+}
+inline std::filesystem::path to_path(const QString& file) {
+    return std::filesystem::path(file.toStdString());
+}
+inline QString from_path(const std::filesystem::path& file) {
+    return QString::fromStdString(file.string());
+}
+
+}  // namespace covaria::ui
