@@ -1,0 +1,37 @@
+// Groups of outputs and the correlation matrix of a covariance matrix.
+#include "core/result/uncertainty_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace covaria {
+
+std::vector<std::size_t> outputs_of_group(const std::vector<OutputQuantity>& outputs,
+                                          const std::string& group) {
+    std::vector<std::size_t> indices;
+    for (std::size_t j = 0; j < outputs.size(); ++j)
+        if (outputs[j].group == group) indices.push_back(j);
+    return indices;
+}
+
+std::vector<std::string> groups_of(const std::vector<OutputQuantity>& outputs) {
+    std::vector<std::string> groups;
+    for (const OutputQuantity& output : outputs)
+        if (std::find(groups.begin(), groups.end(), output.group) == groups.end())
+            groups.push_back(output.group);
+    return groups;
+}
+
+Eigen::MatrixXd correlation_of(const Eigen::MatrixXd& covariance) {
+    Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols());
+    for (Eigen::Index a = 0; a < covariance.rows(); ++a)
+        for (Eigen::Index b = 0; b < a; ++b) {
+            // Two square roots: the product of two small variances may underflow.
+            const double product = std::sqrt(covariance(a, a)) * std::sqrt(covariance(b, b));
+            if (product > 0)
+                correlation(a, b) = correlation(b, a) = std::clamp(covariance(a, b) / product, -1.0, 1.0);
+        }
+    return correlation;
+}
+
+}  // namespace covaria
