@@ -9,7 +9,7 @@
 
 namespace covaria {
 
-/// Standard views; the camera looks along -(1,-1,0.8), -z, +y, -x.
+/// Standard views; iso looks from the front right, from above; the others along -z, +y, -x.
 enum class StandardView { iso, top, front, right };
 std::optional<StandardView> standard_view_from(std::string_view key);  ///< "iso", "top", "front", "right"
 

@@ -1,0 +1,113 @@
+// Axes, unit of length, labels and legend of a scene.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viz/scene/build_parts.h"
+#include "viz/scene/round_numbers.h"
+
+namespace covaria::detail {
+namespace {
+
+constexpr double air = 0.03;  // around everything, of the scene's size
+
+LengthUnit unit_for(double size) {
+    if (size > 50.0) return {"m", 1.0};
+    if (size < 1e-3) return {"µm", 1e6};
+    return {"mm", 1e3};
+}
+
+std::vector<AxisTick> ticks_between(double low, double high, double step, LengthUnit unit) {
+    std::vector<AxisTick> ticks;
+    const double step_shown = step * unit.per_metre;
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step_shown) - 1e-9)));
+    const auto first = static_cast<long>(std::ceil(low / step - 1e-9));
+    const auto last = static_cast<long>(std::floor(high / step + 1e-9));
+    for (long i = first; i <= last; ++i) {
+        const double at = static_cast<double>(i) * step;
+        ticks.push_back({at, plain_number(at * unit.per_metre, decimals)});
+    }
+    return ticks;
+}
+
+void label(Scene& scene, const SceneItem& item, double clearance, int priority, Role role = Role::text) {
+    if (!item.name.empty()) scene.labels.push_back({item.name, item.position, clearance, role, priority});
+}
+
+/// Radius that the label of a point keeps clear: the point, and its ellipsoid where it is small.
+double clearance_of(const ScenePoint& point) {
+    return 1.2 * point.radius;
+}
+
+bool has_label(LinkKind kind) {
+    return kind == LinkKind::dimension || kind == LinkKind::joint_axis;
+}
+
+}  // namespace
+
+void add_labels(SceneBuild& build) {
+    Scene& scene = build.scene;
+    for (const ScenePoint& point : scene.points) label(scene, point.item, clearance_of(point), 50);
+    for (const SceneFrame& frame : scene.frames) label(scene, frame.item, 0.015 * scene.size, 40);
+    for (const SceneBody& body : scene.bodies)
+        if (body.outline.empty()) label(scene, body.item, body.size / 2, 30);
+    for (const SceneLink& link : scene.links)
+        if (has_label(link.kind)) label(scene, link.item, link.radius, 20, Role::quiet_text);
+    for (const SceneVector& vector : scene.vectors) {
+        SceneItem tip = vector.item;
+        tip.position += vector.arrow;
+        label(scene, tip, vector.radius, 45);
+    }
+}
+
+void add_axes(SceneBuild& build) {
+    Scene& scene = build.scene;
+    if (!(scene.size > 0)) return;
+    scene.unit = unit_for(scene.size);
+    scene.scale_bar = true;
+    const SceneBounds bounds = bounds_of(scene);
+    SceneAxes axes;
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(air * scene.size);
+    axes.low = bounds.low - margin;
+    axes.high = bounds.high + margin;
+    const Eigen::Vector3d extent = axes.high - axes.low;
+    const double step = nearest_round_number(extent.maxCoeff() / 6);
+    static constexpr const char* names[] = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        axes.titles[k] = std::string(names[i]) + " / " + scene.unit.text;
+        const double own = extent[i] >= 2 * step ? step : nearest_round_number(extent[i] / 3);
+        axes.ticks[k] = ticks_between(axes.low[i], axes.high[i], own, scene.unit);
+    }
+    scene.axes = std::move(axes);
+}
+
+void add_legend(SceneBuild& build) {
+    Scene& scene = build.scene;
+    const std::string p = percent_text(scene.probability);
+    for (const auto& [role, name] : {std::pair{Role::output, "output"}, std::pair{Role::input, "input"}}) {
+        const auto is_role = [role = role](const auto& item) { return item.role == role; };
+        if (std::any_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), is_role))
+            scene.legend.push_back(
+                {LegendMark::ellipsoid, role, std::string(name) + " quantities, coverage ellipsoid " + p});
+        const auto cloud = std::find_if(scene.clouds.begin(), scene.clouds.end(), is_role);
+        if (cloud != scene.clouds.end())
+            scene.legend.push_back({LegendMark::cloud, role,
+                                    std::string(name) + " quantities, " +
+                                        plain_number(static_cast<double>(cloud->size()), 0) + " trials"});
+    }
+    if (!scene.wall_histograms.empty()) {
+        const SceneItem* item = find_item(scene, scene.wall_histograms.front().cloud);
+        scene.legend.push_back({LegendMark::histogram, scene.wall_histograms.front().role,
+                                "distributions of " + (item ? item->name : std::string())});
+    }
+    for (const SceneLink& link : scene.links)
+        if (link.kind == LinkKind::sight_line) {
+            scene.legend.push_back({LegendMark::line, Role::sight_line, "line of sight"});
+            break;
+        }
+    if (!scene.vectors.empty())
+        scene.legend.push_back({LegendMark::arrow, Role::vector, "vectors, not to scale"});
+}
+
+}  // namespace covaria::detail

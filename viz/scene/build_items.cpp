@@ -1,0 +1,195 @@
+// Frames, points, bodies, links and vectors of a scene, sized to the whole.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "viz/scene/build_parts.h"
+
+namespace covaria::detail {
+namespace {
+
+// Fractions of the diagonal of the layout.
+constexpr double frame_length = 0.11;
+constexpr double point_radius = 0.011;
+constexpr double plate_thickness = 0.012;
+constexpr double plate_margin = 0.032;
+constexpr double glyph_size = 0.09;
+constexpr double longest_vector = 0.25;
+constexpr double smallest_size = 0.1;  // m, when everything is in one place
+
+double diagonal_of(const SceneBuild& build) {
+    Eigen::AlignedBox3d box;
+    const Layout& layout = *build.source.layout;
+    for (const LayoutFrame& frame : layout.frames)
+        if (build.shows(frame.group)) box.extend(frame.X_WF.translation());
+    for (const LayoutPoint& point : layout.points)
+        if (build.shows(point.group)) box.extend(point.p_W);
+    for (const LayoutLink& link : layout.links)
+        if (build.shows(link.group)) box.extend(link.from_W).extend(link.to_W);
+    for (const LayoutBody& body : layout.bodies) {
+        if (!build.shows(body.group)) continue;
+        if (body.outline_W.empty()) box.extend(body.X_WB.translation());
+        for (const Eigen::Vector3d& corner : body.outline_W) box.extend(corner);
+    }
+    for (const LayoutVector& vector : layout.vectors)
+        if (build.shows(vector.group)) box.extend(vector.at_W);
+    if (box.isEmpty()) return 0.0;
+    const double diagonal = box.diagonal().norm();
+    return std::isfinite(diagonal) && diagonal > 0 ? diagonal : smallest_size;
+}
+
+void add_frames(SceneBuild& build) {
+    for (const LayoutFrame& frame : build.source.layout->frames) {
+        if (!build.shows(frame.group)) continue;
+        SceneFrame& added = build.scene.frames.emplace_back();
+        added.item = {build.unique_id("frame", frame.name),
+                      frame.name,
+                      frame.group,
+                      frame.X_WF.translation(),
+                      {},
+                      {},
+                      frame.source};
+        added.R_WF = frame.X_WF.linear();
+        added.length = frame_length * build.scene.size;
+    }
+}
+
+/// Normal of the plate whose outline the point belongs to.
+Eigen::Vector3d seat_axis(const SceneBuild& build, const Eigen::Vector3d& p_W) {
+    const double near = 1e-6 * build.scene.size;
+    for (const LayoutBody& body : build.source.layout->bodies) {
+        if (!build.shows(body.group)) continue;
+        for (const Eigen::Vector3d& corner : body.outline_W)
+            if ((corner - p_W).norm() <= near) return normal_of(body.outline_W);
+    }
+    return Eigen::Vector3d::UnitZ();
+}
+
+double radius_of(PointKind kind) {
+    switch (kind) {
+        case PointKind::ball:
+            return 1.5 * point_radius;
+        case PointKind::station:
+            return 1.3 * point_radius;
+        case PointKind::other:
+            return 0.7 * point_radius;
+        default:
+            return point_radius;
+    }
+}
+
+void add_points(SceneBuild& build) {
+    for (const LayoutPoint& point : build.source.layout->points) {
+        if (!build.shows(point.group)) continue;
+        ScenePoint& added = build.scene.points.emplace_back();
+        added.item = {
+            build.unique_id("point", point.name), point.name, point.group, point.p_W, {}, {}, point.source};
+        if (const auto uncertainty = build.uncertainties.of(point)) {
+            added.item.u = uncertainty->u;
+            added.item.U = uncertainty->U;
+        }
+        added.kind = point.kind;
+        added.radius = radius_of(point.kind) * build.scene.size;
+        added.axis = seat_axis(build, point.p_W);
+    }
+}
+
+void add_bodies(SceneBuild& build) {
+    for (const LayoutBody& body : build.source.layout->bodies) {
+        if (!build.shows(body.group)) continue;
+        SceneBody added;
+        added.item = {build.unique_id("body", body.name),
+                      body.name,
+                      body.group,
+                      body.X_WB.translation(),
+                      {},
+                      {},
+                      body.source};
+        added.kind = body.kind;
+        added.glyph = body.glyph;
+        added.R_WB = body.X_WB.linear();
+        added.size = glyph_size * build.scene.size;
+        added.thickness = body.thickness > 0 ? body.thickness : plate_thickness * build.scene.size;
+        if (body.outline_W.size() >= 3) {
+            added.normal = normal_of(body.outline_W);
+            added.outline = rounded_outline(body.outline_W, added.normal, plate_margin * build.scene.size);
+            added.item.position.setZero();
+            for (const Eigen::Vector3d& corner : body.outline_W)
+                added.item.position += corner / static_cast<double>(body.outline_W.size());
+        }
+        build.scene.bodies.push_back(std::move(added));
+    }
+}
+
+double link_radius(LinkKind kind) {
+    switch (kind) {
+        case LinkKind::leg:
+            return 0.007;
+        case LinkKind::robot_link:
+            return 0.014;
+        case LinkKind::bar:
+            return 0.006;
+        default:
+            return 0.0;
+    }
+}
+
+double link_dash(LinkKind kind) {
+    switch (kind) {
+        case LinkKind::sight_line:
+            return 0.018;
+        case LinkKind::joint_axis:
+            return 0.03;
+        default:
+            return 0.0;
+    }
+}
+
+void add_links(SceneBuild& build) {
+    for (const LayoutLink& link : build.source.layout->links) {
+        if (!build.shows(link.group)) continue;
+        SceneLink& added = build.scene.links.emplace_back();
+        added.item = {build.unique_id("link", link.name),
+                      link.name,
+                      link.group,
+                      (link.from_W + link.to_W) / 2,
+                      {},
+                      {},
+                      {}};
+        added.kind = link.kind;
+        added.from = link.from_W;
+        added.to = link.to_W;
+        added.radius = link_radius(link.kind) * build.scene.size;
+        added.dash = link_dash(link.kind) * build.scene.size;
+    }
+}
+
+void add_vectors(SceneBuild& build) {
+    double longest = 0.0;
+    const Layout& layout = *build.source.layout;
+    for (const LayoutVector& vector : layout.vectors)
+        if (build.shows(vector.group)) longest = std::max(longest, vector.vector_W.norm());
+    if (!(longest > 0) || !std::isfinite(longest)) return;
+    for (const LayoutVector& vector : layout.vectors) {
+        if (!build.shows(vector.group)) continue;
+        SceneVector& added = build.scene.vectors.emplace_back();
+        added.item = {
+            build.unique_id("vector", vector.name), vector.name, vector.group, vector.at_W, {}, {}, {}};
+        added.arrow = vector.vector_W * (longest_vector * build.scene.size / longest);
+        added.radius = 0.006 * build.scene.size;
+    }
+}
+
+}  // namespace
+
+void add_items(SceneBuild& build) {
+    build.scene.size = diagonal_of(build);
+    if (!(build.scene.size > 0)) return;
+    add_frames(build);
+    add_points(build);
+    if (build.options.bodies) add_bodies(build);
+    if (build.options.links) add_links(build);
+    add_vectors(build);
+}
+
+}  // namespace covaria::detail

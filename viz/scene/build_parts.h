@@ -1,0 +1,42 @@
+// The parts of build_scene: each adds one kind of item.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "viz/scene/build_scene.h"
+#include "viz/scene/point_uncertainty.h"
+
+namespace covaria::detail {
+
+/// What all parts share.
+struct SceneBuild {
+    const SceneSource& source;
+    const SceneOptions& options;
+    const PointUncertainties& uncertainties;
+    Scene& scene;
+    std::set<std::string> ids = {};
+
+    bool shows(const std::string& group) const { return group.empty() || group == scene.group; }
+    /// "point:b1", made unique by "#2".
+    std::string unique_id(const std::string& kind, const std::string& name);
+};
+
+/// Frames, points, bodies, links, vectors, in this order; `scene.size` is set first.
+void add_items(SceneBuild& build);
+/// Ellipsoids and clouds of the points, their magnification, and the caption.
+void add_uncertainties(SceneBuild& build);
+/// Histograms of one cloud on the walls of its bounding box.
+void add_wall_histograms(SceneBuild& build);
+void add_labels(SceneBuild& build);
+/// Axes around everything, unit of length, scale bar.
+void add_axes(SceneBuild& build);
+void add_legend(SceneBuild& build);
+
+/// Outline moved outwards by `distance` with round corners; outlines that are not convex stay as they are.
+std::vector<Eigen::Vector3d> rounded_outline(const std::vector<Eigen::Vector3d>& outline,
+                                             const Eigen::Vector3d& normal, double distance);
+/// Unit normal by Newell's sum, with positive z (or y, or x, where z is 0); UnitZ where undefined.
+Eigen::Vector3d normal_of(const std::vector<Eigen::Vector3d>& outline);
+
+}  // namespace covaria::detail

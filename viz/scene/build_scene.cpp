@@ -1,0 +1,52 @@
+// build_scene: chooses the group and lets each part add its items.
+#include "viz/scene/build_scene.h"
+
+#include <algorithm>
+
+#include "viz/scene/build_parts.h"
+#include "viz/scene/round_numbers.h"
+
+namespace covaria {
+namespace {
+
+/// The first group of the result, else of the layout.
+std::string first_group(const SceneSource& source) {
+    if (source.result)
+        for (const OutputResult& output : source.result->outputs)
+            if (!output.quantity.group.empty()) return output.quantity.group;
+    if (source.layout) {
+        for (const LayoutFrame& frame : source.layout->frames)
+            if (!frame.group.empty()) return frame.group;
+        for (const LayoutPoint& point : source.layout->points)
+            if (!point.group.empty()) return point.group;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string detail::SceneBuild::unique_id(const std::string& kind, const std::string& name) {
+    const std::string wanted = kind + ":" + name;
+    std::string id = wanted;
+    for (int i = 2; !ids.insert(id).second; ++i) id = wanted + "#" + std::to_string(i);
+    return id;
+}
+
+Scene build_scene(const SceneSource& source, const SceneOptions& options) {
+    Scene scene;
+    scene.title = source.title;
+    scene.probability = options.probability;
+    scene.group = options.group.empty() ? first_group(source) : options.group;
+    if (!source.layout) return scene;
+    const PointUncertainties uncertainties(source.result);
+    detail::SceneBuild build{source, options, uncertainties, scene};
+    detail::add_items(build);
+    detail::add_uncertainties(build);
+    detail::add_wall_histograms(build);
+    if (options.labels) detail::add_labels(build);
+    detail::add_axes(build);
+    detail::add_legend(build);
+    return scene;
+}
+
+}  // namespace covaria

@@ -1,0 +1,102 @@
+// Ellipsoids and clouds of the points of a scene, magnified about the estimates.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "viz/scene/build_parts.h"
+#include "viz/scene/round_numbers.h"
+
+namespace covaria::detail {
+namespace {
+
+constexpr double largest_axis = 0.08;  // of the scene's size, for the automatic magnification
+
+/// The points with an ellipsoid, with the item that `add_points` made for each.
+struct UncertainPoint {
+    const LayoutPoint* point;
+    const ScenePoint* drawn;
+    Role role;
+    CoverageEllipsoid ellipsoid;
+};
+
+std::vector<UncertainPoint> uncertain_points(const SceneBuild& build) {
+    std::vector<UncertainPoint> found;
+    std::size_t next = 0;
+    for (const LayoutPoint& point : build.source.layout->points) {
+        if (!build.shows(point.group) || next >= build.scene.points.size()) continue;
+        const ScenePoint& drawn = build.scene.points[next++];
+        const auto uncertainty = build.uncertainties.of(point);
+        if (!uncertainty) continue;
+        const Eigen::Matrix3d covariance_W = point.R_WQ * uncertainty->covariance * point.R_WQ.transpose();
+        const auto ellipsoid = coverage_ellipsoid(covariance_W, build.options.probability);
+        if (ellipsoid.rank == 0) continue;
+        found.push_back({&point, &drawn, uncertainty->of_outputs ? Role::output : Role::input, ellipsoid});
+    }
+    return found;
+}
+
+double automatic_magnification(const std::vector<UncertainPoint>& points, double size) {
+    double largest = 0.0;
+    for (const UncertainPoint& p : points) largest = std::max(largest, p.ellipsoid.axes.col(0).norm());
+    const double wanted = largest > 0 ? largest_axis * size / largest : 1.0;
+    return std::isfinite(wanted) && wanted > 0 ? nearest_round_number(wanted) : 1.0;
+}
+
+/// Rows of the trials matrix that belong to the point; null where there are none.
+const Eigen::MatrixXd* trials_of(const SceneBuild& build, const UncertainPoint& p,
+                                 std::array<std::size_t, 3>& rows) {
+    const bool outputs = p.role == Role::output;
+    const Eigen::MatrixXd* trials = outputs ? build.source.output_trials : build.source.input_trials;
+    if (!trials || trials->cols() == 0) return nullptr;
+    rows = outputs ? *p.point->outputs : *p.point->inputs;
+    const auto count = static_cast<std::size_t>(trials->rows());
+    return std::all_of(rows.begin(), rows.end(), [&](std::size_t r) { return r < count; }) ? trials : nullptr;
+}
+
+void add_cloud(SceneBuild& build, const UncertainPoint& p) {
+    std::array<std::size_t, 3> rows{};
+    const Eigen::MatrixXd* trials = trials_of(build, p, rows);
+    const auto estimates = build.uncertainties.estimates_of(*p.point);
+    if (!trials || !estimates) return;
+    const auto available = static_cast<std::size_t>(trials->cols());
+    const std::size_t wanted = std::min(available, build.options.cloud_limit);
+    SceneCloud cloud{p.drawn->item, p.role, {}};
+    cloud.offsets.reserve(3 * wanted);
+    for (std::size_t i = 0; i < wanted; ++i) {
+        const auto t = static_cast<Eigen::Index>(i * available / wanted);
+        Eigen::Vector3d d;
+        for (int k = 0; k < 3; ++k)
+            d[k] =
+                (*trials)(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(k)]), t) - (*estimates)[k];
+        if (!d.allFinite()) continue;
+        const Eigen::Vector3d offset = build.scene.magnification * (p.point->R_WQ * d);
+        for (int k = 0; k < 3; ++k) cloud.offsets.push_back(static_cast<float>(offset[k]));
+    }
+    if (cloud.size() > 0) build.scene.clouds.push_back(std::move(cloud));
+}
+
+std::string caption_of(const Scene& scene) {
+    if (scene.ellipsoids.empty() && scene.clouds.empty()) return {};
+    std::string caption = "uncertainty × " + round_number_text(scene.magnification);
+    if (!scene.ellipsoids.empty()) caption += ", ellipsoids p = " + percent_text(scene.probability);
+    return caption;
+}
+
+}  // namespace
+
+void add_uncertainties(SceneBuild& build) {
+    const auto points = uncertain_points(build);
+    Scene& scene = build.scene;
+    const double given = build.options.magnification.value_or(0.0);
+    scene.magnification =
+        given > 0 && std::isfinite(given) ? given : automatic_magnification(points, scene.size);
+    for (const UncertainPoint& p : points) {
+        if (build.options.ellipsoids)
+            scene.ellipsoids.push_back({p.drawn->item, p.role, scene.magnification * p.ellipsoid.axes,
+                                        p.ellipsoid.rank, p.ellipsoid.coverage_factor});
+        if (build.options.clouds) add_cloud(build, p);
+    }
+    scene.caption = caption_of(scene);
+}
+
+}  // namespace covaria::detail

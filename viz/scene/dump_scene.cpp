@@ -1,0 +1,148 @@
+// Canonical text of a scene.
+#include "viz/scene/dump_scene.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace covaria {
+namespace {
+
+std::string mm(double metres) {
+    const double rounded = std::round(metres * 1e6) / 1e3;
+    std::ostringstream text;
+    text << (rounded == 0 ? 0.0 : rounded);  // no negative zero
+    return text.str();
+}
+
+std::string mm(const Eigen::Vector3d& v) {
+    return "(" + mm(v.x()) + " " + mm(v.y()) + " " + mm(v.z()) + ")";
+}
+
+std::string number(const Eigen::Vector3d& v) {
+    const Eigen::Vector3d rounded = (v * 1e3).array().round() / 1e3 + 0.0;
+    std::ostringstream text;
+    text << "(" << rounded.x() << " " << rounded.y() << " " << rounded.z() << ")";
+    return text.str();
+}
+
+const char* text_of(Role role) {
+    static constexpr const char* names[] = {"axis_x", "axis_y", "axis_z",    "point",      "input",
+                                            "output", "body",   "link",      "sight_line", "instrument",
+                                            "vector", "text",   "quiet_text"};
+    return names[static_cast<std::size_t>(role)];
+}
+
+const char* text_of(PointKind kind) {
+    static constexpr const char* names[] = {"nest",   "target", "support", "ball",
+                                            "flange", "tool",   "station", "other"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+const char* text_of(LinkKind kind) {
+    static constexpr const char* names[] = {"leg",        "robot_link", "bar", "joint_axis",
+                                            "sight_line", "dimension",  "edge"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+const char* text_of(BodyKind kind) {
+    static constexpr const char* names[] = {"plate", "artefact", "instrument", "force_sensor"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+void put_item(std::ostream& out, const SceneItem& item) {
+    out << item.id;
+    if (!item.group.empty()) out << " [" << item.group << "]";
+    out << " at " << mm(item.position);
+    if (item.u) out << " u " << mm(*item.u);
+    if (item.U) out << " U " << mm(*item.U);
+    if (!item.source.path.empty())
+        out << " from " << item.source.path << (item.source.draggable ? " draggable" : "");
+}
+
+Eigen::Vector3d spread(const SceneCloud& cloud) {
+    const Eigen::Map<const Eigen::Matrix3Xf> offsets(cloud.offsets.data(), 3,
+                                                     static_cast<Eigen::Index>(cloud.size()));
+    const Eigen::Matrix3Xd d = offsets.cast<double>().colwise() - offsets.cast<double>().rowwise().mean();
+    return (d.rowwise().squaredNorm() / static_cast<double>(std::max<std::size_t>(1, cloud.size())))
+        .cwiseSqrt();
+}
+
+void put_head(std::ostream& out, const Scene& scene) {
+    out << "scene \"" << scene.title << "\" group \"" << scene.group << "\"\n"
+        << "caption \"" << scene.caption << "\" magnification " << scene.magnification << " p "
+        << scene.probability << "\n"
+        << "size " << mm(scene.size) << " unit " << scene.unit.text << (scene.scale_bar ? " scale bar" : "")
+        << "\n";
+}
+
+void put_solids(std::ostream& out, const Scene& scene) {
+    for (const SceneFrame& frame : scene.frames) {
+        put_item(out << "frame ", frame.item);
+        out << " x " << number(frame.R_WF.col(0)) << " z " << number(frame.R_WF.col(2)) << "\n";
+    }
+    for (const ScenePoint& point : scene.points) {
+        put_item(out << text_of(point.kind) << " ", point.item);
+        out << " radius " << mm(point.radius) << " axis " << number(point.axis) << "\n";
+    }
+    for (const SceneBody& body : scene.bodies) {
+        put_item(out << text_of(body.kind) << " ", body.item);
+        if (body.outline.empty())
+            out << " glyph " << body.glyph << " size " << mm(body.size) << "\n";
+        else
+            out << " corners " << body.outline.size() << " normal " << number(body.normal) << " thickness "
+                << mm(body.thickness) << "\n";
+    }
+    for (const SceneLink& link : scene.links) {
+        put_item(out << text_of(link.kind) << " ", link.item);
+        out << " " << mm(link.from) << " to " << mm(link.to) << " radius " << mm(link.radius) << " dash "
+            << mm(link.dash) << "\n";
+    }
+    for (const SceneVector& vector : scene.vectors) {
+        put_item(out << "vector ", vector.item);
+        out << " arrow " << mm(vector.arrow) << "\n";
+    }
+}
+
+void put_uncertainties(std::ostream& out, const Scene& scene) {
+    for (const SceneEllipsoid& e : scene.ellipsoids)
+        out << "ellipsoid " << e.item.id << " " << text_of(e.role) << " rank " << e.rank << " k "
+            << std::round(e.coverage_factor * 1e4) / 1e4 << " axes " << mm(e.axes.col(0)) << " "
+            << mm(e.axes.col(1)) << " " << mm(e.axes.col(2)) << "\n";
+    for (const SceneCloud& cloud : scene.clouds)
+        out << "cloud " << cloud.item.id << " " << text_of(cloud.role) << " " << cloud.size()
+            << " trials, spread " << mm(spread(cloud)) << "\n";
+    for (const SceneWallHistogram& h : scene.wall_histograms)
+        out << "histogram " << h.cloud << " " << text_of(h.role) << " "
+            << "xyz"[h.axis] << " on wall across "
+            << "xyz"[h.normal] << " bars " << h.bars.size() << " box " << mm(h.low) << " " << mm(h.high)
+            << "\n";
+}
+
+void put_words(std::ostream& out, const Scene& scene) {
+    for (const SceneLabel& label : scene.labels)
+        out << "label \"" << label.text << "\" at " << mm(label.at) << " priority " << label.priority << "\n";
+    if (scene.axes) {
+        out << "axes " << mm(scene.axes->low) << " " << mm(scene.axes->high) << "\n";
+        for (std::size_t i = 0; i < 3; ++i) {
+            out << "axis \"" << scene.axes->titles[i] << "\":";
+            for (const AxisTick& tick : scene.axes->ticks[i]) out << " " << tick.text;
+            out << "\n";
+        }
+    }
+    for (const LegendLine& line : scene.legend)
+        out << "legend " << text_of(line.role) << " \"" << line.text << "\"\n";
+}
+
+}  // namespace
+
+std::string dump_scene(const Scene& scene) {
+    std::ostringstream out;
+    put_head(out, scene);
+    put_solids(out, scene);
+    put_uncertainties(out, scene);
+    put_words(out, scene);
+    return out.str();
+}
+
+}  // namespace covaria

@@ -1,0 +1,138 @@
+// Picking by geometry: the ray of a pixel against points, segments, ellipsoids and outlines.
+#include "viz/scene/pick.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace covaria {
+namespace {
+
+/// Scene coordinates of the picture: x to the right and y up in pixels, z away from the eye in metres.
+class View {
+public:
+    View(const Camera& camera, PictureSize size, Pixel pixel)
+        : camera_(camera), size_(size), pixel_(pixel), scale_(1 / metres_per_pixel(camera, size)) {}
+
+    Eigen::Vector2d offset(const Eigen::Vector3d& p) const {
+        const Pixel at = project(camera_, size_, p);
+        return {at.x - pixel_.x, at.y - pixel_.y};
+    }
+    double depth(const Eigen::Vector3d& p) const { return (p - camera_.focal_point).dot(camera_.direction); }
+    double pixels(double metres) const { return metres * scale_; }
+    Eigen::Vector3d origin() const { return world_at(camera_, size_, pixel_, camera_.focal_point); }
+    const Eigen::Vector3d& direction() const { return camera_.direction; }
+
+    /// Distance in pixels from the pixel to the projected segment, and the depth of the nearest place.
+    std::pair<double, double> to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+        const Eigen::Vector2d a = offset(from), d = offset(to) - a;
+        const double t = d.squaredNorm() > 0 ? std::clamp(-a.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+        return {(a + t * d).norm(), depth(from + t * (to - from))};
+    }
+
+private:
+    Camera camera_;
+    PictureSize size_;
+    Pixel pixel_;
+    double scale_;
+};
+
+/// Keeps the nearest of the best rank.
+class Best {
+public:
+    void offer(int rank, double depth, const std::string& id) {
+        if (rank > rank_ || (rank == rank_ && depth >= depth_ && id_)) return;
+        rank_ = rank;
+        depth_ = depth;
+        id_ = id;
+    }
+    const std::optional<std::string>& id() const { return id_; }
+
+private:
+    int rank_ = 1000;
+    double depth_ = 0.0;
+    std::optional<std::string> id_;
+};
+
+/// Depth at which the ray enters { centre + axes s, |s| <= 1 }; thin ellipsoids are taken 1 % thick.
+std::optional<double> enters(const View& view, const SceneEllipsoid& ellipsoid) {
+    Eigen::Matrix3d axes = ellipsoid.axes;
+    const double thick = 0.01 * axes.col(0).norm();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU);
+    axes = svd.matrixU() * svd.singularValues().cwiseMax(thick).asDiagonal();
+    const Eigen::Matrix3d inverse = axes.inverse();
+    const Eigen::Vector3d o = inverse * (view.origin() - ellipsoid.item.position);
+    const Eigen::Vector3d d = inverse * view.direction();
+    const double b = o.dot(d), a = d.squaredNorm();
+    const double root = b * b - a * (o.squaredNorm() - 1);
+    if (!(root >= 0)) return std::nullopt;
+    return (-b - std::sqrt(root)) / a;
+}
+
+bool inside(const View& view, const std::vector<Eigen::Vector3d>& outline) {
+    bool in = false;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const Eigen::Vector2d a = view.offset(outline[i]), b = view.offset(outline[j]);
+        if ((a.y() > 0) != (b.y() > 0) && 0 < (b.x() - a.x()) * (0 - a.y()) / (b.y() - a.y()) + a.x())
+            in = !in;
+    }
+    return in;
+}
+
+double depth_in_plane(const View& view, const SceneBody& body) {
+    const double along = view.direction().dot(body.normal);
+    if (std::abs(along) < 1e-9) return view.depth(body.item.position);
+    return (body.item.position - view.origin()).dot(body.normal) / along;
+}
+
+void offer_bodies(const Scene& scene, const View& view, Best& best) {
+    for (const SceneBody& body : scene.bodies) {
+        if (body.outline.empty()) {
+            if (view.offset(body.item.position).norm() <= view.pixels(body.size / 2))
+                best.offer(4, view.depth(body.item.position), body.item.id);
+        } else if (inside(view, body.outline)) {
+            best.offer(6, depth_in_plane(view, body), body.item.id);
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
+                                     const std::function<bool(Layer)>& shown, double reach) {
+    const View view(camera, size, pixel);
+    Best best;
+    if (shown(Layer::points))
+        for (const ScenePoint& point : scene.points)
+            if (view.offset(point.item.position).norm() <= std::max(reach, view.pixels(point.radius)))
+                best.offer(0, view.depth(point.item.position), point.item.id);
+    if (shown(Layer::frames))
+        for (const SceneFrame& frame : scene.frames) {
+            if (view.offset(frame.item.position).norm() <= reach)
+                best.offer(1, view.depth(frame.item.position), frame.item.id);
+            for (int i = 0; i < 3; ++i) {
+                const auto [away, depth] = view.to_segment(
+                    frame.item.position, frame.item.position + frame.length * frame.R_WF.col(i));
+                if (away <= reach / 2) best.offer(2, depth, frame.item.id);
+            }
+        }
+    if (shown(Layer::vectors))
+        for (const SceneVector& vector : scene.vectors) {
+            const auto [away, depth] =
+                view.to_segment(vector.item.position, vector.item.position + vector.arrow);
+            if (away <= std::max(reach, view.pixels(vector.radius))) best.offer(2, depth, vector.item.id);
+        }
+    if (shown(Layer::ellipsoids))
+        for (const SceneEllipsoid& ellipsoid : scene.ellipsoids)
+            if (const auto depth = enters(view, ellipsoid)) best.offer(3, *depth, ellipsoid.item.id);
+    if (shown(Layer::links))
+        for (const SceneLink& link : scene.links) {
+            const auto [away, depth] = view.to_segment(link.from, link.to);
+            if (away <= std::max(reach / 2, view.pixels(link.radius))) best.offer(5, depth, link.item.id);
+        }
+    if (shown(Layer::bodies)) offer_bodies(scene, view, best);
+    return best.id();
+}
+
+}  // namespace covaria

@@ -1,0 +1,124 @@
+// Covariance matrices of points and their coverage ellipsoids.
+#include "viz/scene/point_uncertainty.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+namespace covaria {
+namespace {
+
+template <class Range>
+bool in_range(const std::array<std::size_t, 3>& index, const Range& range) {
+    return std::all_of(index.begin(), index.end(), [&](std::size_t i) { return i < range.size(); });
+}
+
+/// dx_i/d epsilon_j of three quantities.
+Eigen::Matrix3Xd sensitivities(const InputSet& inputs, const std::array<std::size_t, 3>& index) {
+    Eigen::Matrix3Xd c = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(inputs.components.size()));
+    for (int i = 0; i < 3; ++i)
+        for (const Share& share : inputs.quantities[index[static_cast<std::size_t>(i)]].shares)
+            if (share.component < inputs.components.size())
+                c(i, static_cast<Eigen::Index>(share.component)) += share.factor;
+    return c;
+}
+
+}  // namespace
+
+PointUncertainties::PointUncertainties(const UncertaintyResult* result) : result_(result) {
+    if (!result_) return;
+    for (const UncertaintyComponent& component : result_->inputs.components)
+        u_.push_back(component.held ? 0.0 : component.distribution.standard_uncertainty());
+    if (auto correlations = resolved_correlations(result_->inputs)) correlations_ = std::move(*correlations);
+}
+
+std::optional<PointUncertainty> PointUncertainties::of(const LayoutPoint& point) const {
+    if (!result_) return std::nullopt;
+    std::optional<PointUncertainty> found;
+    if (point.outputs && in_range(*point.outputs, result_->outputs))
+        found = of_outputs(*point.outputs);
+    else if (point.inputs && in_range(*point.inputs, result_->inputs.quantities))
+        found = of_inputs(*point.inputs);
+    if (found && !found->covariance.allFinite()) return std::nullopt;
+    return found;
+}
+
+std::optional<Eigen::Vector3d> PointUncertainties::estimates_of(const LayoutPoint& point) const {
+    if (!result_) return std::nullopt;
+    Eigen::Vector3d estimates;
+    if (point.outputs && in_range(*point.outputs, result_->outputs)) {
+        for (std::size_t i = 0; i < 3; ++i)
+            estimates[static_cast<Eigen::Index>(i)] =
+                result_->outputs[(*point.outputs)[i]].first_order.estimate;
+        return estimates;
+    }
+    if (point.inputs && in_range(*point.inputs, result_->inputs.quantities)) {
+        for (std::size_t i = 0; i < 3; ++i)
+            estimates[static_cast<Eigen::Index>(i)] = estimate_of(result_->inputs, (*point.inputs)[i]);
+        return estimates;
+    }
+    return std::nullopt;
+}
+
+std::optional<PointUncertainty> PointUncertainties::of_outputs(
+    const std::array<std::size_t, 3>& index) const {
+    PointUncertainty found;
+    found.of_outputs = true;
+    const Eigen::MatrixXd& covariance = result_->covariance;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto row = static_cast<Eigen::Index>(index[i]);
+        if (row >= covariance.rows() || covariance.rows() != covariance.cols()) return std::nullopt;
+        const auto at = static_cast<Eigen::Index>(i);
+        for (std::size_t j = 0; j < 3; ++j)
+            found.covariance(at, static_cast<Eigen::Index>(j)) =
+                covariance(row, static_cast<Eigen::Index>(index[j]));
+        found.u[at] = result_->outputs[index[i]].standard_uncertainty;
+        found.U[at] = result_->outputs[index[i]].expanded_uncertainty;
+    }
+    return found;
+}
+
+std::optional<PointUncertainty> PointUncertainties::of_inputs(const std::array<std::size_t, 3>& index) const {
+    Eigen::Matrix3Xd c = sensitivities(result_->inputs, index);
+    for (Eigen::Index j = 0; j < c.cols(); ++j) {
+        const double u = u_[static_cast<std::size_t>(j)];
+        c.col(j) *= c.col(j).isZero(0) ? 0.0 : u;  // an infinite u elsewhere must not give NaN here
+    }
+    c = c.unaryExpr([](double x) { return std::isnan(x) ? 0.0 : x; });
+    PointUncertainty found;
+    found.covariance = c * c.transpose();
+    for (const ComponentCorrelation& r : correlations_) {
+        const auto first = static_cast<Eigen::Index>(r.first), second = static_cast<Eigen::Index>(r.second);
+        if (std::max(first, second) >= c.cols()) continue;
+        const Eigen::Matrix3d cross = r.coefficient * c.col(first) * c.col(second).transpose();
+        found.covariance += cross + cross.transpose();
+    }
+    found.u = found.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const double p = std::clamp(result_->coverage_probability, 0.01, 0.999999);
+    found.U = found.u * boost::math::quantile(boost::math::normal(), (1 + p) / 2);
+    return found;
+}
+
+CoverageEllipsoid coverage_ellipsoid(const Eigen::Matrix3d& covariance, double probability) {
+    CoverageEllipsoid ellipsoid;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((covariance + covariance.transpose()) / 2);
+    const double largest = solver.eigenvalues()[2];
+    if (!(largest > 0)) return ellipsoid;
+    // A ratio of semi-axes below 1e-5 cannot be seen, and is rounding where the true value is zero.
+    while (ellipsoid.rank < 3 && solver.eigenvalues()[2 - ellipsoid.rank] > 1e-10 * largest) ++ellipsoid.rank;
+    const double p = std::clamp(probability, 1e-6, 1 - 1e-12);
+    ellipsoid.coverage_factor = std::sqrt(boost::math::quantile(boost::math::chi_squared(ellipsoid.rank), p));
+    for (int i = 0; i < ellipsoid.rank; ++i) {
+        Eigen::Vector3d direction = solver.eigenvectors().col(2 - i);
+        Eigen::Index longest = 0;
+        direction.cwiseAbs().maxCoeff(&longest);
+        if (direction[longest] < 0) direction = -direction;
+        ellipsoid.axes.col(i) =
+            ellipsoid.coverage_factor * std::sqrt(solver.eigenvalues()[2 - i]) * direction;
+    }
+    return ellipsoid;
+}
+
+}  // namespace covaria

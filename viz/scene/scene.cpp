@@ -1,0 +1,97 @@
+// Scene: identity of items, look-up, bounds.
+#include "viz/scene/scene.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace covaria {
+namespace {
+
+/// Grows with each point; starts empty.
+class Box {
+public:
+    void add(const Eigen::Vector3d& p, double margin = 0.0) {
+        low_ = low_.cwiseMin(p - Eigen::Vector3d::Constant(margin));
+        high_ = high_.cwiseMax(p + Eigen::Vector3d::Constant(margin));
+    }
+    SceneBounds bounds() const {
+        if ((low_.array() > high_.array()).any()) return {};
+        return {low_, high_};
+    }
+
+private:
+    static constexpr double far_ = std::numeric_limits<double>::infinity();
+    Eigen::Vector3d low_ = Eigen::Vector3d::Constant(far_);
+    Eigen::Vector3d high_ = Eigen::Vector3d::Constant(-far_);
+};
+
+void add_uncertainties(const Scene& scene, Box& box) {
+    for (const SceneEllipsoid& ellipsoid : scene.ellipsoids) {
+        const Eigen::Vector3d half = ellipsoid.axes.rowwise().norm();
+        box.add(ellipsoid.item.position + half);
+        box.add(ellipsoid.item.position - half);
+    }
+    for (const SceneCloud& cloud : scene.clouds)
+        for (std::size_t i = 0; i + 2 < cloud.offsets.size(); i += 3)
+            box.add(cloud.item.position +
+                    Eigen::Vector3d(cloud.offsets[i], cloud.offsets[i + 1], cloud.offsets[i + 2]));
+}
+
+template <class Items>
+const SceneItem* find_in(const Items& items, const std::string& id) {
+    const auto found =
+        std::find_if(items.begin(), items.end(), [&](const auto& i) { return i.item.id == id; });
+    return found == items.end() ? nullptr : &found->item;
+}
+
+}  // namespace
+
+const char* layer_key(Layer layer) {
+    static constexpr const char* keys[layer_count] = {"frames",  "points",     "bodies", "links",
+                                                      "vectors", "ellipsoids", "clouds", "wall_histograms",
+                                                      "labels",  "axes",       "legend"};
+    return keys[static_cast<std::size_t>(layer)];
+}
+
+bool SceneItem::operator==(const SceneItem& other) const {
+    return id == other.id && name == other.name && group == other.group && position == other.position &&
+           u == other.u && U == other.U && source.path == other.source.path &&
+           source.draggable == other.source.draggable && source.X_WS.matrix() == other.source.X_WS.matrix();
+}
+
+const SceneItem* find_item(const Scene& scene, const std::string& id) {
+    if (const SceneItem* item = find_in(scene.points, id)) return item;
+    if (const SceneItem* item = find_in(scene.frames, id)) return item;
+    if (const SceneItem* item = find_in(scene.bodies, id)) return item;
+    if (const SceneItem* item = find_in(scene.links, id)) return item;
+    return find_in(scene.vectors, id);
+}
+
+SceneBounds bounds_of(const Scene& scene) {
+    Box box;
+    for (const SceneFrame& frame : scene.frames) {
+        box.add(frame.item.position);
+        for (int i = 0; i < 3; ++i) box.add(frame.item.position + frame.length * frame.R_WF.col(i));
+    }
+    for (const ScenePoint& point : scene.points) box.add(point.item.position, point.radius);
+    for (const SceneBody& body : scene.bodies) {
+        for (const Eigen::Vector3d& corner : body.outline) box.add(corner, body.thickness / 2);
+        if (body.outline.empty()) box.add(body.item.position, body.size / 2);
+    }
+    for (const SceneLink& link : scene.links) {
+        box.add(link.from);
+        box.add(link.to);
+    }
+    for (const SceneVector& vector : scene.vectors) {
+        box.add(vector.item.position);
+        box.add(vector.item.position + vector.arrow);
+    }
+    add_uncertainties(scene, box);
+    if (scene.axes) {
+        box.add(scene.axes->low);
+        box.add(scene.axes->high);
+    }
+    return box.bounds();
+}
+
+}  // namespace covaria
