@@ -21,28 +21,33 @@ struct Dimension {
 class Unit {
 public:
     Unit() = default;  ///< the unit one
-    /// Parses products, quotients and powers of known units: "mm", "1/K", "um/m", "N*m", "mV/V", "degC",
-    /// "arcsec", "%". Both "u" and the micro sign are read as micro. Error: unknown or malformed unit.
+    /// Parses products, quotients (from left to right) and powers of known units: "mm", "1/K", "um/m", "N*m",
+    /// "mV/V", "m/s^2" or "m/s2", "degC", "arcsec", "%". Both "u" and the micro sign are read as micro; signs
+    /// for degree, ohm, product and powers are accepted too. In a compound, degC stands for an interval of
+    /// temperature. Error: unknown or malformed unit.
     static Result<Unit> parse(std::string_view text);
     /// For literals in code that are known to be right; terminates on a malformed text.
     static Unit of(std::string_view text);
 
-    const std::string& text() const { return text_; }  ///< as written in files, plain ASCII ("um", "deg")
+    const std::string& text() const { return text_; }  ///< as written in files, plain ASCII ("um", "m/s^2")
     std::string display() const;                       ///< as shown to people ("µm", "°", "N·m")
     const Dimension& dimension() const { return dimension_; }
 
-    double to_si(double value) const { return value * factor_ + offset_; }
-    double from_si(double value) const { return (value - offset_) / factor_; }
+    double to_si(double value) const { return interval_to_si(value) + offset_; }
+    double from_si(double value) const { return interval_from_si(value - offset_); }
     /// For differences and uncertainties: without the offset of degC.
-    double interval_to_si(double value) const { return value * factor_; }
-    double interval_from_si(double value) const { return value / factor_; }
+    double interval_to_si(double value) const { return value * numerator_ / denominator_; }
+    double interval_from_si(double value) const { return value * denominator_ / numerator_; }
 
     bool operator==(const Unit& other) const { return text_ == other.text_; }
 
 private:
     std::string text_ = "1";
     Dimension dimension_{};
-    double factor_ = 1.0;
+    // Kept as a quotient: a millimetre is the exact 1/1000, not the rounded 0.001, so 0.066 mm is 6.6e-5 m to
+    // the last bit.
+    double numerator_ = 1.0;
+    double denominator_ = 1.0;
     double offset_ = 0.0;
 };
 
