@@ -1,0 +1,221 @@
+#include "ui/scene_view/scene_panel.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/document/strings.h"
+#include "viz/scene/analysis_scene.h"
+
+namespace covaria::ui {
+namespace {
+
+/// "0.021 0.034 0.012 mm"
+QString triple(const Eigen::Vector3d& v, const LengthUnit& unit) {
+    const auto number = [&](int i) { return QString::number(v[i] * unit.per_metre, 'g', 3); };
+    return QStringLiteral("%1  %2  %3 %4")
+        .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
+}
+
+QString coordinates(const Eigen::Vector3d& v, const LengthUnit& unit) {
+    const auto number = [&](int i) { return QString::number(v[i] * unit.per_metre, 'f', 2); };
+    return QStringLiteral("(%1, %2, %3) %4")
+        .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
+}
+
+}  // namespace
+
+ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
+    : QWidget(parent), runner_(runner), jobs_(this, Execution::threads) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    toolbar_ = new QToolBar(this);
+    view_ = new SceneView(this);
+    picked_ = new QLabel(this);
+    picked_->setContentsMargins(8, 3, 8, 3);
+    picked_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    picked_->hide();
+    column->addWidget(toolbar_);
+    column->addWidget(view_, 1);
+    column->addWidget(picked_);
+    make_toolbar();
+    view_->set_empty_text(tr("Select an analysis in the project tree to see its layout here."));
+    connect(view_, &SceneView::item_picked, this, &ScenePanel::describe_item);
+    const auto refresh_if_shown = [this](const QString& id) {
+        if (id == analysis_) refresh();
+    };
+    connect(&runner_, &AnalysisRunner::result_changed, this, refresh_if_shown);
+    connect(&runner_, &AnalysisRunner::state_changed, this, refresh_if_shown);
+}
+
+void ScenePanel::make_toolbar() {
+    group_ = new QComboBox(this);
+    group_->setToolTip(tr("Which pose or group of outputs to show"));
+    group_->setAccessibleName(tr("Group"));
+    group_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    toolbar_->addWidget(group_);
+    add_view_action(tr("Iso"), tr("View from the front right, from above (1)"), StandardView::iso);
+    add_view_action(tr("Top"), tr("View from above (2)"), StandardView::top);
+    add_view_action(tr("Front"), tr("View from the front (3)"), StandardView::front);
+    add_view_action(tr("Right"), tr("View from the right (4)"), StandardView::right);
+    toolbar_->addAction(tr("Fit"), view_, &SceneView::fit)->setToolTip(tr("Everything in the picture (F)"));
+    toolbar_->addSeparator();
+    make_layers_menu();
+    magnification_ = new QComboBox(this);
+    magnification_->setToolTip(tr("Magnification of the uncertainty; it is always written in the picture"));
+    magnification_->setAccessibleName(tr("Magnification of the uncertainty"));
+    magnification_->addItem(tr("Magnification: auto"));
+    for (int factor : {1, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000})
+        magnification_->addItem(tr("× %1").arg(factor), factor);
+    toolbar_->addWidget(magnification_);
+    probability_ = new QComboBox(this);
+    probability_->setToolTip(tr("Coverage probability of the ellipsoids"));
+    probability_->setAccessibleName(tr("Coverage probability of the ellipsoids"));
+    for (double p : {0.6827, 0.90, 0.95, 0.9545, 0.99, 0.9973})
+        probability_->addItem(tr("p = %1 %").arg(100 * p), p);
+    probability_->setCurrentIndex(2);
+    toolbar_->addWidget(probability_);
+    for (QComboBox* combo : {magnification_, probability_})
+        connect(combo, &QComboBox::currentIndexChanged, this, &ScenePanel::refresh);
+    connect(group_, &QComboBox::currentTextChanged, this, [this](const QString& group) {
+        refresh();
+        emit group_changed(group);
+    });
+}
+
+void ScenePanel::add_view_action(const QString& text, const QString& tip, StandardView view) {
+    toolbar_->addAction(text, this, [this, view] { view_->set_view(view); })->setToolTip(tip);
+}
+
+void ScenePanel::make_layers_menu() {
+    const std::pair<Layer, QString> layers[] = {
+        {Layer::frames, tr("Frames")},   {Layer::points, tr("Points")},
+        {Layer::bodies, tr("Bodies")},   {Layer::links, tr("Links and Sight Lines")},
+        {Layer::vectors, tr("Vectors")}, {Layer::ellipsoids, tr("Ellipsoids")},
+        {Layer::clouds, tr("Clouds")},   {Layer::wall_histograms, tr("Histograms on the Walls")},
+        {Layer::labels, tr("Labels")},   {Layer::axes, tr("Axes")},
+        {Layer::legend, tr("Legend")}};
+    auto* button = new QToolButton(this);
+    auto* menu = new QMenu(button);
+    for (const auto& [layer, text] : layers) {
+        QAction* action = menu->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(true);
+        connect(action, &QAction::toggled, this, [this, layer = layer](bool shown) {
+            layers_[layer] = shown;
+            view_->set_layers(layers_);
+        });
+    }
+    button->setText(tr("Layers"));
+    button->setToolTip(tr("What the picture shows"));
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    toolbar_->addWidget(button);
+}
+
+void ScenePanel::show_analysis(const QString& id) {
+    if (id == analysis_) return;
+    analysis_ = id;
+    picked_->hide();
+    refresh();
+}
+
+QString ScenePanel::group() const {
+    return group_->currentText();
+}
+
+void ScenePanel::show_group(const QString& group) {
+    const int index = group_->findText(group);
+    if (index >= 0) group_->setCurrentIndex(index);
+}
+
+void ScenePanel::set_dark(bool dark) {
+    view_->set_palette_kind(dark ? ScenePalette::dark : ScenePalette::light);
+}
+
+SceneOptions ScenePanel::options() const {
+    SceneOptions options;
+    options.group = group_->currentText().toStdString();
+    if (const QVariant factor = magnification_->currentData(); factor.isValid())
+        options.magnification = factor.toDouble();
+    options.probability = probability_->currentData().toDouble();
+    return options;
+}
+
+void ScenePanel::refresh_groups() {
+    QStringList groups;
+    if (const auto& prepared = runner_.status(analysis_).prepared)
+        for (const std::string& group : groups_of(prepared->model->outputs())) groups << to_qt(group);
+    QStringList shown;
+    for (int i = 0; i < group_->count(); ++i) shown << group_->itemText(i);
+    if (groups == shown) return;
+    const QSignalBlocker blocker(group_);
+    const QString before = group_->currentText();
+    group_->clear();
+    group_->addItems(groups);
+    group_->setCurrentIndex(std::max(0, int(groups.indexOf(before))));
+    emit group_changed(group_->currentText());
+}
+
+void ScenePanel::refresh() {
+    refresh_groups();
+    const AnalysisStatus& status = runner_.status(analysis_);
+    if (!status.prepared) {
+        ++number_;
+        view_->set_empty_text(analysis_.isEmpty()
+                                  ? tr("Select an analysis in the project tree to see its layout here.")
+                                  : tr("The analysis has problems; they are listed below."));
+        view_->show_scene(nullptr);
+        return;
+    }
+    const ResultPointer result = status.is_current() ? status.result : nullptr;
+    ++building_;
+    jobs_.push([this, number = ++number_, prepared = status.prepared, result,
+                wanted = options()]() -> JobQueue::Delivery {
+        if (number != number_) return [this] { --building_; };  // a newer scene is wanted already
+        auto scene = std::make_shared<Result<Scene>>(analysis_scene(*prepared, result.get(), wanted));
+        return [this, number, scene] { take_scene(number, scene); };
+    });
+}
+
+void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene) {
+    --building_;
+    if (number != number_) return;
+    if (*scene) {
+        view_->show_scene(std::make_shared<const Scene>(std::move(**scene)));
+        return;
+    }
+    view_->set_empty_text(to_qt(scene->error().message));
+    view_->show_scene(nullptr);
+}
+
+void ScenePanel::describe_item(const QString& id) {
+    const SceneItem* item = view_->scene() ? find_item(*view_->scene(), id.toStdString()) : nullptr;
+    picked_->setVisible(item != nullptr);
+    if (!item) return;
+    const LengthUnit& unit = view_->scene()->unit;
+    QString text =
+        tr("<b>%1</b>  at %2").arg(to_qt(item->name).toHtmlEscaped(), coordinates(item->position, unit));
+    if (item->u) text += tr(",  u = %1").arg(triple(*item->u, unit));
+    if (item->U) text += tr(",  U = %1").arg(triple(*item->U, unit));
+    picked_->setText(text);
+    emit source_picked(to_qt(item->source.path));
+}
+
+void ScenePanel::select_source(const std::string& path) {
+    const Scene* scene = view_->scene();
+    if (!scene) return;
+    for (const ScenePoint& point : scene->points)
+        if (!path.empty() && point.item.source.path == path) {
+            view_->select(to_qt(point.item.id));
+            return;
+        }
+    view_->select({});
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,69 @@
+// The 3D pane of the window: the scene of the analysis being looked at, and what to show of it.
+#pragma once
+
+#include <QWidget>
+#include <atomic>
+#include <memory>
+
+#include "ui/run/analysis_runner.h"
+#include "ui/run/job_queue.h"
+#include "ui/scene_view/scene_view.h"
+#include "viz/scene/build_scene.h"
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QMenu;
+class QToolBar;
+
+namespace covaria::ui {
+
+/// Scenes are built in a worker thread from the runner's immutable snapshots; the latest wins.
+class ScenePanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit ScenePanel(AnalysisRunner& runner, QWidget* parent = nullptr);
+
+    /// Which analysis to show; empty = none.
+    void show_analysis(const QString& id);
+    const QString& analysis() const { return analysis_; }
+    void show_group(const QString& group);
+    QString group() const;
+    void set_dark(bool dark);
+
+    /// Marks the item that comes from a set-up field (JSON pointer relative to the set-up), or none.
+    void select_source(const std::string& path);
+
+    SceneView& view() { return *view_; }
+    bool is_building() const { return building_ > 0; }
+
+signals:
+    void group_changed(const QString& group);
+    /// The user picked an item: where its position is written (empty: nowhere), relative to the set-up.
+    void source_picked(const QString& path);
+
+private:
+    void make_toolbar();
+    void add_view_action(const QString& text, const QString& tip, StandardView view);
+    void make_layers_menu();
+    void refresh();
+    void refresh_groups();
+    void take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene);
+    void describe_item(const QString& id);
+    SceneOptions options() const;
+
+    AnalysisRunner& runner_;
+    QString analysis_;
+    LayerVisibility layers_;
+    QToolBar* toolbar_ = nullptr;
+    QComboBox* group_ = nullptr;
+    QComboBox* magnification_ = nullptr;
+    QComboBox* probability_ = nullptr;
+    SceneView* view_ = nullptr;
+    QLabel* picked_ = nullptr;
+    std::atomic<quint64> number_ = 0;
+    int building_ = 0;
+    JobQueue jobs_;  ///< last member: its thread ends first
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,29 @@
+#include "viz/scene/analysis_scene.h"
+
+#include "core/propagation/engine.h"
+
+namespace covaria {
+namespace {
+
+std::vector<double> estimates(const InputSet& inputs) {
+    std::vector<double> x(inputs.quantities.size());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = estimate_of(inputs, i);
+    return x;
+}
+
+}  // namespace
+
+Result<Scene> analysis_scene(const PreparedAnalysis& analysis, const UncertaintyResult* result,
+                             const SceneOptions& options) {
+    const Layout layout = analysis.model->layout(estimates(analysis.inputs));
+    SceneSource source{&layout, result, nullptr, nullptr, analysis.name};
+    if (!result || result->trials == 0 || !options.clouds) return build_scene(source, options);
+    const auto trials = replay_trials(*analysis.model, analysis.inputs, analysis.options.seed, 0,
+                                      std::min<std::uint64_t>(options.cloud_limit, result->trials));
+    if (!trials) return fail(trials.error());
+    source.input_trials = &trials->inputs;
+    source.output_trials = &trials->outputs;
+    return build_scene(source, options);
+}
+
+}  // namespace covaria
