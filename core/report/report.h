@@ -23,8 +23,11 @@ struct EvaluatedAnalysis {
 ReportDocument build_report(const Project& project, const AssetLibrary& assets,
                             const std::vector<EvaluatedAnalysis>& analyses);
 
-/// Tables by themselves: results, budget, covariance ... of one analysis, and the evaluation of each asset.
+/// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
+/// with Monte Carlo, "histograms" and "convergence" (the ids).
 std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated);
+/// The evaluation of each asset; ids start with the asset's.
+std::vector<DataTable> asset_tables(const AssetLibrary& assets);
 
 std::string to_markdown(const ReportDocument& document);  ///< figures as "ID.png" / "ID.svg" beside the file
 std::string to_html(const ReportDocument& document);      ///< one file; figures beside it as in Markdown

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,9 +30,19 @@ struct EquationBlock {
     std::string text;
     std::string source;
 };
-/// `table` cells are SI numbers; writers format them with `format_cell`.
+
+/// How the cells of a column are set.
+struct ColumnStyle {
+    bool symbol = false;  ///< texts of the column are symbols ("alpha_7", "b_1x, b_2x")
+    bool bare = false;    ///< quantities without their units, which another column gives
+    int match = -1;       ///< column whose number (an uncertainty) decides the decimals of this one
+    int decimals = -1;    ///< fixed number of decimals; -1: from `match` or the column's digits
+};
+/// Cells are SI numbers or quantities; writers set them with `cell_text` (table_text.h). A row of one cell is
+/// a sub-head that spans the table.
 struct TableBlock {
     DataTable table;
+    std::vector<ColumnStyle> styles = {};  ///< empty, or one per column
 };
 struct PlotBlock {
     PlotSpecification plot;

@@ -1,0 +1,70 @@
+// CSV (RFC 4180): full precision, units in the heads, or in a column of their own where rows differ.
+#include "core/report/number_format.h"
+#include "core/report/report.h"
+
+namespace covaria {
+namespace {
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+    return out + "\"";
+}
+
+std::string exact_cell(const TableCell& cell, const TableColumn& column) {
+    if (const auto* text = std::get_if<std::string>(&cell)) return quoted(*text);
+    if (const auto* value = std::get_if<double>(&cell)) return format_exact(column.unit.from_si(*value));
+    if (const auto* quantity = std::get_if<Quantity>(&cell)) return format_exact(quantity->value);
+    return {};
+}
+
+bool has_unit_column(const DataTable& table) {
+    for (const TableColumn& column : table.columns)
+        if (column.header == "unit") return true;
+    return false;
+}
+
+/// Whether quantities of the column have units that neither the head nor a "unit" column gives.
+bool needs_units(const DataTable& table, std::size_t column) {
+    if (has_unit_column(table)) return false;
+    for (const auto& row : table.rows) {
+        if (column >= row.size()) continue;
+        const auto* quantity = std::get_if<Quantity>(&row[column]);
+        if (quantity && !(quantity->unit == table.columns[column].unit)) return true;
+    }
+    return false;
+}
+
+std::string unit_cell(const std::vector<TableCell>& row, std::size_t column) {
+    if (column >= row.size()) return {};
+    const auto* quantity = std::get_if<Quantity>(&row[column]);
+    return quantity ? quantity->unit.text() : "";
+}
+
+std::string head_line(const DataTable& table) {
+    std::string line;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const TableColumn& column = table.columns[c];
+        const std::string unit = column.unit.text() == "1" ? "" : " (" + column.unit.text() + ")";
+        line += (c ? "," : "") + quoted(column.header + (needs_units(table, c) ? "" : unit));
+        if (needs_units(table, c)) line += "," + quoted(column.header + " unit");
+    }
+    return line + "\r\n";
+}
+
+}  // namespace
+
+std::string to_csv(const DataTable& table) {
+    std::string out = head_line(table);
+    for (const auto& row : table.rows) {
+        for (std::size_t c = 0; c < table.columns.size(); ++c) {
+            out += (c ? "," : "") + (c < row.size() ? exact_cell(row[c], table.columns[c]) : "");
+            if (needs_units(table, c)) out += "," + unit_cell(row, c);
+        }
+        out += "\r\n";
+    }
+    return out;
+}
+
+}  // namespace covaria

@@ -1,0 +1,118 @@
+// Report document as one HTML file with its style sheet inside; figures are files beside it.
+#include <algorithm>
+
+#include "core/report/html_style.h"
+#include "core/report/report.h"
+#include "core/report/table_text.h"
+
+namespace covaria {
+namespace {
+
+std::string element(const std::string& name, const std::string& inner, const std::string& css_class = "") {
+    const std::string attribute = css_class.empty() ? "" : " class=\"" + css_class + "\"";
+    return "<" + name + attribute + ">" + inner + "</" + name + ">";
+}
+
+/// Digits after the decimal point; -1: no point.
+int decimals_in(const std::string& text) {
+    const auto point = text.find('.');
+    if (point == std::string::npos) return -1;
+    return static_cast<int>(
+        text.find_first_not_of("0123456789", point + 1) == std::string::npos ? text.size() - point - 1 : 0);
+}
+
+/// Blanks as wide as the digits (and the point) that are missing, so that decimal points stand in line.
+std::string padding(int decimals, int widest) {
+    std::string out;
+    if (decimals < 0 && widest >= 0) out += "\u2008";
+    for (int i = std::max(decimals, 0); i < widest; ++i) out += "\u2007";
+    return out;
+}
+
+std::vector<int> widest_decimals(const TableBlock& block) {
+    std::vector<int> widest(block.table.columns.size(), -1);
+    for (std::size_t c = 0; c < widest.size(); ++c)
+        for (std::size_t r = 0; r < block.table.rows.size(); ++r)
+            if (!is_subhead(block, r)) widest[c] = std::max(widest[c], decimals_in(cell_text(block, r, c)));
+    return widest;
+}
+
+struct HtmlWriter {
+    std::string out;
+
+    void operator()(const HeadingBlock& heading) {
+        out +=
+            element("h" + std::to_string(std::min(heading.level + 1, 6)), escape_html(heading.text)) + "\n";
+    }
+    void operator()(const ParagraphBlock& paragraph) {
+        out += element("p", escape_html(paragraph.text), paragraph.note ? "note" : "") + "\n";
+    }
+    void operator()(const ListBlock& list) {
+        out += "<ul>\n";
+        for (const std::string& item : list.items) out += element("li", escape_html(item)) + "\n";
+        out += "</ul>\n";
+    }
+    void operator()(const FactsBlock& facts) {
+        out += "<dl>\n";
+        for (const auto& [key, value] : facts.facts)
+            out += element("dt", escape_html(key)) + element("dd", escape_html(value)) + "\n";
+        out += "</dl>\n";
+    }
+    void operator()(const EquationBlock& equation) {
+        out += element("p",
+                       element("span", escape_html(equation.text), "formula") +
+                           element("span", escape_html(equation.source), "source"),
+                       "equation") +
+               "\n";
+    }
+    void operator()(const TableBlock& block) {
+        const DataTable& table = block.table;
+        out += "<div class=\"wide\"><table>\n";
+        if (!table.title.empty()) out += element("caption", escape_html(table.title)) + "\n";
+        out += "<thead><tr>";
+        for (std::size_t c = 0; c < table.columns.size(); ++c)
+            out += element("th", head_html(table.columns[c]), is_numeric_column(block, c) ? "number" : "");
+        out += "</tr></thead>\n<tbody>\n";
+        const std::vector<int> widest = widest_decimals(block);
+        for (std::size_t r = 0; r < table.rows.size(); ++r) row(block, r, widest);
+        out += "</tbody></table>\n";
+        for (const std::string& note : table.notes) out += element("p", escape_html(note), "note") + "\n";
+        out += "</div>\n";
+    }
+    void operator()(const PlotBlock& plot) { figure(plot.plot.id + ".svg", plot.caption); }
+    void operator()(const SceneBlock& scene) { figure(scene.id + ".png", scene.caption); }
+
+    void row(const TableBlock& block, std::size_t r, const std::vector<int>& widest) {
+        out += "<tr>";
+        if (is_subhead(block, r)) {
+            out += "<td class=\"subhead\" colspan=\"" + std::to_string(widest.size()) + "\">" +
+                   cell_html(block, r, 0) + "</td>";
+        } else {
+            for (std::size_t c = 0; c < widest.size(); ++c) {
+                const bool number = is_numeric_column(block, c);
+                const std::string pad = number ? padding(decimals_in(cell_text(block, r, c)), widest[c]) : "";
+                out += element("td", cell_html(block, r, c) + pad, number ? "number" : "");
+            }
+        }
+        out += "</tr>\n";
+    }
+
+    void figure(const std::string& file, const std::string& caption) {
+        out += "<figure><img src=\"" + escape_html(file) + "\" alt=\"" + escape_html(caption) + "\">" +
+               element("figcaption", escape_html(caption)) + "</figure>\n";
+    }
+};
+
+}  // namespace
+
+std::string to_html(const ReportDocument& document) {
+    HtmlWriter writer;
+    writer.out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+                 escape_html(document.title) + "</title>\n<style>" + std::string(html_style) +
+                 "</style>\n</head>\n<body>\n<h1>" + escape_html(document.title) + "</h1>\n";
+    for (const ReportBlock& block : document.blocks) std::visit(writer, block);
+    writer.out += "</body>\n</html>\n";
+    return writer.out;
+}
+
+}  // namespace covaria

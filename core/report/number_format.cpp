@@ -1,0 +1,109 @@
+// Rounding of numbers for people (JCGM 100 7.2.6) and their exact text for machines; independent of the
+// locale.
+#include "core/report/number_format.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace covaria {
+namespace {
+
+constexpr int unmatched_digits = 7;  // of a value without an uncertainty to match
+
+std::string fixed(double value, int decimals) {
+    std::array<char, 400> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    return {text.data(), end.ptr};
+}
+
+std::string scientific(double value, int decimals) {
+    std::array<char, 64> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, decimals);
+    return {text.data(), end.ptr};
+}
+
+std::string not_finite(double value) {
+    if (std::isnan(value)) return "–";
+    return value > 0.0 ? "∞" : "-∞";
+}
+
+/// Decimal exponent of `value` once rounded to `digits`: 9.96 to two digits is 10, so 1.
+int rounded_exponent(double value, int digits) {
+    const std::string text = scientific(value, digits - 1);
+    return std::atoi(text.c_str() + text.find('e') + 1);
+}
+
+std::string without_negative_zero(std::string text) {
+    const bool zero = text.find_first_of("123456789") == std::string::npos;
+    return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+std::string without_trailing_zeros(std::string text) {
+    if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+}  // namespace
+
+std::string format_decimals(double value, int decimals) {
+    if (!std::isfinite(value)) return not_finite(value);
+    if (decimals >= 0) return without_negative_zero(fixed(value, decimals));
+    const double step = std::pow(10.0, -decimals);
+    return without_negative_zero(fixed(std::round(value / step) * step, 0));
+}
+
+std::string format_significant(double value, int digits) {
+    if (!std::isfinite(value)) return not_finite(value);
+    if (value == 0.0) return "0";
+    const int kept = std::max(digits, 1);
+    const double size = std::abs(value);
+    if (size < 1e-4 || size >= 1e7) return scientific(value, kept - 1);
+    return format_decimals(value, kept - 1 - rounded_exponent(value, kept));
+}
+
+int decimals_for(double uncertainty, int digits) {
+    if (!std::isfinite(uncertainty) || uncertainty == 0.0) return unmatched_digits - 1;
+    return digits - 1 - rounded_exponent(uncertainty, digits);
+}
+
+std::string format_to_match(double value, double uncertainty, int digits) {
+    if (!std::isfinite(uncertainty) || uncertainty == 0.0)
+        return without_trailing_zeros(format_significant(value, unmatched_digits));
+    const int decimals = decimals_for(uncertainty, digits);
+    const double size = std::abs(uncertainty);
+    if (size < 1e-4 || size >= 1e7) {
+        if (value == 0.0) return "0";
+        const int value_digits = rounded_exponent(value, 1) + decimals + 1;
+        return value_digits < 1 ? "0" : scientific(value, value_digits - 1);
+    }
+    return format_decimals(value, decimals);
+}
+
+std::string format_cell(const TableCell& cell, const TableColumn& column) {
+    const auto number = [&column](double value) {
+        return column.digits > 0 ? format_significant(value, column.digits)
+                                 : without_trailing_zeros(format_significant(value, unmatched_digits));
+    };
+    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* value = std::get_if<double>(&cell)) return number(column.unit.from_si(*value));
+    const auto* quantity = std::get_if<Quantity>(&cell);
+    if (!quantity) return {};
+    const std::string unit = quantity->unit.text() == "1" ? "" : quantity->unit.display();
+    if (unit.empty() || quantity->unit == column.unit) return number(quantity->value);
+    return number(quantity->value) + "\u00a0" + unit;
+}
+
+std::string format_exact(double value) {
+    std::array<char, 64> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), end.ptr};
+}
+
+}  // namespace covaria

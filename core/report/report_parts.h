@@ -1,0 +1,93 @@
+// The sections of a report and the words they share; internal to core/report.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/report/report.h"
+
+namespace covaria::report_parts {
+
+using Blocks = std::vector<ReportBlock>;
+
+struct ReportSource {
+    const Project& project;
+    const AssetLibrary& assets;
+    const std::vector<EvaluatedAnalysis>& analyses;
+};
+
+// One function per section; each appends its headings and blocks. Headings and captions are numbered at the
+// end.
+void add_title(Blocks& blocks, const ReportSource& source);
+void add_models(Blocks& blocks, const ReportSource& source);
+void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
+void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+/// `shown` are the assets whose evaluation the report has already.
+void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
+                std::set<std::string>& shown);
+void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
+void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_notes(Blocks& blocks, const ReportSource& source);
+void add_provenance(Blocks& blocks, const ReportSource& source);
+
+/// Outputs by group against U, when there are several groups with the same measurands; else nothing.
+std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const std::string& title);
+/// The result line of the given outputs.
+TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+                         const std::string& title);
+TableBlock setup_table(const FieldSpec& field, const SetupTable& table);
+std::string setup_text(const FieldSpec& field, const SetupValue& value, const ReportSource& source);
+/// Scalar fields as facts, tables as tables, under the headings of their sections.
+void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
+                      const ReportSource& source);
+
+// --- words and selections (report_words.cpp)
+
+/// Grows a table column by column.
+class TableBuilder {
+public:
+    TableBuilder(std::string id, std::string title);
+    /// Returns the column's index.
+    int text(const std::string& header, bool symbol_cells = false);
+    int number(const std::string& header, int digits = 0, int match = -1);
+    int symbol(const std::string& header, int digits = 0, int match = -1);
+    int fixed(const std::string& header, int decimals);
+    void row(std::vector<TableCell> cells) { block_.table.rows.push_back(std::move(cells)); }
+    void subhead(const std::string& text) { block_.table.rows.push_back({TableCell(text)}); }
+    void note(std::string text) { block_.table.notes.push_back(std::move(text)); }
+    TableBlock take() { return std::move(block_); }
+
+private:
+    int add(TableColumn column, ColumnStyle style);
+    TableBlock block_;
+};
+
+std::string project_fingerprint(const ReportSource& source);  ///< of the evaluated project
+std::string count_text(std::uint64_t count);                  ///< "1 000 000"
+std::string percent_text(double probability);                 ///< "95 %"
+std::string unit_text(const Unit& unit);                      ///< "mm", "1" for the unit one
+std::string file_name_part(const std::string& text);          ///< "pose 7" -> "pose-7"
+/// "a, b, c" or, if longer than `most`, "a, b … z (117)".
+std::string short_list(const std::vector<std::string>& items, std::size_t most = 3);
+std::string output_label(const OutputQuantity& quantity);  ///< "x (pose 7)", Unicode
+Quantity value_in(const Unit& unit, double si);
+Quantity interval_in(const Unit& unit, double si);  ///< differences and uncertainties
+
+bool is_measurand(const OutputResult& output);
+/// Groups that have measurands, in order.
+std::vector<std::string> measurand_groups(const UncertaintyResult& result);
+std::vector<std::size_t> measurands_of(const UncertaintyResult& result, const std::string& group);
+bool groups_alike(const UncertaintyResult& result, const std::vector<std::string>& groups);
+/// Groups that are shown in full: all if there are at most two, else the one with the largest U, measured for
+/// each symbol by its mean over the groups.
+std::vector<std::string> groups_in_full(const UncertaintyResult& result);
+
+}  // namespace covaria::report_parts

@@ -1,0 +1,133 @@
+// Uncertainty budgets: for each measurand of the groups shown in full, one row per component.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/symbol.h"
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+namespace {
+
+constexpr std::size_t most_rows = 24;  // further components are summed; the CSV budget has them
+
+std::string component_text(const BudgetComponent& component) {
+    return component.held ? component.name + " (held)" : component.name;
+}
+
+/// Joined symbols of a shared component are cut to a few.
+std::string quantity_symbols(const std::string& joined) {
+    std::vector<std::string> symbols;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= joined.size(); ++i) {
+        if (i < joined.size() && joined[i] != ',') continue;
+        const std::size_t first = joined.find_first_not_of(' ', begin);
+        if (first < i) symbols.push_back(joined.substr(first, i - first));
+        begin = i + 1;
+    }
+    return short_list(symbols);
+}
+
+/// c in the output's unit per unit of the component.
+double shown_sensitivity(const BudgetRow& row, const Unit& component, const Unit& output) {
+    return output.interval_from_si(row.sensitivity * component.interval_to_si(1.0));
+}
+
+class BudgetTable {
+public:
+    BudgetTable(const EvaluatedAnalysis& evaluated, std::size_t output)
+        : result_(*evaluated.result),
+          output_(result_.outputs[output]),
+          rows_(result_.budget.rows[output]),
+          table_("budget-" + evaluated.analysis->id + "-" +
+                     file_name_part(output_.quantity.symbol + " " + output_.quantity.group),
+                 "Budget of " + output_label(output_.quantity) + ", " + output_.quantity.name) {
+        one_at_a_time_ = !rows_.empty() && rows_.front().one_at_a_time.has_value();
+    }
+
+    TableBlock make() {
+        const std::string unit = unit_text(output_.quantity.unit);
+        table_.text("Symbol", true);
+        table_.text("Component");
+        table_.text("Unit");
+        table_.symbol("u(x_i)", 2);
+        table_.text("Distribution");
+        table_.symbol("nu_i", 3);
+        table_.symbol("c_i", 3);
+        table_.number("|cᵢ|·u(xᵢ) in " + unit, 2);
+        if (one_at_a_time_) table_.number("alone, Monte Carlo, in " + unit, 2);
+        table_.fixed("Share of variance in %", 1);
+        const std::size_t shown = std::min(rows_.size(), most_rows);
+        for (std::size_t i = 0; i < shown; ++i) add(rows_[i]);
+        if (shown < rows_.size()) add_rest(shown);
+        add_total();
+        return table_.take();
+    }
+
+private:
+    void push(std::vector<TableCell> cells, const TableCell& alone, double share) {
+        if (one_at_a_time_) cells.push_back(alone);
+        cells.emplace_back(100.0 * share);
+        table_.row(std::move(cells));
+    }
+
+    void add(const BudgetRow& row) {
+        const BudgetComponent& c = result_.budget.components[row.component];
+        const Unit& unit = output_.quantity.unit;
+        TableCell alone;
+        if (row.one_at_a_time) alone = interval_in(unit, *row.one_at_a_time);
+        push({quantity_symbols(c.quantity), component_text(c), unit_text(c.unit),
+              interval_in(c.unit, c.standard_uncertainty), c.distribution, c.degrees_of_freedom,
+              shown_sensitivity(row, c.unit, unit), interval_in(unit, row.contribution)},
+             alone, row.share);
+    }
+
+    void add_rest(std::size_t first) {
+        double square = 0.0, share = 0.0;
+        for (std::size_t i = first; i < rows_.size(); ++i) {
+            square += rows_[i].contribution * rows_[i].contribution;
+            share += rows_[i].share;
+        }
+        push({TableCell{}, std::to_string(rows_.size() - first) + " further components", TableCell{},
+              TableCell{}, TableCell{}, TableCell{}, TableCell{},
+              interval_in(output_.quantity.unit, std::sqrt(square))},
+             TableCell{}, share);
+    }
+
+    void add_total() {
+        const FirstOrderOutput& first = output_.first_order;
+        const Unit& unit = output_.quantity.unit;
+        double share = 0.0;
+        for (const BudgetRow& row : rows_) share += row.share;
+        push({std::string("u_c"), "combined (law of propagation)", unit_text(unit), TableCell{}, TableCell{},
+              first.effective_degrees_of_freedom, TableCell{}, interval_in(unit, first.standard_uncertainty)},
+             TableCell{}, share);
+    }
+
+    const UncertaintyResult& result_;
+    const OutputResult& output_;
+    const std::vector<BudgetRow>& rows_;
+    TableBuilder table_;
+    bool one_at_a_time_ = false;
+};
+
+}  // namespace
+
+void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    blocks.push_back(HeadingBlock{2, "Uncertainty budgets"});
+    const std::vector<std::string> groups = measurand_groups(result);
+    const std::vector<std::string> shown = groups_in_full(result);
+    std::string words =
+        "Components by falling share of the variance; cᵢ in the unit of the measurand per unit of the "
+        "component.";
+    if (shown.size() < groups.size())
+        words += " Shown in full for " + shown.front() +
+                 ", which has the largest expanded uncertainties of the " + std::to_string(groups.size()) +
+                 " groups; the CSV table of budgets has every group.";
+    blocks.push_back(ParagraphBlock{words});
+    for (const std::string& group : shown)
+        for (const std::size_t output : measurands_of(result, group))
+            blocks.push_back(BudgetTable(evaluated, output).make());
+}
+
+}  // namespace covaria::report_parts

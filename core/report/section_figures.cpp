@@ -1,0 +1,69 @@
+// Distributions as charts, and the picture of the set-up with its uncertainty.
+#include <algorithm>
+
+#include "core/report/plots.h"
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+namespace {
+
+/// File names of charts are unique in a report: the analysis' id comes first.
+PlotBlock figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated, std::string caption) {
+    plot.id = file_name_part(evaluated.analysis->id) + "-" + plot.id;
+    return {std::move(plot), std::move(caption)};
+}
+
+std::size_t least_normal(const UncertaintyResult& result, const std::vector<std::size_t>& outputs) {
+    return *std::max_element(outputs.begin(), outputs.end(), [&](std::size_t a, std::size_t b) {
+        const auto distance = [&](std::size_t i) {
+            const double ratio = result.outputs[i].monte_carlo->normality.coverage_ratio;
+            return ratio > 1.0 ? ratio - 1.0 : 1.0 - ratio;
+        };
+        return distance(a) < distance(b);
+    });
+}
+
+void add_group(Blocks& blocks, const EvaluatedAnalysis& evaluated, const std::string& group) {
+    const UncertaintyResult& result = *evaluated.result;
+    std::vector<std::size_t> outputs = measurands_of(result, group);
+    std::erase_if(outputs, [&](std::size_t i) { return !result.outputs[i].monte_carlo.has_value(); });
+    if (outputs.empty()) return;
+    for (const std::size_t i : outputs)
+        blocks.push_back(figure(histogram_plot(result, i), evaluated,
+                                "Distribution of " + output_label(result.outputs[i].quantity) + "."));
+    const std::size_t worst = least_normal(result, outputs);
+    const std::string label = output_label(result.outputs[worst].quantity);
+    blocks.push_back(
+        figure(normal_quantile_plot(result, worst), evaluated,
+               "Quantiles of " + label + ", the least normal, against those of a normal distribution."));
+    if (!result.convergence.empty())
+        blocks.push_back(figure(convergence_plot(result, worst), evaluated,
+                                "Standard uncertainty of " + label + " against the number of trials."));
+}
+
+}  // namespace
+
+void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    if (evaluated.result->trials == 0) return;
+    blocks.push_back(HeadingBlock{2, "Distributions"});
+    for (const std::string& group : groups_in_full(*evaluated.result)) add_group(blocks, evaluated, group);
+}
+
+void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    const std::vector<std::string> shown = groups_in_full(result);
+    const std::string group = shown.empty() ? "" : shown.front();
+    blocks.push_back(HeadingBlock{2, "Set-up in space"});
+    SceneBlock scene;
+    scene.id = file_name_part(evaluated.analysis->id) + "-scene" +
+               (group.empty() ? "" : "-" + file_name_part(group));
+    scene.analysis = evaluated.analysis->id;
+    scene.group = group;
+    scene.view = "iso";
+    scene.caption = evaluated.analysis->name + (group.empty() ? "" : ", " + group) +
+                    ": uncertainty ellipsoids at a coverage probability of " +
+                    percent_text(result.coverage_probability) + ", magnified as the picture states.";
+    blocks.push_back(std::move(scene));
+}
+
+}  // namespace covaria::report_parts

@@ -1,0 +1,143 @@
+// Input quantities and where their uncertainties come from; quantities with equal components share a row.
+#include <algorithm>
+#include <map>
+
+#include "core/base/symbol.h"
+#include "core/report/number_format.h"
+#include "core/report/report_parts.h"
+#include "core/report/table_text.h"
+
+namespace covaria::report_parts {
+namespace {
+
+constexpr std::size_t listed_one_by_one = 24;  // above it, quantities with equal components are collapsed
+
+std::string type_text(EvaluationType type) {
+    return type == EvaluationType::type_a ? "A" : "B";
+}
+
+/// What must agree for two quantities to share a row.
+std::string signature(const InputSet& inputs, const InputQuantity& quantity) {
+    std::string text = quantity.group + "\n" + quantity.unit.text() + "\n" +
+                       (quantity.combination == Combination::arithmetic ? "arithmetic" : "quadrature");
+    for (const Share& share : quantity.shares) {
+        const UncertaintyComponent& c = inputs.components[share.component];
+        text += "\n" + c.name + "|" + std::string(c.distribution.kind()) + "|" + c.origin + "|" +
+                format_exact(std::abs(share.factor) * c.distribution.standard_uncertainty()) + "|" +
+                format_exact(c.degrees_of_freedom) + type_text(c.type) + (c.held ? "h" : "");
+    }
+    return text;
+}
+
+using Members = std::vector<std::size_t>;
+
+/// Quantities in order of first appearance; one list per row of the table.
+std::vector<Members> rows_of(const InputSet& inputs) {
+    std::vector<Members> rows;
+    std::map<std::string, std::size_t> row_of;
+    const bool collapse = inputs.quantities.size() > listed_one_by_one;
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
+        const std::string key = collapse ? signature(inputs, inputs.quantities[i]) : std::to_string(i);
+        const auto [it, added] = row_of.try_emplace(key, rows.size());
+        if (added) rows.emplace_back();
+        rows[it->second].push_back(i);
+    }
+    return rows;
+}
+
+/// Groups ("pose 1", "pose 2" ...) whose rows say the same are merged into one row as well.
+std::vector<Members> merged_over_groups(const InputSet& inputs, const std::vector<Members>& rows) {
+    if (rows.size() <= listed_one_by_one) return rows;
+    InputSet ungrouped = inputs;
+    for (InputQuantity& quantity : ungrouped.quantities) quantity.group.clear();
+    return rows_of(ungrouped);
+}
+
+std::string symbols_text(const InputSet& inputs, const Members& members) {
+    std::vector<std::string> symbols;
+    for (const std::size_t i : members) symbols.push_back(inputs.quantities[i].symbol);
+    return short_list(symbols);
+}
+
+std::string names_text(const InputSet& inputs, const Members& members) {
+    const InputQuantity& first = inputs.quantities[members.front()];
+    if (members.size() == 1) return first.name;
+    return first.name + " … " + inputs.quantities[members.back()].name;
+}
+
+std::vector<TableCell> component_cells(const UncertaintyComponent& c, double factor, const Unit& unit) {
+    return {interval_in(unit, std::abs(factor) * c.distribution.standard_uncertainty()),
+            std::string(c.distribution.title()) + (c.held ? ", held" : ""), type_text(c.type),
+            c.degrees_of_freedom, c.origin.empty() ? c.name : c.origin};
+}
+
+void add_quantity(TableBuilder& table, const InputSet& inputs, const Members& members) {
+    const InputQuantity& quantity = inputs.quantities[members.front()];
+    std::vector<TableCell> cells = {symbols_text(inputs, members), names_text(inputs, members), TableCell{},
+                                    unit_text(quantity.unit)};
+    if (members.size() == 1) cells[2] = value_in(quantity.unit, estimate_of(inputs, members.front()));
+    const auto append = [](std::vector<TableCell> row, const std::vector<TableCell>& more) {
+        row.insert(row.end(), more.begin(), more.end());
+        return row;
+    };
+    if (quantity.shares.empty()) {
+        table.row(append(cells, {Quantity{0.0, quantity.unit}, std::string("constant")}));
+    } else if (quantity.shares.size() == 1) {
+        const Share& share = quantity.shares.front();
+        table.row(
+            append(cells, component_cells(inputs.components[share.component], share.factor, quantity.unit)));
+    } else {
+        const bool linear = quantity.combination == Combination::arithmetic;
+        const double nu = degrees_of_freedom_of(inputs, members.front());
+        table.row(append(
+            cells, {interval_in(quantity.unit, standard_uncertainty_of(inputs, members.front())),
+                    std::string("combined"), TableCell{}, nu,
+                    std::to_string(quantity.shares.size()) +
+                        (linear ? " components, added arithmetically" : " components, in quadrature")}));
+        for (const Share& share : quantity.shares) {
+            const UncertaintyComponent& c = inputs.components[share.component];
+            table.row(append({TableCell{}, "– " + c.name, TableCell{}, unit_text(quantity.unit)},
+                             component_cells(c, share.factor, quantity.unit)));
+        }
+    }
+}
+
+void add_correlations(Blocks& blocks, const InputSet& inputs) {
+    if (inputs.correlations.empty()) return;
+    TableBuilder table("input-correlations", "Correlation coefficients of components");
+    table.text("Component");
+    table.text("Component");
+    table.symbol("r", 3);
+    for (const ComponentCorrelation& c : inputs.correlations)
+        table.row({inputs.components[c.first].id, inputs.components[c.second].id, c.coefficient});
+    blocks.push_back(table.take());
+}
+
+}  // namespace
+
+void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    const InputSet& inputs = evaluated.result->inputs;
+    blocks.push_back(HeadingBlock{2, "Input quantities"});
+    TableBuilder table("inputs-" + evaluated.analysis->id,
+                       "Input quantities and the origin of their uncertainties");
+    table.text("Symbol", true);
+    table.text("Quantity");
+    table.number("Estimate", 0, 4);
+    table.text("Unit");
+    table.symbol("u(x_i)", 2);
+    table.text("Distribution");
+    table.text("Type");
+    table.symbol("nu_i", 3);
+    table.text("Origin");
+    const std::vector<Members> rows = merged_over_groups(inputs, rows_of(inputs));
+    for (const Members& members : rows) add_quantity(table, inputs, members);
+    if (rows.size() < inputs.quantities.size())
+        table.note(
+            std::to_string(inputs.quantities.size()) +
+            " input quantities; those with equal components share a row. The CSV table of inputs lists "
+            "every one with its estimate.");
+    blocks.push_back(table.take());
+    add_correlations(blocks, inputs);
+}
+
+}  // namespace covaria::report_parts

@@ -1,0 +1,34 @@
+// Measurement models: summary, equations with their sources, references.
+#include <algorithm>
+
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+namespace {
+
+void add_model(Blocks& blocks, const ModelDescriptor& model) {
+    blocks.push_back(HeadingBlock{2, model.title});
+    if (!model.summary.empty()) blocks.push_back(ParagraphBlock{model.summary});
+    for (const ModelEquation& equation : model.equations)
+        blocks.push_back(EquationBlock{equation.text, equation.source});
+    if (model.references.empty()) return;
+    ListBlock references;
+    for (const Reference& reference : model.references) references.items.push_back(reference.text);
+    blocks.push_back(HeadingBlock{3, "References"});
+    blocks.push_back(std::move(references));
+}
+
+}  // namespace
+
+void add_models(Blocks& blocks, const ReportSource& source) {
+    blocks.push_back(HeadingBlock{1, "Measurement model"});
+    std::vector<const ModelDescriptor*> done;
+    for (const EvaluatedAnalysis& evaluated : source.analyses) {
+        const ModelDescriptor* model = evaluated.analysis->descriptor;
+        if (std::find(done.begin(), done.end(), model) != done.end()) continue;
+        add_model(blocks, *model);
+        done.push_back(model);
+    }
+}
+
+}  // namespace covaria::report_parts

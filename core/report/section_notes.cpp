@@ -1,0 +1,95 @@
+// Notes (deviations from the sources, warnings of the runs) and provenance.
+#include <algorithm>
+
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+namespace {
+
+void add_once(std::vector<std::string>& list, const std::vector<std::string>& more) {
+    for (const std::string& text : more)
+        if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
+}
+
+void add_list(Blocks& blocks, const std::string& heading, std::vector<std::string> items) {
+    if (items.empty()) return;
+    blocks.push_back(HeadingBlock{2, heading});
+    blocks.push_back(ListBlock{std::move(items)});
+}
+
+std::vector<std::string> run_notes(const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    std::vector<std::string> notes = evaluated.warnings;
+    add_once(notes, result.warnings);
+    if (result.failed_trials > 0)
+        notes.push_back(count_text(result.failed_trials) + " of " +
+                        count_text(result.trials + result.failed_trials) +
+                        " trials had no value and are not part of the statistics.");
+    if (!result.stabilised)
+        notes.push_back(
+            "The adaptive procedure reached its largest number of trials: the results have not "
+            "stabilised to the numerical tolerance.");
+    if (!result.intervals_exact)
+        notes.push_back(
+            "Coverage intervals were read from finely divided cells, not from ordered trials: there were "
+            "more trials than memory allows to order.");
+    return notes;
+}
+
+}  // namespace
+
+void add_notes(Blocks& blocks, const ReportSource& source) {
+    std::vector<std::string> model_notes, asset_notes;
+    Blocks parts;
+    for (const EvaluatedAnalysis& evaluated : source.analyses) {
+        add_once(model_notes, evaluated.analysis->descriptor->notes);
+        const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
+        if (!entry) continue;
+        for (const std::string& id : assets_used_by(source.project, *entry))
+            if (const auto* asset = source.assets.find(id); asset && asset->descriptor)
+                add_once(asset_notes, asset->descriptor->notes);
+    }
+    add_list(parts, "On the measurement model", model_notes);
+    add_list(parts, "On artefacts and instruments", asset_notes);
+    for (const EvaluatedAnalysis& evaluated : source.analyses)
+        add_list(parts, "On the evaluation: " + evaluated.analysis->name, run_notes(evaluated));
+    if (parts.empty()) return;
+    blocks.push_back(HeadingBlock{1, "Notes"});
+    blocks.insert(blocks.end(), parts.begin(), parts.end());
+}
+
+std::string project_fingerprint(const ReportSource& source) {
+    for (const EvaluatedAnalysis& evaluated : source.analyses)
+        if (!evaluated.result->provenance.project_fingerprint.empty())
+            return evaluated.result->provenance.project_fingerprint;
+    return "–";
+}
+
+void add_provenance(Blocks& blocks, const ReportSource& source) {
+    blocks.push_back(HeadingBlock{1, "Provenance"});
+    TableBuilder table("provenance", "Runs that gave these results");
+    table.text("Analysis");
+    table.text("Model");
+    table.text("Method");
+    table.text("Trials");
+    table.text("Failed");
+    table.text("Seed");
+    table.text("Fingerprint");
+    table.text("Covaria");
+    for (const EvaluatedAnalysis& evaluated : source.analyses) {
+        const UncertaintyResult& result = *evaluated.result;
+        const char* method = result.trials == 0 ? "law of propagation"
+                             : result.adaptive  ? "adaptive"
+                                                : "Monte Carlo";
+        table.row({evaluated.analysis->name, evaluated.analysis->descriptor->id, std::string(method),
+                   count_text(result.trials), count_text(result.failed_trials),
+                   std::to_string(result.provenance.seed), evaluated.analysis->fingerprint,
+                   result.provenance.covaria_version});
+    }
+    table.note(
+        "The same project, seed and version give the same numbers on any number of threads. The fingerprint "
+        "covers everything that influences the numbers of an analysis.");
+    blocks.push_back(table.take());
+}
+
+}  // namespace covaria::report_parts

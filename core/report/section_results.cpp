@@ -1,0 +1,161 @@
+// Results: y, u, nu_eff, k, U and coverage intervals; requirements; the matrix of U over groups.
+#include <algorithm>
+#include <cmath>
+
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+namespace {
+
+constexpr std::size_t most_group_columns = 13;
+
+TableBlock groups_as_columns(const UncertaintyResult& result, const std::vector<std::string>& groups,
+                             const std::string& title) {
+    TableBuilder table("summary", title);
+    table.text("U of", true);
+    table.text("Unit");
+    for (const std::string& group : groups) table.number(group, 2);
+    const std::vector<std::size_t> first = measurands_of(result, groups.front());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const OutputQuantity& quantity = result.outputs[first[i]].quantity;
+        std::vector<TableCell> row = {quantity.symbol, unit_text(quantity.unit)};
+        for (const std::string& group : groups) {
+            const OutputResult& output = result.outputs[measurands_of(result, group)[i]];
+            row.emplace_back(interval_in(quantity.unit, output.expanded_uncertainty));
+        }
+        table.row(std::move(row));
+    }
+    return table.take();
+}
+
+TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<std::string>& groups,
+                          const std::string& title) {
+    TableBuilder table("summary", title);
+    table.text("Group");
+    for (const std::size_t i : measurands_of(result, groups.front())) {
+        const OutputQuantity& quantity = result.outputs[i].quantity;
+        table.symbol("U(" + quantity.symbol + ")", 2);
+    }
+    TableBlock block = table.take();
+    const std::vector<std::size_t> first = measurands_of(result, groups.front());
+    for (std::size_t i = 0; i < first.size(); ++i)
+        block.table.columns[i + 1].unit = result.outputs[first[i]].quantity.unit;
+    for (const std::string& group : groups) {
+        std::vector<TableCell> row = {group};
+        for (const std::size_t i : measurands_of(result, group))
+            row.emplace_back(
+                interval_in(result.outputs[i].quantity.unit, result.outputs[i].expanded_uncertainty));
+        block.table.rows.push_back(std::move(row));
+    }
+    return block;
+}
+
+std::vector<TableCell> result_row(const OutputResult& output, bool intervals) {
+    const OutputQuantity& quantity = output.quantity;
+    const Unit& unit = quantity.unit;
+    std::vector<TableCell> row = {quantity.symbol,
+                                  unit_text(unit),
+                                  value_in(unit, output.estimate),
+                                  interval_in(unit, output.standard_uncertainty),
+                                  output.first_order.effective_degrees_of_freedom,
+                                  output.coverage_factor,
+                                  interval_in(unit, output.expanded_uncertainty)};
+    if (!intervals) return row;
+    const MonteCarloOutput& trials = *output.monte_carlo;
+    for (const double end :
+         {trials.symmetric.low, trials.symmetric.high, trials.shortest.low, trials.shortest.high})
+        row.emplace_back(value_in(unit, end));
+    return row;
+}
+
+void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
+    const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
+    if (!entry || entry->requirements.empty()) return;
+    TableBuilder table("requirements-" + evaluated.analysis->id, "Target uncertainties");
+    table.text("Group");
+    table.text("Quantity", true);
+    table.text("Unit");
+    table.number("U", 2);
+    table.number("Target");
+    table.text("Verdict");
+    for (const Requirement& requirement : entry->requirements)
+        for (const OutputResult& output : evaluated.result->outputs) {
+            const OutputQuantity& quantity = output.quantity;
+            if (quantity.group != requirement.group || quantity.symbol != requirement.symbol) continue;
+            if (!requirement.target_uncertainty) continue;
+            const Quantity& typed = *requirement.target_uncertainty;
+            const double target = typed.unit.interval_to_si(typed.value);
+            table.row({quantity.group, quantity.symbol, unit_text(quantity.unit),
+                       interval_in(quantity.unit, output.expanded_uncertainty),
+                       interval_in(quantity.unit, target),
+                       std::string(output.expanded_uncertainty <= target ? "met" : "not met")});
+        }
+    blocks.push_back(table.take());
+}
+
+void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
+    std::string words = "Coverage probability " + percent_text(result.coverage_probability) + ". ";
+    if (result.trials == 0) {
+        words += "Values from the law of propagation of uncertainty (JCGM 100).";
+    } else {
+        words += "Values from the propagation of distributions (JCGM 101) with " + count_text(result.trials) +
+                 " trials; the interval is probabilistically symmetric, the shortest one beside it. "
+                 "The effective degrees of freedom are those of the law of propagation.";
+    }
+    blocks.push_back(ParagraphBlock{words});
+}
+
+}  // namespace
+
+TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+                         const std::string& title) {
+    TableBuilder table("results", title);
+    const bool intervals = std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
+        return result.outputs[i].monte_carlo.has_value();
+    });
+    table.text("Quantity", true);
+    table.text("Unit");
+    table.symbol("y", 0, 6);
+    table.symbol("u(y)", 2);
+    table.symbol("nu_eff", 3);
+    table.fixed("k", 2);
+    table.symbol("U", 2);
+    if (intervals)
+        for (const char* head : {"interval low", "interval high", "shortest low", "shortest high"})
+            table.number(head, 0, 6);
+    std::string group;
+    for (const std::size_t i : outputs) {
+        const OutputQuantity& quantity = result.outputs[i].quantity;
+        if (quantity.group != group) table.subhead(quantity.group);
+        group = quantity.group;
+        table.row(result_row(result.outputs[i], intervals));
+    }
+    return table.take();
+}
+
+std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const std::string& title) {
+    const std::vector<std::string> groups = measurand_groups(result);
+    if (groups.size() < 3 || !groups_alike(result, groups)) return std::nullopt;
+    return groups.size() <= most_group_columns ? groups_as_columns(result, groups, title)
+                                               : groups_as_rows(result, groups, title);
+}
+
+void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    blocks.push_back(HeadingBlock{2, "Results"});
+    add_run_words(blocks, result);
+    std::vector<std::size_t> measurands, others;
+    for (std::size_t i = 0; i < result.outputs.size(); ++i)
+        (is_measurand(result.outputs[i]) ? measurands : others).push_back(i);
+    TableBlock block = results_block(result, measurands, "Measurands");
+    block.table.id = "results-" + evaluated.analysis->id;
+    blocks.push_back(std::move(block));
+    if (!others.empty()) {
+        TableBlock intermediate = results_block(result, others, "Intermediate quantities");
+        intermediate.table.id = "intermediate-" + evaluated.analysis->id;
+        blocks.push_back(std::move(intermediate));
+    }
+    add_requirements(blocks, source, evaluated);
+}
+
+}  // namespace covaria::report_parts

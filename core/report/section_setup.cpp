@@ -1,0 +1,116 @@
+// Set-ups as the schema lists them: fields with titles and units, tables as tables.
+#include <algorithm>
+
+#include "core/report/number_format.h"
+#include "core/report/report_parts.h"
+#include "core/report/table_text.h"
+
+namespace covaria::report_parts {
+namespace {
+
+constexpr std::size_t most_rows = 60;  // of a set-up table; the file has them all
+
+std::string quantity_text(double value, const Unit& unit) {
+    return format_cell(Quantity{value, unit}, TableColumn{});
+}
+
+std::string triple_text(const std::array<double, 3>& values, const Unit& unit) {
+    const TableColumn plain;
+    return "(" + format_cell(values[0], plain) + ", " + format_cell(values[1], plain) + ", " +
+           format_cell(values[2], plain) + ")\u00a0" + unit.display();
+}
+
+std::string choice_title(const std::vector<Choice>& choices, const std::string& key) {
+    for (const Choice& choice : choices)
+        if (choice.key == key) return choice.title;
+    return key;
+}
+
+TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell) {
+    if (const auto* number = std::get_if<double>(&cell)) return Quantity{*number, unit};
+    if (const auto* flag = std::get_if<bool>(&cell)) return std::string(*flag ? "yes" : "no");
+    if (const auto* text = std::get_if<std::string>(&cell)) return choice_title(spec.choices, *text);
+    return std::monostate{};
+}
+
+bool is_used(const SetupTable& table, std::size_t column) {
+    return std::any_of(table.rows.begin(), table.rows.end(), [column](const auto& row) {
+        return column < row.size() && !std::holds_alternative<std::monostate>(row[column]);
+    });
+}
+
+}  // namespace
+
+std::string setup_text(const FieldSpec& field, const SetupValue& value, const ReportSource& source) {
+    if (const auto* quantity = std::get_if<Quantity>(&value))
+        return quantity_text(quantity->value, quantity->unit);
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
+    if (const auto* pose = std::get_if<PoseValue>(&value))
+        return "position " + triple_text(pose->position, pose->length_unit) +
+               ", α, β, γ = " + triple_text(pose->angles, pose->angle_unit);
+    const auto* text = std::get_if<std::string>(&value);
+    if (!text) return {};
+    if (field.kind == FieldKind::reference) {
+        const AssetLibrary::Entry* entry = source.assets.find(*text);
+        return entry ? entry->name : *text;
+    }
+    return choice_title(field.choices, *text);
+}
+
+TableBlock setup_table(const FieldSpec& field, const SetupTable& table) {
+    TableBlock block;
+    block.table.id = "setup-" + file_name_part(field.key);
+    block.table.title = field.title;
+    const std::size_t rows = std::min(table.rows.size(), most_rows);
+    block.table.rows.resize(rows);
+    for (std::size_t c = 0; c < field.columns.size(); ++c) {
+        if (!is_used(table, c)) continue;
+        const ColumnSpec& spec = field.columns[c];
+        const Unit unit = c < table.units.size() ? table.units[c] : spec.unit;
+        block.table.columns.push_back({spec.title, unit, looks_like_symbol(spec.title), 0});
+        for (std::size_t r = 0; r < rows; ++r)
+            block.table.rows[r].push_back(c < table.rows[r].size() ? cell_of(spec, unit, table.rows[r][c])
+                                                                   : TableCell{});
+    }
+    if (!table.csv_file.empty()) block.table.notes.push_back("Read from " + table.csv_file + ".");
+    if (rows < table.rows.size())
+        block.table.notes.push_back("The first " + std::to_string(rows) + " of " +
+                                    std::to_string(table.rows.size()) +
+                                    " rows; the project file has them all.");
+    return block;
+}
+
+void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
+                      const ReportSource& source) {
+    FactsBlock facts;
+    Blocks tables;
+    std::string section;
+    const auto flush = [&] {
+        if (!facts.facts.empty()) blocks.push_back(std::move(facts));
+        blocks.insert(blocks.end(), tables.begin(), tables.end());
+        facts = {};
+        tables.clear();
+    };
+    for (const FieldSpec& field : schema.fields()) {
+        if (!is_shown(schema, field, setup)) continue;
+        if (field.section != section) flush();
+        section = field.section;
+        const SetupValue& value = value_of(field, setup);
+        if (const auto* table = std::get_if<SetupTable>(&value)) {
+            if (!table->rows.empty()) tables.push_back(setup_table(field, *table));
+        } else if (const std::string text = setup_text(field, value, source); !text.empty()) {
+            facts.facts.emplace_back(field.title, text);
+        }
+    }
+    flush();
+}
+
+void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
+    const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
+    if (!entry) return;
+    blocks.push_back(HeadingBlock{2, "Set-up"});
+    if (!entry->notes.empty()) blocks.push_back(ParagraphBlock{entry->notes});
+    add_setup_fields(blocks, evaluated.analysis->descriptor->schema, entry->setup, source);
+}
+
+}  // namespace covaria::report_parts

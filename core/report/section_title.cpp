@@ -1,0 +1,57 @@
+// Title block: what was evaluated, and the expanded uncertainties at a glance.
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+namespace {
+
+std::string method_text(const UncertaintyResult& result) {
+    if (result.trials == 0) return "law of propagation of uncertainty";
+    const std::string trials = count_text(result.trials) + " trials";
+    return (result.adaptive ? "adaptive Monte Carlo, " : "Monte Carlo, ") + trials;
+}
+
+std::string analysis_text(const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    return evaluated.analysis->descriptor->title + "; " + method_text(result) + "; coverage probability " +
+           percent_text(result.coverage_probability);
+}
+
+/// One of the common factor, or the range of the factors.
+std::string factor_text(const UncertaintyResult& result) {
+    return "U = k·u(y) for a coverage probability of " + percent_text(result.coverage_probability) +
+           "; k, intervals and the law of propagation are in the results of the analysis.";
+}
+
+void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    const std::string title = "Expanded uncertainty U: " + evaluated.analysis->name;
+    if (auto matrix = summary_matrix(result, title)) {
+        matrix->table.id = "summary-" + evaluated.analysis->id;
+        matrix->table.notes.push_back(factor_text(result));
+        blocks.push_back(std::move(*matrix));
+        return;
+    }
+    std::vector<std::size_t> outputs;
+    for (std::size_t i = 0; i < result.outputs.size(); ++i)
+        if (is_measurand(result.outputs[i])) outputs.push_back(i);
+    TableBlock block = results_block(result, outputs, "Results: " + evaluated.analysis->name);
+    block.table.id = "summary-" + evaluated.analysis->id;
+    blocks.push_back(std::move(block));
+}
+
+}  // namespace
+
+void add_title(Blocks& blocks, const ReportSource& source) {
+    FactsBlock facts;
+    for (const EvaluatedAnalysis& evaluated : source.analyses)
+        facts.facts.emplace_back(evaluated.analysis->name, analysis_text(evaluated));
+    if (!source.analyses.empty())
+        facts.facts.emplace_back("Evaluated with",
+                                 "Covaria " + source.analyses.front().result->provenance.covaria_version);
+    facts.facts.emplace_back("Project fingerprint", project_fingerprint(source));
+    blocks.push_back(std::move(facts));
+    if (!source.project.notes.empty()) blocks.push_back(ParagraphBlock{source.project.notes});
+    for (const EvaluatedAnalysis& evaluated : source.analyses) add_glance(blocks, evaluated);
+}
+
+}  // namespace covaria::report_parts
