@@ -1,0 +1,46 @@
+#include "ui/document/selection.h"
+
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+void Selection::select_entry(const SetupAddress& entry) {
+    if (entry == entry_) return;
+    entry_ = entry;
+    field_.clear();
+    emit entry_changed();
+    if (entry.owner != SetupOwner::analysis || to_qt(entry.id) == analysis_) return;
+    analysis_ = to_qt(entry.id);
+    output_ = -1;
+    emit analysis_changed(analysis_);
+}
+
+void Selection::select_group(const QString& group) {
+    if (group == group_) return;
+    group_ = group;
+    emit group_changed(group);
+}
+
+void Selection::select_output(int output) {
+    if (output == output_) return;
+    output_ = output;
+    emit output_changed(output);
+}
+
+void Selection::select_field(const QString& field) {
+    if (field == field_) return;
+    field_ = field;
+    emit field_changed(field);
+}
+
+void Selection::clear() {
+    entry_ = {};
+    analysis_.clear();
+    group_.clear();
+    field_.clear();
+    output_ = -1;
+    emit entry_changed();
+    emit analysis_changed(analysis_);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,89 @@
+#include "ui/main_window/dialogs.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace covaria::ui {
+namespace {
+
+QString text_of(const char* text) {
+    return QCoreApplication::translate("covaria::ui::Dialogs", text);
+}
+
+SaveAnswer ask_save(QWidget* parent, const QString& name) {
+    QMessageBox box(QMessageBox::Question, text_of("Unsaved Changes"),
+                    text_of("Save the changes to “%1”?").arg(name),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
+    box.setInformativeText(text_of("Without saving they are lost."));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+        case QMessageBox::Save:
+            return SaveAnswer::save;
+        case QMessageBox::Discard:
+            return SaveAnswer::discard;
+        default:
+            return SaveAnswer::cancel;
+    }
+}
+
+DiskAnswer ask_reload(QWidget* parent, const QString& name, bool modified) {
+    QMessageBox box(QMessageBox::Question, text_of("File Changed"),
+                    text_of("Another program changed “%1”.").arg(name), QMessageBox::NoButton, parent);
+    box.setInformativeText(modified ? text_of("Reading it again loses your unsaved changes.")
+                                    : text_of("It can be read again."));
+    auto* reload = box.addButton(text_of("Read Again"), QMessageBox::AcceptRole);
+    box.addButton(text_of("Keep Mine"), QMessageBox::RejectRole);
+    box.exec();
+    return box.clickedButton() == reload ? DiskAnswer::reload : DiskAnswer::keep;
+}
+
+int ask_recover(QWidget* parent, const QStringList& entries) {
+    bool accepted = false;
+    const QString chosen = QInputDialog::getItem(
+        parent, text_of("Recover Unsaved Work"),
+        text_of("Covaria did not end properly. Unsaved work was kept:"), entries, 0, false, &accepted);
+    return accepted ? int(entries.indexOf(chosen)) : -1;
+}
+
+bool ask_confirm(QWidget* parent, const QString& question, const QString& action) {
+    QMessageBox box(QMessageBox::Question, action, question, QMessageBox::Cancel, parent);
+    auto* go = box.addButton(action, QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() == go;
+}
+
+}  // namespace
+
+Dialogs standard_dialogs(QWidget* parent) {
+    Dialogs dialogs;
+    dialogs.file_to_open = [parent](const QString& folder) {
+        return QFileDialog::getOpenFileName(parent, text_of("Open Project"), folder,
+                                            text_of("Covaria project (*.covaria)"));
+    };
+    dialogs.file_to_save = [parent](const QString& title, const QString& suggested, const QString& filter) {
+        return QFileDialog::getSaveFileName(parent, title, suggested, filter);
+    };
+    dialogs.save_changes = [parent](const QString& name) { return ask_save(parent, name); };
+    dialogs.changed_on_disk = [parent](const QString& name, bool modified) {
+        return ask_reload(parent, name, modified);
+    };
+    dialogs.recover = [parent](const QStringList& entries) { return ask_recover(parent, entries); };
+    dialogs.confirm = [parent](const QString& question, const QString& action) {
+        return ask_confirm(parent, question, action);
+    };
+    dialogs.ask_text = [parent](const QString& title, const QString& label, const QString& text) {
+        bool accepted = false;
+        const QString answer =
+            QInputDialog::getText(parent, title, label, QLineEdit::Normal, text, &accepted);
+        return accepted ? answer : QString();
+    };
+    dialogs.show_message = [parent](const QString& title, const QString& message) {
+        QMessageBox::warning(parent, title, message);
+    };
+    return dialogs;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,32 @@
+// The questions the window asks, replaceable by scripted answers in tests.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <functional>
+
+class QWidget;
+
+namespace covaria::ui {
+
+enum class SaveAnswer { save, discard, cancel };
+enum class DiskAnswer { reload, keep };
+
+struct Dialogs {
+    std::function<QString(const QString& folder)> file_to_open;
+    /// title, suggested path, filter ("PDF document (*.pdf)"); empty = cancelled.
+    std::function<QString(const QString& title, const QString& suggested, const QString& filter)>
+        file_to_save;
+    std::function<SaveAnswer(const QString& name)> save_changes;
+    std::function<DiskAnswer(const QString& name, bool modified)> changed_on_disk;
+    /// Which of the recovered projects (by title and time) to open; -1 = none.
+    std::function<int(const QStringList& entries)> recover;
+    std::function<bool(const QString& question, const QString& action)> confirm;
+    std::function<QString(const QString& title, const QString& label, const QString& text)> ask_text;
+    std::function<void(const QString& title, const QString& message)> show_message;
+};
+
+/// Qt's own dialogs, over `parent`.
+Dialogs standard_dialogs(QWidget* parent);
+
+}  // namespace covaria::ui

@@ -1,0 +1,210 @@
+#include "ui/main_window/file_actions.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include "ui/document/strings.h"
+#include "ui/pages/start_page.h"
+
+namespace covaria::ui {
+namespace {
+
+const QString recent_key = QStringLiteral("recentFiles");
+constexpr int most_recent_files = 10;
+
+QAction* make_action(QObject* parent, const QString& text, QKeySequence::StandardKey key) {
+    auto* action = new QAction(text, parent);
+    action->setShortcut(key);
+    return action;
+}
+
+}  // namespace
+
+QString errors_in_words(const Problems& problems) {
+    QStringList lines;
+    for (const Problem& problem : problems.items()) {
+        if (problem.severity != Severity::error) continue;
+        const QString place = problem.line > 0 ? FileActions::tr("line %1: ").arg(problem.line) : QString();
+        lines << place + to_qt(problem.message);
+        if (lines.size() == 12) break;
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+FileActions::FileActions(Document& document, RecoveryStore store, QObject* parent)
+    : QObject(parent), document_(document), store_(store), autosave_(document, std::move(store), this) {
+    new_action = make_action(this, tr("&New Project"), QKeySequence::New);
+    open_action = make_action(this, tr("&Open …"), QKeySequence::Open);
+    save_action = make_action(this, tr("&Save"), QKeySequence::Save);
+    save_as_action = make_action(this, tr("Save &As …"), QKeySequence::SaveAs);
+    connect(new_action, &QAction::triggered, this, &FileActions::new_project);
+    connect(open_action, &QAction::triggered, this, &FileActions::open);
+    connect(save_action, &QAction::triggered, this, &FileActions::save);
+    connect(save_as_action, &QAction::triggered, this, &FileActions::save_as);
+    connect(&document_, &Document::open_finished, this, &FileActions::opened);
+    connect(&document_, &Document::changed_on_disk, this, &FileActions::ask_about_disk_change,
+            Qt::QueuedConnection);
+    connect(&autosave_, &Autosave::failed, this, &FileActions::message);
+}
+
+QMenu* FileActions::make_recent_menu(QWidget* parent) {
+    auto* menu = new QMenu(tr("Open &Recent"), parent);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        for (const QString& file : recent_files())
+            menu->addAction(QFileInfo(file).completeBaseName(), this, [this, file] { open_file(file); })
+                ->setToolTip(file);
+        if (menu->isEmpty()) menu->addAction(tr("No projects yet"))->setEnabled(false);
+    });
+    return menu;
+}
+
+QMenu* FileActions::make_examples_menu(QWidget* parent) {
+    auto* menu = new QMenu(tr("New from &Example"), parent);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        for (const Example& example : shipped_examples())
+            menu->addAction(example.title, this, [this, file = example.file] { open_example(file); });
+    });
+    return menu;
+}
+
+QStringList FileActions::recent_files() const {
+    QStringList files;
+    for (const QString& file : QSettings().value(recent_key).toStringList())
+        if (QFileInfo::exists(file)) files << file;
+    return files;
+}
+
+void FileActions::remember(const QString& file) {
+    QStringList files = recent_files();
+    files.removeAll(file);
+    files.prepend(file);
+    QSettings().setValue(recent_key, files.mid(0, most_recent_files));
+    emit recent_changed();
+}
+
+void FileActions::new_project() {
+    if (!may_leave()) return;
+    Project project;
+    project.title = tr("Untitled project").toStdString();
+    document_.replace(std::move(project));
+    emit project_opened();
+}
+
+void FileActions::open() {
+    const QString folder = document_.file().isEmpty() ? QDir::homePath() : QFileInfo(document_.file()).path();
+    const QString file = dialogs.file_to_open(folder);
+    if (!file.isEmpty()) open_file(file);
+}
+
+void FileActions::open_file(const QString& file) {
+    if (!may_leave()) return;
+    emit message(tr("Opening %1 …").arg(QFileInfo(file).fileName()));
+    document_.open_in_background(QFileInfo(file).absoluteFilePath());
+}
+
+void FileActions::opened(const QString& file, const Problems& problems) {
+    if (problems.has_errors()) {
+        emit message(tr("%1 was not opened").arg(QFileInfo(file).fileName()));
+        dialogs.show_message(tr("The project has errors and was not opened"),
+                             QFileInfo(file).fileName() + QStringLiteral("\n\n") + errors_in_words(problems));
+        return;
+    }
+    remember(file);
+    emit message(tr("Opened %1").arg(QFileInfo(file).fileName()));
+    emit project_opened();
+}
+
+void FileActions::open_example(const QString& file) {
+    if (!may_leave()) return;
+    LoadedProject loaded = load_project(to_path(file));
+    if (loaded.problems.has_errors()) {
+        dialogs.show_message(tr("The example could not be opened"), errors_in_words(loaded.problems));
+        return;
+    }
+    document_.replace(std::move(loaded.project));
+    emit project_opened();
+}
+
+QString FileActions::suggested_file(const QString& ending) const {
+    const QString folder = document_.file().isEmpty()
+                               ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                               : QFileInfo(document_.file()).path();
+    QString name = QFileInfo(document_.display_name()).completeBaseName();
+    if (name.isEmpty()) name = document_.display_name();
+    return QDir(folder).filePath(name.replace(QLatin1Char('/'), QLatin1Char('-')) + ending);
+}
+
+bool FileActions::save() {
+    if (document_.file().isEmpty()) return save_as();
+    if (const auto saved = document_.save(); !saved) {
+        dialogs.show_message(tr("The project was not saved"), to_qt(saved.error().message));
+        return false;
+    }
+    emit message(tr("Saved %1").arg(QFileInfo(document_.file()).fileName()));
+    return true;
+}
+
+bool FileActions::save_as() {
+    QString file = dialogs.file_to_save(tr("Save Project"), suggested_file(QStringLiteral(".covaria")),
+                                        tr("Covaria project (*.covaria)"));
+    if (file.isEmpty()) return false;
+    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".covaria");
+    if (const auto saved = document_.save_as(file); !saved) {
+        dialogs.show_message(tr("The project was not saved"), to_qt(saved.error().message));
+        return false;
+    }
+    remember(file);
+    emit message(tr("Saved %1").arg(QFileInfo(file).fileName()));
+    return true;
+}
+
+bool FileActions::may_leave() {
+    if (!document_.is_modified()) return true;
+    switch (dialogs.save_changes(document_.display_name())) {
+        case SaveAnswer::save:
+            return save();
+        case SaveAnswer::discard:
+            return true;
+        case SaveAnswer::cancel:
+            return false;
+    }
+    return false;
+}
+
+bool FileActions::offer_recovery() {
+    const std::vector<RecoveryEntry> entries = store_.abandoned();
+    if (entries.empty()) return false;
+    QStringList words;
+    for (const RecoveryEntry& entry : entries)
+        words << tr("%1 (%2)").arg(entry.title, QLocale().toString(entry.saved_at, QLocale::ShortFormat));
+    const int chosen = dialogs.recover(words);
+    if (chosen < 0) return false;
+    const RecoveryEntry& entry = entries[static_cast<std::size_t>(chosen)];
+    LoadedProject loaded = RecoveryStore::load(entry);
+    if (loaded.problems.has_errors()) {
+        dialogs.show_message(tr("The work could not be recovered"), errors_in_words(loaded.problems));
+        return false;
+    }
+    document_.restore(std::move(loaded.project), entry.original_file);
+    RecoveryStore::remove(entry.recovery_file);
+    emit project_opened();
+    return true;
+}
+
+void FileActions::ask_about_disk_change() {
+    const QString file = document_.file();
+    if (!QFileInfo::exists(file)) {
+        emit message(
+            tr("%1 was removed by another program; saving writes it again").arg(QFileInfo(file).fileName()));
+        return;
+    }
+    if (dialogs.changed_on_disk(QFileInfo(file).fileName(), document_.is_modified()) == DiskAnswer::reload)
+        document_.open_in_background(file);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,37 @@
+// What the window shows without a project: new, open, recent files, examples with pictures.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace covaria::ui {
+
+class StartPage : public QWidget {
+    Q_OBJECT
+public:
+    explicit StartPage(QWidget* parent = nullptr);
+    void set_recent_files(const QStringList& files);
+
+signals:
+    void new_wanted();
+    void open_wanted();
+    void file_wanted(const QString& file);
+    /// Opens as a new project, so that the shipped file stays as it is.
+    void example_wanted(const QString& file);
+
+private:
+    QWidget* make_actions();
+    QWidget* make_examples();
+
+    QVBoxLayout* recent_ = nullptr;
+};
+
+/// A shipped example: its file, title and the picture beside it.
+struct Example {
+    QString file, title, summary, picture;
+};
+std::vector<Example> shipped_examples();
+
+}  // namespace covaria::ui
