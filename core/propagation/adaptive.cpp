@@ -1,0 +1,166 @@
+// The adaptive procedure.
+#include "core/propagation/adaptive.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/propagation/numerical_tolerance.h"
+
+namespace covaria::detail {
+namespace {
+
+double greatest_eigenvalue(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
+    const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
+    const Eigen::MatrixXd correlation = correlation_of(covariance(index, index));
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(correlation, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .maxCoeff();
+}
+
+}  // namespace
+
+BatchSummariser::BatchSummariser(const WatchedStatistics& watched, const TrialSource& source,
+                                 const Pilot& pilot, std::size_t kept_bytes)
+    : watched_(watched),
+      pilot_(pilot),
+      outputs_(source.outputs()),
+      kept_numbers_limit_(kept_bytes / sizeof(double)) {}
+
+void BatchSummariser::begin(std::uint64_t first, std::uint64_t last) {
+    first_ = first;
+    last_ = last;
+    kept_.clear();
+    kept_valid_.clear();
+    const std::uint64_t blocks = (last - first + block_trials - 1) / block_trials;
+    keeping_ = !watched_.regions.empty() && blocks * block_trials * outputs_ <= kept_numbers_limit_;
+}
+
+void BatchSummariser::keep(const TrialBlockRunner& runner) {
+    if (!keeping_) return;
+    kept_.insert(kept_.end(), runner.output(0), runner.output(0) + outputs_ * block_trials);
+    kept_valid_.push_back(runner.valid());
+}
+
+template <class Use>
+void BatchSummariser::each_block(TrialBlockRunner& runner, Use use) {
+    if (keeping_) {
+        for (std::size_t b = 0; b < kept_valid_.size(); ++b)
+            use(kept_.data() + b * outputs_ * block_trials, kept_valid_[b]);
+        return;
+    }
+    for (std::uint64_t t = first_; t < last_; t += block_trials) {
+        runner.run(t, std::min<std::uint64_t>(block_trials, last_ - t));
+        use(runner.output(0), runner.valid());
+    }
+}
+
+double BatchSummariser::tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner,
+                                   std::size_t output, std::uint64_t rank, Side side) {
+    const double sign = side == Side::low ? 1.0 : -1.0;
+    const OutputPilot& pilot = pilot_.outputs[output];
+    const OutsideValues& outside = statistics.outside[output];
+    const double threshold = sign * (side == Side::low ? pilot.low : pilot.high).threshold;
+    const std::uint64_t equal = side == Side::low ? outside.equal_low : outside.equal_high;
+    scratch_.clear();
+    for (double y : outside.values)
+        if (sign * y < threshold) scratch_.push_back(sign * y);
+    if (rank > scratch_.size() && rank <= scratch_.size() + equal) return sign * threshold;
+    if (rank > scratch_.size()) {  // the tail is too short: look at all values of the batch
+        scratch_.clear();
+        each_block(runner, [&](const double* rows, std::size_t valid) {
+            const double* y = rows + output * block_trials;
+            for (std::size_t t = 0; t < valid; ++t) scratch_.push_back(sign * y[t]);
+        });
+    }
+    const auto nth = scratch_.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+    std::nth_element(scratch_.begin(), nth, scratch_.end());
+    return sign * *nth;
+}
+
+double BatchSummariser::ellipsoid_factor(const CoverageRegion& region, const UnitStatistics& statistics,
+                                         TrialBlockRunner& runner) {
+    const RegionDistances distances(region.outputs, statistics.moments.means(),
+                                    statistics.moments.covariance());
+    scratch_.clear();
+    each_block(runner, [&](const double* rows, std::size_t valid) {
+        const std::size_t before = scratch_.size();
+        scratch_.resize(before + valid);
+        distances.ellipsoid_squared(rows, valid, scratch_.data() + before);
+    });
+    return std::sqrt(factor_of(scratch_, watched_.probability));
+}
+
+bool BatchSummariser::summarise(const UnitStatistics& statistics, TrialBlockRunner& runner,
+                                BatchSummary& summary) {
+    summary.values.clear();
+    const Moments& moments = statistics.moments;
+    if (moments.count() < 2) return true;
+    const CoverageRanks ranks = coverage_ranks(moments.count(), watched_.probability);
+    for (std::size_t j : watched_.outputs) {
+        const auto index = static_cast<Eigen::Index>(j);
+        const std::uint64_t from_above = ranks.trials - ranks.q - ranks.r + 1;
+        summary.values.push_back(moments.mean(index));
+        summary.values.push_back(std::sqrt(moments.variance(index)));
+        summary.values.push_back(tail_value(statistics, runner, j, ranks.r, Side::low));
+        summary.values.push_back(tail_value(statistics, runner, j, from_above, Side::high));
+    }
+    if (watched_.several())
+        summary.values.push_back(greatest_eigenvalue(moments.covariance(), watched_.outputs));
+    for (const CoverageRegion& region : watched_.regions)
+        summary.values.push_back(ellipsoid_factor(region, statistics, runner));
+    return true;
+}
+
+AdaptiveProcedure::AdaptiveProcedure(const EvaluationOptions& options, WatchedStatistics watched)
+    : options_(options), watched_(std::move(watched)) {}
+
+std::uint64_t AdaptiveProcedure::batch_trials(double probability) {
+    const double j = std::ceil(100.0 / (1.0 - probability) * (1.0 - 1e-12));
+    const auto trials = static_cast<std::uint64_t>(std::max(j, 10'000.0));
+    return (trials + block_trials - 1) / block_trials * block_trials;
+}
+
+std::unique_ptr<BatchSummariser> AdaptiveProcedure::make_summariser(const TrialSource& source,
+                                                                    const Pilot& pilot,
+                                                                    const EngineSettings& settings) const {
+    return std::make_unique<BatchSummariser>(watched_, source, pilot, settings.batch_bytes);
+}
+
+std::vector<double> AdaptiveProcedure::tolerances(const Moments& all) const {
+    std::vector<double> result;
+    for (std::size_t j : watched_.outputs) {
+        const double u = std::sqrt(all.variance(static_cast<Eigen::Index>(j)));
+        const double delta = options_.tolerance.value_or(numerical_tolerance(u, options_.significant_digits));
+        result.insert(result.end(), watched_.per_output(), delta);
+    }
+    if (watched_.several())
+        result.push_back(numerical_tolerance(greatest_eigenvalue(all.covariance(), watched_.outputs),
+                                             options_.significant_digits));
+    // The mean of the batches stands for k_p of all trials: only its decimal position matters here.
+    while (result.size() < mean_.size())
+        result.push_back(numerical_tolerance(mean_[result.size()], options_.significant_digits));
+    return result;
+}
+
+bool AdaptiveProcedure::stable_after(const BatchSummary& summary, const Moments& all) {
+    if (summary.values.empty()) return false;
+    if (mean_.empty()) {
+        mean_.assign(summary.values.size(), 0.0);
+        squares_.assign(summary.values.size(), 0.0);
+    }
+    const auto h = static_cast<double>(++batches_);
+    for (std::size_t i = 0; i < mean_.size(); ++i) {
+        const double difference = summary.values[i] - mean_[i];
+        mean_[i] += difference / h;
+        squares_[i] += difference * (summary.values[i] - mean_[i]);
+    }
+    if (batches_ < std::max<std::uint64_t>(2, options_.minimum_batches)) return false;
+    const std::vector<double> tolerance = tolerances(all);
+    for (std::size_t i = 0; i < mean_.size(); ++i)
+        if (!(2.0 * std::sqrt(squares_[i] / (h * (h - 1.0))) <= tolerance[i])) return false;
+    stabilised_ = true;
+    return true;
+}
+
+}  // namespace covaria::detail

@@ -1,0 +1,82 @@
+// The adaptive procedure: batches of trials until the results are stable (JCGM 101 7.9, JCGM 102 7.8).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/propagation/coverage_regions.h"
+#include "core/propagation/options.h"
+#include "core/propagation/unit_statistics.h"
+
+namespace covaria::detail {
+
+/// The statistics of one batch whose scatter between batches is watched. Empty: too few trials had a value.
+struct BatchSummary {
+    std::vector<double> values;
+};
+
+/// Which statistics are watched. One measurand: y, u, y_low, y_high (JCGM 101 7.9.4). Several: these of each
+/// measurand, the greatest eigenvalue of their correlation matrix and k_p of each group (JCGM 102 7.8.3).
+struct WatchedStatistics {
+    std::vector<std::size_t> outputs;
+    std::vector<CoverageRegion> regions;  ///< that have an ellipsoid
+    double probability = 0.95;
+    bool several() const { return outputs.size() > 1; }
+    std::size_t per_output() const { return 4; }
+};
+
+/// Makes the summaries of batches on one thread.
+class BatchSummariser {
+public:
+    BatchSummariser(const WatchedStatistics& watched, const TrialSource& source, const Pilot& pilot,
+                    std::size_t kept_bytes);
+    void begin(std::uint64_t first, std::uint64_t last);
+    void keep(const TrialBlockRunner& runner);
+    /// `runner` serves to make trials again that were too many to keep. Always true: the batch is complete.
+    bool summarise(const UnitStatistics& statistics, TrialBlockRunner& runner, BatchSummary& summary);
+
+private:
+    template <class Use>
+    void each_block(TrialBlockRunner& runner, Use use);
+    double tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t output,
+                      std::uint64_t rank, Side side);
+    double ellipsoid_factor(const CoverageRegion& region, const UnitStatistics& statistics,
+                            TrialBlockRunner& runner);
+
+    const WatchedStatistics& watched_;
+    const Pilot& pilot_;
+    std::size_t outputs_;
+    std::size_t kept_numbers_limit_;
+    std::uint64_t first_ = 0, last_ = 0;
+    bool keeping_ = false;
+    std::vector<double> kept_;             ///< blocks of rows, as in the runner
+    std::vector<std::size_t> kept_valid_;  ///< of each block
+    std::vector<double> scratch_;
+};
+
+class AdaptiveProcedure {
+public:
+    AdaptiveProcedure(const EvaluationOptions& options, WatchedStatistics watched);
+
+    /// M = max(J, 10^4) with J = smallest integer >= 100/(1-p), in whole blocks.
+    static std::uint64_t batch_trials(double probability);
+
+    std::unique_ptr<BatchSummariser> make_summariser(const TrialSource& source, const Pilot& pilot,
+                                                     const EngineSettings& settings) const;
+    /// Called in the order of batches. True: every watched statistic is stable.
+    bool stable_after(const BatchSummary& summary, const Moments& all);
+    bool stabilised() const { return stabilised_; }
+
+private:
+    std::vector<double> tolerances(const Moments& all) const;
+
+    EvaluationOptions options_;
+    WatchedStatistics watched_;
+    std::uint64_t batches_ = 0;
+    std::vector<double> mean_, squares_;  ///< of the summaries (Welford)
+    bool stabilised_ = false;
+};
+
+}  // namespace covaria::detail

@@ -1,0 +1,115 @@
+// Budget and one-at-a-time Monte Carlo.
+#include "core/propagation/contributions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/propagation/parallel_blocks.h"
+
+namespace covaria::detail {
+namespace {
+
+std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
+    std::vector<BudgetComponent> result;
+    for (const UncertaintyComponent& c : inputs.components) {
+        BudgetComponent b;
+        b.id = c.id;
+        b.name = c.name;
+        b.origin = c.origin;
+        b.unit = c.unit;
+        b.distribution = std::string(c.distribution.title());
+        b.type = c.type;
+        b.standard_uncertainty = c.distribution.standard_uncertainty();
+        b.degrees_of_freedom = std::min(c.degrees_of_freedom, c.distribution.degrees_of_freedom());
+        b.held = c.held;
+        result.push_back(std::move(b));
+    }
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
+        const InputQuantity& quantity = inputs.quantities[i];
+        for (const Share& share : quantity.shares) {
+            BudgetComponent& b = result[share.component];
+            if (b.quantity.empty()) {
+                b.group = quantity.group;
+                b.estimate = estimate_of(inputs, i);
+            }
+            b.quantity += (b.quantity.empty() ? "" : ", ") + quantity.symbol;
+        }
+    }
+    return result;
+}
+
+std::vector<BudgetRow> rows_of(const LawOfPropagation& law, Eigen::Index output) {
+    std::vector<BudgetRow> rows;
+    const double variance = law.covariance(output, output);
+    for (Eigen::Index c = 0; c < law.u.size(); ++c) {
+        if (law.sensitivity(output, c) == 0.0) continue;
+        BudgetRow row;
+        row.component = static_cast<std::size_t>(c);
+        row.sensitivity = law.sensitivity(output, c);
+        row.contribution = std::abs(law.contribution(output, c));
+        if (variance > 0) row.share = law.contribution(output, c) * law.correlated(output, c) / variance;
+        rows.push_back(row);
+    }
+    std::stable_sort(rows.begin(), rows.end(), [](const BudgetRow& a, const BudgetRow& b) {
+        return std::abs(a.share) > std::abs(b.share);
+    });
+    return rows;
+}
+
+/// u of every output from `trials` trials; empty when stopped.
+std::vector<double> uncertainties(const TrialSource& source, std::uint64_t trials, RunMonitor& monitor) {
+    TrialBlockRunner runner(source);
+    const std::size_t m = source.outputs();
+    std::vector<double> shift(m, 0.0), sum(m, 0.0), squares(m, 0.0), u(m, 0.0);
+    std::uint64_t count = 0;
+    for (std::uint64_t first = 0; first < trials; first += block_trials) {
+        runner.run(first, std::min<std::uint64_t>(block_trials, trials - first));
+        for (std::size_t j = 0; j < m; ++j) {
+            const double* y = runner.output(j);
+            if (count == 0 && runner.valid() > 0) shift[j] = y[0];
+            for (std::size_t t = 0; t < runner.valid(); ++t) {
+                sum[j] += y[t] - shift[j];
+                squares[j] += (y[t] - shift[j]) * (y[t] - shift[j]);
+            }
+        }
+        count += runner.valid();
+        if (!monitor.advance(0)) return {};
+    }
+    const auto n = static_cast<double>(count);
+    for (std::size_t j = 0; j < m && count > 1; ++j)
+        u[j] = std::sqrt(std::max(0.0, (squares[j] - sum[j] * sum[j] / n) / (n - 1)));
+    return u;
+}
+
+}  // namespace
+
+UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law) {
+    UncertaintyBudget budget;
+    budget.components = budget_components(inputs);
+    for (Eigen::Index j = 0; j < law.estimate.size(); ++j) budget.rows.push_back(rows_of(law, j));
+    return budget;
+}
+
+Result<void> add_one_at_a_time(UncertaintyBudget& budget, const TrialSource& source, const InputSet& inputs,
+                               const Correlations& correlations, std::uint64_t trials, RunMonitor& monitor) {
+    std::vector<char> contributes(inputs.components.size(), 0);
+    for (const auto& rows : budget.rows)
+        for (const BudgetRow& row : rows)
+            if (row.share != 0.0) contributes[row.component] = 1;
+    std::vector<std::vector<double>> u(inputs.components.size());
+    const WorkEnd end = run_each(inputs.components.size(), monitor, [&](std::uint64_t c) {
+        if (contributes[c] == 0) return;
+        const DrawPlan plan(inputs, correlations, static_cast<std::size_t>(c));
+        TrialSource alone = source;
+        alone.plan = &plan;
+        u[c] = uncertainties(alone, trials, monitor);
+    });
+    if (end == WorkEnd::cancelled || monitor.stopped())
+        return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    for (std::size_t j = 0; j < budget.rows.size(); ++j)
+        for (BudgetRow& row : budget.rows[j])
+            if (!u[row.component].empty()) row.one_at_a_time = u[row.component][j];
+    return {};
+}
+
+}  // namespace covaria::detail

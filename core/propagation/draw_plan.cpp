@@ -1,0 +1,176 @@
+// Addresses, factors of correlated groups and the combination of components into quantities.
+#include "core/propagation/draw_plan.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include "core/random/uniforms.h"
+
+namespace covaria::detail {
+namespace {
+
+const Distribution& standard_normal() {
+    static const Distribution distribution = Distribution::normal(1.0);
+    return distribution;
+}
+
+std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+Eigen::MatrixXd correlation_matrix(const std::vector<std::size_t>& members,
+                                   const std::vector<std::size_t>& position,
+                                   const std::vector<ComponentCorrelation>& correlations) {
+    const auto n = static_cast<Eigen::Index>(members.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
+    for (const ComponentCorrelation& c : correlations) {
+        const auto a = static_cast<Eigen::Index>(position[c.first]);
+        const auto b = static_cast<Eigen::Index>(position[c.second]);
+        if (a < n && b < n && members[position[c.first]] == c.first &&
+            members[position[c.second]] == c.second)
+            matrix(a, b) = matrix(b, a) = c.coefficient;
+    }
+    return matrix;
+}
+
+}  // namespace
+
+Eigen::MatrixXd correlation_factor(const Eigen::MatrixXd& correlation) {
+    // Pivoted LDL^T copes with rank deficiency (arithmetic combination: all coefficients +-1).
+    const Eigen::LDLT<Eigen::MatrixXd> ldlt(correlation);
+    Eigen::MatrixXd factor(correlation.rows(), 0);
+    const Eigen::MatrixXd lower = ldlt.matrixL();
+    for (Eigen::Index k = 0; k < lower.cols(); ++k) {
+        if (!(ldlt.vectorD()(k) > 1e-12)) break;
+        factor.conservativeResize(Eigen::NoChange, k + 1);
+        factor.col(k) = lower.col(k) * std::sqrt(ldlt.vectorD()(k));
+    }
+    Eigen::MatrixXd result = ldlt.transpositionsP().transpose() * factor;
+    result.rowwise().normalize();
+    return result;
+}
+
+std::vector<std::vector<std::size_t>> correlated_sets(std::size_t components,
+                                                      const std::vector<ComponentCorrelation>& correlations) {
+    std::vector<std::size_t> parent(components);
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    for (const ComponentCorrelation& c : correlations)
+        if (c.coefficient != 0.0) parent[root_of(parent, c.second)] = root_of(parent, c.first);
+    std::vector<std::vector<std::size_t>> by_root(components);
+    for (std::size_t i = 0; i < components; ++i) by_root[root_of(parent, i)].push_back(i);
+    std::vector<std::vector<std::size_t>> sets;
+    for (auto& set : by_root)
+        if (set.size() > 1) sets.push_back(std::move(set));
+    return sets;
+}
+
+DrawPlan::DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelation>& correlations,
+                   std::optional<std::size_t> only) {
+    const std::size_t n = inputs.components.size();
+    std::vector<ComponentDraw> draws(n);
+    std::vector<bool> random(n);
+    for (std::size_t c = 0; c < n; ++c) {
+        const UncertaintyComponent& component = inputs.components[c];
+        draws[c] = {static_cast<std::uint32_t>(c), component.distribution, {}};
+        random[c] =
+            !component.held && component.distribution.standard_deviation() > 0 && (!only || *only == c);
+    }
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
+        double constant = inputs.quantities[i].offset;
+        for (const Share& share : inputs.quantities[i].shares) {
+            if (random[share.component])
+                draws[share.component].terms.push_back({i, share.factor, false});
+            else
+                constant += share.factor * inputs.components[share.component].distribution.mean();
+        }
+        constant_.push_back(constant);
+    }
+    std::vector<bool> grouped(n, false);
+    std::vector<std::size_t> position(n, n);
+    for (const auto& set : correlated_sets(n, correlations)) {
+        CorrelatedDraws group;
+        bool needed = false;
+        for (std::size_t k = 0; k < set.size(); ++k) {
+            grouped[set[k]] = true;
+            position[set[k]] = k;
+            needed = needed || !draws[set[k]].terms.empty();
+            group.members.push_back(draws[set[k]]);
+        }
+        if (!needed) continue;
+        group.factor = correlation_factor(correlation_matrix(set, position, correlations));
+        for (Eigen::Index k = 0; k < group.factor.cols(); ++k)
+            group.addresses.push_back(static_cast<std::uint32_t>(set[static_cast<std::size_t>(k)]));
+        latent_rows_ = std::max(latent_rows_, group.addresses.size());
+        correlated_.push_back(std::move(group));
+    }
+    for (std::size_t c = 0; c < n; ++c)
+        if (!grouped[c] && !draws[c].terms.empty()) independent_.push_back(std::move(draws[c]));
+
+    drawn_.assign(constant_.size(), false);
+    const auto mark_first = [this](ComponentDraw& draw) {
+        for (DrawTerm& term : draw.terms) {
+            term.first = !drawn_[term.quantity];
+            drawn_[term.quantity] = true;
+        }
+    };
+    for (ComponentDraw& draw : independent_) mark_first(draw);
+    for (CorrelatedDraws& group : correlated_)
+        for (ComponentDraw& draw : group.members) mark_first(draw);
+}
+
+void DrawPlan::add_terms(const ComponentDraw& component, const double* epsilon, std::size_t count,
+                         TrialRows& inputs) const {
+    for (const DrawTerm& term : component.terms) {
+        double* x = inputs.row(term.quantity);
+        if (term.first) {
+            const double constant = constant_[term.quantity];
+            for (std::size_t t = 0; t < count; ++t) x[t] = constant + term.factor * epsilon[t];
+        } else {
+            for (std::size_t t = 0; t < count; ++t) x[t] += term.factor * epsilon[t];
+        }
+    }
+}
+
+void DrawPlan::draw_group(const CorrelatedDraws& group, std::uint64_t seed, std::uint64_t first,
+                          std::size_t count, TrialRows& inputs, DrawWorkspace& workspace) const {
+    for (std::size_t k = 0; k < group.addresses.size(); ++k) {
+        const std::span<double> normal(workspace.latent.row(k), count);
+        uniforms(seed, DrawPurpose::trials, group.addresses[k], first, normal);
+        standard_normal().quantiles(normal, normal);
+    }
+    double* z = workspace.draw.row(0);
+    for (std::size_t member = 0; member < group.members.size(); ++member) {
+        if (group.members[member].terms.empty()) continue;
+        std::fill_n(z, count, 0.0);
+        for (std::size_t k = 0; k < group.addresses.size(); ++k) {
+            const double f = group.factor(static_cast<Eigen::Index>(member), static_cast<Eigen::Index>(k));
+            if (f == 0.0) continue;
+            const double* normal = workspace.latent.row(k);
+            for (std::size_t t = 0; t < count; ++t) z[t] += f * normal[t];
+        }
+        group.members[member].distribution.from_standard_normal({z, count}, {z, count});
+        add_terms(group.members[member], z, count, inputs);
+    }
+}
+
+void DrawPlan::draw(std::uint64_t seed, std::uint64_t first, std::size_t count, TrialRows& inputs,
+                    DrawWorkspace& workspace) const {
+    for (std::size_t i = 0; i < constant_.size(); ++i)
+        if (!drawn_[i]) std::fill_n(inputs.row(i), count, constant_[i]);
+    double* epsilon = workspace.draw.row(0);
+    for (const ComponentDraw& component : independent_) {
+        uniforms(seed, DrawPurpose::trials, component.address, first, {epsilon, count});
+        component.distribution.quantiles({epsilon, count}, {epsilon, count});
+        add_terms(component, epsilon, count, inputs);
+    }
+    for (const CorrelatedDraws& group : correlated_) draw_group(group, seed, first, count, inputs, workspace);
+    for (std::size_t i = 0; i < constant_.size(); ++i) {
+        double* x = inputs.row(i);
+        std::fill(x + count, x + padded_to_lanes(count), x[count - 1]);
+    }
+}
+
+}  // namespace covaria::detail

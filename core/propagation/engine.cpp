@@ -1,0 +1,247 @@
+// The engine put together: checks, law of propagation, Monte Carlo, and what is derived from both.
+#include "core/propagation/engine.h"
+
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "core/propagation/adaptive.h"
+#include "core/propagation/contributions.h"
+#include "core/propagation/coverage_regions.h"
+#include "core/propagation/evaluation.h"
+#include "core/propagation/monte_carlo.h"
+#include "core/propagation/second_order.h"
+#include "core/propagation/validation.h"
+
+namespace covaria::detail {
+namespace {
+
+Result<void> check_options(const EvaluationOptions& options) {
+    Problems problems;
+    options.check(problems);
+    for (const Problem& problem : problems.items())
+        if (problem.severity == Severity::error)
+            return fail(ErrorCode::bad_input, problem.message, problem.path);
+    return {};
+}
+
+std::uint64_t planned_trials(const EvaluationOptions& options) {
+    return options.method == Method::monte_carlo ? options.trials : 0;
+}
+
+/// One evaluation: what its steps share.
+class Evaluation {
+public:
+    Evaluation(const MeasurementModel& model, const InputSet& inputs, const EvaluationOptions& options,
+               const RunControl& control, const EngineSettings& settings)
+        : model_(model),
+          inputs_(inputs),
+          options_(options),
+          control_(control),
+          settings_(settings),
+          monitor_(control, planned_trials(options)) {}
+
+    Result<UncertaintyResult> run();
+
+private:
+    Result<void> add_second_order();
+    Result<void> add_monte_carlo();
+    Result<MonteCarloRun> trials_of_run();
+    std::unique_ptr<AdaptiveProcedure> adaptive_procedure() const;
+    void take_over(const MonteCarloRun& run, std::vector<MonteCarloOutput> outputs);
+    void warn_about(const MonteCarloRun& run);
+    Result<void> add_regions();
+
+    const MeasurementModel& model_;
+    const InputSet& inputs_;
+    const EvaluationOptions& options_;
+    const RunControl& control_;
+    const EngineSettings& settings_;
+    RunMonitor monitor_;
+    Correlations correlations_;
+    LawOfPropagation law_;
+    TrialSource source_;
+    UncertaintyResult result_;
+};
+
+Result<UncertaintyResult> Evaluation::run() {
+    if (auto ok = check_options(options_); !ok) return fail(ok.error());
+    auto correlations = checked_correlations(model_, inputs_);
+    if (!correlations) return fail(correlations.error());
+    correlations_ = std::move(*correlations);
+    auto law = law_of_propagation(model_, inputs_, correlations_);
+    if (!law) return fail(law.error());
+    law_ = std::move(*law);
+    auto result = first_order_result(model_, inputs_, options_, law_);
+    if (!result) return fail(result.error());
+    result_ = std::move(*result);
+    if (options_.second_order)
+        if (auto ok = add_second_order(); !ok) return fail(ok.error());
+
+    const DrawPlan plan(inputs_, correlations_);
+    source_ = {&model_, &plan, options_.seed, law_.estimate};
+    if (options_.method != Method::first_order)
+        if (auto ok = add_monte_carlo(); !ok) return fail(ok.error());
+    if (options_.one_at_a_time_trials > 0)
+        if (auto ok = add_one_at_a_time(result_.budget, source_, inputs_, correlations_,
+                                        options_.one_at_a_time_trials, monitor_);
+            !ok)
+            return fail(ok.error());
+    return std::move(result_);
+}
+
+Result<void> Evaluation::add_second_order() {
+    if (!correlations_.empty()) {
+        result_.warnings.push_back(
+            "Second-order terms are left out: the formula of JCGM 100 5.1.2 assumes independent components, "
+            "and "
+            "some of these are correlated.");
+        return {};
+    }
+    const auto terms = second_order_terms(model_, inputs_, law_, control_.stop);
+    if (!terms && terms.error().code == ErrorCode::cancelled) return fail(terms.error());
+    if (!terms) {
+        result_.warnings.push_back("Second-order terms are left out: " + terms.error().message + ".");
+        return {};
+    }
+    for (Eigen::Index j = 0; j < law_.estimate.size(); ++j) {
+        FirstOrderOutput& output = result_.outputs[static_cast<std::size_t>(j)].first_order;
+        const double variance = law_.covariance(j, j) + terms->variance(j);
+        output.second_order_standard_uncertainty = std::sqrt(std::max(0.0, variance));
+        output.second_order_estimate_shift = terms->shift(j);
+    }
+    return {};
+}
+
+std::unique_ptr<AdaptiveProcedure> Evaluation::adaptive_procedure() const {
+    WatchedStatistics watched;
+    watched.probability = options_.coverage_probability;
+    for (std::size_t j = 0; j < model_.outputs().size(); ++j)
+        if (model_.outputs()[j].role == OutputRole::measurand) watched.outputs.push_back(j);
+    for (std::size_t j = 0; watched.outputs.empty() && j < model_.outputs().size(); ++j)
+        watched.outputs.push_back(j);
+    for (const CoverageRegion& region : result_.regions) {
+        const bool whole_group = watched.regions.empty() || watched.regions.back().group != region.group;
+        if (whole_group && !region.singular) watched.regions.push_back(region);
+    }
+    return std::make_unique<AdaptiveProcedure>(options_, std::move(watched));
+}
+
+Result<MonteCarloRun> Evaluation::trials_of_run() {
+    const double p = options_.coverage_probability;
+    if (options_.method == Method::monte_carlo)
+        return run_monte_carlo(source_, {options_.trials, unit_trials}, p, settings_, monitor_, nullptr);
+    const std::uint64_t batch = AdaptiveProcedure::batch_trials(p);
+    const auto procedure = adaptive_procedure();
+    result_.adaptive = true;
+    auto run = run_monte_carlo(source_, {options_.maximum_trials / batch * batch, batch}, p, settings_,
+                               monitor_, procedure.get());
+    if (run) result_.batches = run->units;
+    result_.stabilised = procedure->stabilised();
+    return run;
+}
+
+Result<void> Evaluation::add_monte_carlo() {
+    auto run = trials_of_run();
+    if (!run) return fail(run.error());
+    auto outputs = outputs_of(*run, options_.coverage_probability, monitor_);
+    if (!outputs) return fail(outputs.error());
+    take_over(*run, std::move(*outputs));
+    warn_about(*run);
+    return add_regions();
+}
+
+void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutput> outputs) {
+    result_.trials = run.trials;
+    result_.failed_trials = run.failed();
+    result_.intervals_exact = run.exact;
+    result_.convergence = run.convergence;
+    result_.covariance = run.moments.covariance();
+    for (std::size_t j = 0; j < outputs.size(); ++j) {
+        OutputResult& output = result_.outputs[j];
+        output.first_order.validation =
+            validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
+                          options_.significant_digits);
+        output.estimate = outputs[j].mean;
+        output.standard_uncertainty = outputs[j].standard_uncertainty;
+        output.expanded_uncertainty = output.coverage_factor * output.standard_uncertainty;
+        output.monte_carlo = std::move(outputs[j]);
+    }
+}
+
+void Evaluation::warn_about(const MonteCarloRun& run) {
+    std::vector<std::string>& warnings = result_.warnings;
+    if (run.failed() > 0) {
+        std::ostringstream text;
+        text << run.failed() << " of " << run.trials << " trials ("
+             << 100.0 * static_cast<double>(run.failed()) / static_cast<double>(run.trials)
+             << " %) have no value (the measurement model cannot be evaluated there) and are not part of the "
+                "statistics.";
+        warnings.push_back(text.str());
+    }
+    if (!result_.stabilised)
+        warnings.push_back("The adaptive procedure stopped at " + std::to_string(run.trials) +
+                           " trials before its results were stable: allow more trials, or ask for fewer "
+                           "significant digits.");
+    if (!run.exact)
+        warnings.push_back(
+            "Coverage intervals are interpolated in fine cells: there are too many trials to keep the values "
+            "of "
+            "the tails in memory.");
+    for (const UncertaintyComponent& c : inputs_.components)
+        if (!c.held && !std::isfinite(c.distribution.standard_deviation()))
+            warnings.push_back("The distribution of " + c.id +
+                               " has no finite standard deviation: Monte Carlo standard uncertainties that "
+                               "depend on it are not meaningful; use the coverage intervals.");
+    for (const OutputResult& output : result_.outputs)
+        if (output.quantity.periodic && output.standard_uncertainty > 1.0 &&
+            output.first_order.standard_uncertainty <= 1.0)
+            warnings.push_back("The angle " + output.quantity.symbol +
+                               (output.quantity.group.empty() ? "" : " (" + output.quantity.group + ")") +
+                               " is hardly determined: its standard uncertainty exceeds 1 rad.");
+}
+
+Result<void> Evaluation::add_regions() {
+    Eigen::VectorXd mean(law_.estimate.size());
+    for (Eigen::Index j = 0; j < mean.size(); ++j)
+        mean(j) = result_.outputs[static_cast<std::size_t>(j)].monte_carlo->mean;
+    for (CoverageRegion& region : result_.regions) {
+        // Curvature can hide a rank deficiency of first order (Z = hypot(R, X)); an estimate at which the
+        // sensitivity vanishes says nothing about it.
+        bool first_order_known = true;
+        for (std::size_t j : region.outputs)
+            first_order_known = first_order_known && result_.outputs[j].first_order.standard_uncertainty > 0;
+        region.singular = (first_order_known && is_singular(law_.covariance, region.outputs)) ||
+                          is_singular(result_.covariance, region.outputs);
+    }
+    const std::uint64_t trials = std::min(result_.trials, settings_.region_trials);
+    return fill_monte_carlo_factors(result_.regions, source_, mean, result_.covariance, trials,
+                                    options_.coverage_probability, monitor_);
+}
+
+}  // namespace
+
+Result<UncertaintyResult> evaluate_with(const MeasurementModel& model, const InputSet& inputs,
+                                        const EvaluationOptions& options, const RunControl& control,
+                                        const EngineSettings& settings) {
+    return Evaluation(model, inputs, options, control, settings).run();
+}
+
+}  // namespace covaria::detail
+
+namespace covaria {
+
+Result<UncertaintyResult> evaluate(const MeasurementModel& model, const InputSet& inputs,
+                                   const EvaluationOptions& options, const RunControl& control) {
+    return detail::evaluate_with(model, inputs, options, control, {});
+}
+
+Result<UncertaintyResult> evaluate_first_order(const MeasurementModel& model, const InputSet& inputs,
+                                               const EvaluationOptions& options) {
+    EvaluationOptions first_order = options;
+    first_order.method = Method::first_order;
+    first_order.one_at_a_time_trials = 0;
+    return detail::evaluate_with(model, inputs, first_order, {}, {});
+}
+
+}  // namespace covaria

@@ -1,0 +1,40 @@
+// Law of propagation of uncertainty in terms of components (JCGM 100 5.2, G.4; JCGM 102 6.2).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/model/measurement_model.h"
+#include "core/propagation/options.h"
+
+namespace covaria::detail {
+
+using Correlations = std::vector<ComponentCorrelation>;
+
+struct LawOfPropagation {
+    Eigen::VectorXd inputs;        ///< estimates x
+    Eigen::VectorXd estimate;      ///< y = f(x)
+    Eigen::VectorXd u;             ///< standard uncertainties of the components, 0 when held
+    Eigen::MatrixXd sensitivity;   ///< c = dy/d epsilon (outputs x components)
+    Eigen::MatrixXd contribution;  ///< c u, with sign
+    /// sum_k r_jk c_k u_k: the share of component j is contribution * correlated / u^2(y).
+    Eigen::MatrixXd correlated;
+    Eigen::MatrixXd covariance;  ///< U_y = (c u) R (c u)^T
+    Eigen::VectorXd degrees_of_freedom;
+    bool degrees_of_freedom_approximate = false;  ///< correlated components with finite degrees of freedom
+
+    double uncertainty(Eigen::Index j) const;
+};
+
+/// A (quantities x components): x = constant + A epsilon.
+Eigen::MatrixXd factor_matrix(const InputSet& inputs);
+
+/// Error{numeric}: the model has no value, or no finite derivatives, at the estimates.
+Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const InputSet& inputs,
+                                            const Correlations& correlations);
+
+/// k of a coverage probability: t quantile, or normal for infinite degrees of freedom (JCGM 100 G.3.4).
+double coverage_factor_of(double probability, double degrees_of_freedom);
+
+}  // namespace covaria::detail

@@ -1,0 +1,58 @@
+// Checks of the inputs before anything is computed.
+#include <cmath>
+#include <string>
+
+#include "core/propagation/evaluation.h"
+
+namespace covaria::detail {
+namespace {
+
+Result<void> check_component(const UncertaintyComponent& component, const std::string& path) {
+    if (!(component.degrees_of_freedom > 0))
+        return fail(ErrorCode::bad_input,
+                    "the degrees of freedom of " + component.id + " must be greater than zero",
+                    path + "/degrees_of_freedom");
+    if (!std::isfinite(component.distribution.mean()) ||
+        !std::isfinite(component.distribution.standard_uncertainty()))
+        return fail(ErrorCode::bad_input,
+                    "the distribution of " + component.id + " has no finite mean or standard uncertainty",
+                    path + "/distribution");
+    return {};
+}
+
+Result<void> check_quantity(const InputQuantity& quantity, std::size_t components, const std::string& path) {
+    if (!std::isfinite(quantity.offset))
+        return fail(ErrorCode::bad_input, "the estimate of " + quantity.symbol + " is not a finite number",
+                    path + "/offset");
+    for (const Share& share : quantity.shares)
+        if (share.component >= components || !std::isfinite(share.factor))
+            return fail(ErrorCode::bad_input,
+                        "quantity " + quantity.symbol +
+                            " refers to a component that does not exist, or with a "
+                            "factor that is not finite",
+                        path + "/shares");
+    return {};
+}
+
+}  // namespace
+
+Result<Correlations> checked_correlations(const MeasurementModel& model, const InputSet& inputs) {
+    if (inputs.quantities.size() != model.inputs().quantities.size())
+        return fail(ErrorCode::bad_input,
+                    "the measurement model has " + std::to_string(model.inputs().quantities.size()) +
+                        " input quantities, but " + std::to_string(inputs.quantities.size()) + " were given",
+                    "/quantities");
+    if (model.outputs().empty())
+        return fail(ErrorCode::bad_input, "the measurement model has no output quantities");
+    for (std::size_t c = 0; c < inputs.components.size(); ++c)
+        if (auto ok = check_component(inputs.components[c], "/components/" + std::to_string(c)); !ok)
+            return fail(ok.error());
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i)
+        if (auto ok = check_quantity(inputs.quantities[i], inputs.components.size(),
+                                     "/quantities/" + std::to_string(i));
+            !ok)
+            return fail(ok.error());
+    return resolved_correlations(inputs);
+}
+
+}  // namespace covaria::detail

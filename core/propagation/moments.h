@@ -1,0 +1,45 @@
+// Sums of powers and products of the outputs, about a fixed shift: means, covariance, skewness, kurtosis.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "core/propagation/trial_rows.h"
+
+namespace covaria::detail {
+
+/// Sums are exact functions of the order of blocks, so merging in block order gives the same bits for any
+/// number of threads. The shift (a value near the mean) keeps the sums well conditioned (gum_algorithms:
+/// JCGM 101 9.5 has y near 5e7 u).
+class Moments {
+public:
+    explicit Moments(Eigen::VectorXd shift);
+    void clear();
+    /// Adds `count` trials; row j of the outputs begins at `first_row + j * block_trials`. `scratch` has one
+    /// row per output. No allocation.
+    void add(const double* first_row, std::size_t count, TrialRows& scratch);
+    void merge(const Moments& other);
+
+    std::uint64_t count() const { return count_; }
+    double mean(Eigen::Index j) const;
+    double variance(Eigen::Index j) const;  ///< divisor count - 1 (JCGM 101 7.6)
+    Eigen::VectorXd means() const;
+    Eigen::VectorXd standard_uncertainties() const;
+    Eigen::MatrixXd covariance() const;     ///< JCGM 102 7.6, Eq. 16
+    double skewness(Eigen::Index j) const;  ///< 0 for zero spread
+    double kurtosis(Eigen::Index j) const;  ///< excess; 0 for zero spread
+
+private:
+    struct Central {
+        double m2, m3, m4;
+    };
+    Central central(Eigen::Index j) const;
+    void add_products(const TrialRows& deviations, std::size_t count);
+
+    std::uint64_t count_ = 0;
+    Eigen::VectorXd shift_;
+    Eigen::ArrayX4d powers_;    ///< sums of d, d^2, d^3, d^4
+    Eigen::MatrixXd products_;  ///< sums of d_a d_b, lower triangle
+};
+
+}  // namespace covaria::detail

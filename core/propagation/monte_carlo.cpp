@@ -1,0 +1,214 @@
+// The main pass over all trials, and a second one for tails that were kept too short.
+#include "core/propagation/monte_carlo.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "core/propagation/adaptive.h"
+#include "core/propagation/parallel_blocks.h"
+
+namespace covaria::detail {
+namespace {
+
+/// Thresholds that keep (almost) every value, for outputs whose tails proved too short.
+Pilot widened(const Pilot& pilot, const std::vector<std::size_t>& outputs) {
+    Pilot wide;
+    for (std::size_t j : outputs) {
+        OutputPilot p = pilot.outputs[j];
+        const double scale = std::max(p.maximum - p.minimum, std::abs(p.median) * 1e-12);
+        p.low = {p.maximum, scale};
+        p.high = {p.minimum, scale};
+        wide.outputs.push_back(p);
+    }
+    return wide;
+}
+
+class TailCollector {
+public:
+    TailCollector(const Pilot& pilot, std::size_t budget, double expected_trials) : budget_(budget) {
+        for (const OutputPilot& p : pilot.outputs)
+            tails_.push_back({Tail(Side::low, p.low), Tail(Side::high, p.high)});
+        const double expected =
+            expected_trials * pilot.tail_fraction * 2.0 * static_cast<double>(tails_.size() * sizeof(double));
+        if (expected > static_cast<double>(budget_)) to_cells();
+    }
+
+    void add(const std::vector<OutsideValues>& outside) {
+        std::size_t bytes = 0;
+        for (std::size_t j = 0; j < tails_.size(); ++j) {
+            tails_[j].low.add(outside[j].values);
+            tails_[j].high.add(outside[j].values);
+            tails_[j].low.add_equal(outside[j].equal_low);
+            tails_[j].high.add_equal(outside[j].equal_high);
+            bytes += tails_[j].low.bytes() + tails_[j].high.bytes();
+        }
+        if (bytes > budget_) to_cells();
+    }
+
+    bool exact() const { return exact_; }
+    std::vector<Tails>& tails() { return tails_; }
+
+private:
+    void to_cells() {
+        for (Tails& t : tails_) {
+            t.low.to_cells();
+            t.high.to_cells();
+        }
+        exact_ = false;
+    }
+
+    std::size_t budget_;
+    bool exact_ = true;
+    std::vector<Tails> tails_;
+};
+
+/// Numbers of trials 1, 2, 5, 10 ... at which the running values are noted.
+class ConvergenceLog {
+public:
+    void note(std::uint64_t trials, const Moments& moments, std::vector<ConvergencePoint>& points) {
+        if (trials < next_) return;
+        append(trials, moments, points);
+        while (next_ <= trials) advance();
+    }
+    static void append(std::uint64_t trials, const Moments& moments, std::vector<ConvergencePoint>& points) {
+        if (moments.count() < 2 || (!points.empty() && points.back().trials == trials)) return;
+        const Eigen::VectorXd mean = moments.means(), u = moments.standard_uncertainties();
+        points.push_back({trials, {mean.begin(), mean.end()}, {u.begin(), u.end()}});
+    }
+
+private:
+    void advance() {
+        next_ = mantissa_ == 2 ? next_ / 2 * 5 : next_ * 2;
+        mantissa_ = mantissa_ == 1 ? 2 : mantissa_ == 2 ? 5 : 1;
+    }
+    std::uint64_t next_ = unit_trials;
+    int mantissa_ = 1;
+};
+
+struct Partial {
+    UnitStatistics statistics;
+    BatchSummary summary;
+};
+
+/// One thread of the main pass.
+class Worker {
+public:
+    Worker(const TrialSource& source, const Pilot& pilot, RunSize size, RunMonitor& monitor)
+        : runner_(source), scratch_(source.outputs()), pilot_(pilot), size_(size), monitor_(monitor) {}
+
+    void summarise_with(std::unique_ptr<BatchSummariser> summariser) { summariser_ = std::move(summariser); }
+
+    bool run(std::uint64_t unit, Partial& partial) {
+        partial.statistics.clear();
+        const std::uint64_t first = unit * size_.per_unit;
+        const std::uint64_t last = std::min(first + size_.per_unit, size_.trials);
+        if (summariser_) summariser_->begin(first, last);
+        for (std::uint64_t t = first; t < last; t += block_trials) {
+            runner_.run(t, std::min<std::uint64_t>(block_trials, last - t));
+            partial.statistics.add(pilot_, runner_, scratch_);
+            if (summariser_) summariser_->keep(runner_);
+            if (!monitor_.advance(runner_.trials())) return false;
+        }
+        return !summariser_ || summariser_->summarise(partial.statistics, runner_, partial.summary);
+    }
+
+private:
+    TrialBlockRunner runner_;
+    TrialRows scratch_;
+    const Pilot& pilot_;
+    RunSize size_;
+    RunMonitor& monitor_;
+    std::unique_ptr<BatchSummariser> summariser_;
+};
+
+void merge(MonteCarloRun& run, const UnitStatistics& part) {
+    run.moments.merge(part.moments);
+    run.trials += part.trials;
+    ++run.units;
+    for (std::size_t j = 0; j < run.cells.size(); ++j)
+        for (std::size_t i = 0; i < CellGrid::counters; ++i)
+            run.cells[j][i] += part.cells[j * CellGrid::counters + i];
+}
+
+/// Collects the tails of some outputs again, with the thresholds of `pilot` (one entry per such output).
+WorkEnd collect_again(const TrialSource& source, RunSize size, const std::vector<std::size_t>& outputs,
+                      const Pilot& pilot, RunMonitor& monitor, TailCollector& collector) {
+    using Outside = std::vector<OutsideValues>;
+    OrderedWork<Outside> work;
+    work.units = (size.trials + size.per_unit - 1) / size.per_unit;
+    work.make_partial = [&outputs] { return Outside(outputs.size()); };
+    work.make_worker = [&] {
+        return [&, runner = std::make_shared<TrialBlockRunner>(source)](std::uint64_t unit, Outside& part) {
+            for (OutsideValues& o : part) o.clear();
+            const std::uint64_t last = std::min((unit + 1) * size.per_unit, size.trials);
+            for (std::uint64_t t = unit * size.per_unit; t < last; t += block_trials) {
+                runner->run(t, std::min<std::uint64_t>(block_trials, last - t));
+                for (std::size_t k = 0; k < outputs.size(); ++k)
+                    part[k].add(pilot.outputs[k], runner->output(outputs[k]), runner->valid());
+                if (!monitor.advance(0)) return false;
+            }
+            return true;
+        };
+    };
+    work.merge = [&collector](std::uint64_t, Outside& part) {
+        collector.add(part);
+        return true;
+    };
+    return run_in_order(work, monitor);
+}
+
+/// The pilot may have been unlucky: checks the tails, and regenerates the trials for those too short.
+WorkEnd complete_tails(const TrialSource& source, std::uint64_t per_unit, double probability,
+                       const EngineSettings& settings, RunMonitor& monitor, MonteCarloRun& run) {
+    const std::uint64_t needed = needed_tail(coverage_ranks(run.moments.count(), probability));
+    std::vector<std::size_t> lacking;
+    for (std::size_t j = 0; j < run.tails.size(); ++j)
+        if (std::min(run.tails[j].low.count(), run.tails[j].high.count()) < needed) lacking.push_back(j);
+    if (lacking.empty()) return WorkEnd::complete;
+    const Pilot wide = widened(run.pilot, lacking);
+    TailCollector collector(wide, settings.tail_bytes, static_cast<double>(run.trials));
+    const RunSize size{run.trials, per_unit};
+    const WorkEnd end = collect_again(source, size, lacking, wide, monitor, collector);
+    for (std::size_t k = 0; k < lacking.size(); ++k) run.tails[lacking[k]] = std::move(collector.tails()[k]);
+    run.exact = run.exact && collector.exact();
+    return end;
+}
+
+}  // namespace
+
+Result<MonteCarloRun> run_monte_carlo(const TrialSource& source, RunSize size, double probability,
+                                      const EngineSettings& settings, RunMonitor& monitor,
+                                      AdaptiveProcedure* adaptive) {
+    auto pilot = run_pilot(source, size.trials, probability, settings, monitor);
+    if (!pilot) return fail(pilot.error());
+    MonteCarloRun run{Moments(pilot->shift()), {}, {}, std::move(*pilot), 0, 0, true, {}};
+    run.cells.assign(source.outputs(), std::vector<std::uint64_t>(CellGrid::counters, 0));
+    TailCollector collector(run.pilot, settings.tail_bytes,
+                            adaptive ? 0.0 : static_cast<double>(size.trials));
+    ConvergenceLog log;
+
+    OrderedWork<Partial> work;
+    work.units = (size.trials + size.per_unit - 1) / size.per_unit;
+    work.make_partial = [&run] { return Partial{UnitStatistics(run.pilot), {}}; };
+    work.make_worker = [&] {
+        auto worker = std::make_shared<Worker>(source, run.pilot, size, monitor);
+        if (adaptive) worker->summarise_with(adaptive->make_summariser(source, run.pilot, settings));
+        return [worker](std::uint64_t unit, Partial& partial) { return worker->run(unit, partial); };
+    };
+    work.merge = [&](std::uint64_t, Partial& partial) {
+        merge(run, partial.statistics);
+        collector.add(partial.statistics.outside);
+        log.note(run.trials, run.moments, run.convergence);
+        return !(adaptive && adaptive->stable_after(partial.summary, run.moments));
+    };
+    WorkEnd end = run_in_order(work, monitor);
+    ConvergenceLog::append(run.trials, run.moments, run.convergence);
+    run.exact = collector.exact();
+    run.tails = std::move(collector.tails());
+    if (end != WorkEnd::cancelled && run.moments.count() > 0)
+        end = complete_tails(source, size.per_unit, probability, settings, monitor, run);
+    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    return run;
+}
+
+}  // namespace covaria::detail

@@ -1,0 +1,42 @@
+// Propagation of distributions: all trials of a run, on all threads, in bounded memory (JCGM 101 7, JCGM 102
+// 7).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/propagation/unit_statistics.h"
+
+namespace covaria::detail {
+
+class AdaptiveProcedure;
+
+struct RunSize {
+    std::uint64_t trials = 0;              ///< at most
+    std::uint64_t per_unit = unit_trials;  ///< a unit, or a batch of the adaptive procedure
+};
+
+/// What a run has found, before intervals are taken from it.
+struct MonteCarloRun {
+    Moments moments;
+    std::vector<Tails> tails;
+    std::vector<std::vector<std::uint64_t>> cells;
+    Pilot pilot;
+    std::uint64_t trials = 0;  ///< made, with those that have no value
+    std::uint64_t units = 0;
+    bool exact = true;  ///< intervals come from all values, not from cells
+    std::vector<ConvergencePoint> convergence;
+
+    std::uint64_t failed() const { return trials - moments.count(); }
+};
+
+/// Error: cancelled; numeric when no trial has a value. `adaptive` null: exactly `size.trials` trials.
+Result<MonteCarloRun> run_monte_carlo(const TrialSource& source, RunSize size, double probability,
+                                      const EngineSettings& settings, RunMonitor& monitor,
+                                      AdaptiveProcedure* adaptive);
+
+/// The statistics of each output. Finishes (sorts) the tails.
+Result<std::vector<MonteCarloOutput>> outputs_of(MonteCarloRun& run, double probability, RunMonitor& monitor);
+
+}  // namespace covaria::detail

@@ -1,0 +1,53 @@
+// Normality verdict in words.
+#include "core/propagation/normality.h"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+namespace covaria::detail {
+namespace {
+
+constexpr double close = 0.01;  // of the width of the interval
+constexpr double tolerable = 0.05;
+
+/// Standard error of (q_high - q_low)/(2 k u) under normality, relative.
+double scatter_of_ratio(double trials, double probability, double k) {
+    const double tail = (1.0 - probability) / 2.0;
+    const double density = boost::math::pdf(boost::math::normal(), k);
+    return std::sqrt(tail * (1.0 - tail) / trials / 2.0) / density / k;
+}
+
+}  // namespace
+
+NormalityVerdict normality_of(const MonteCarloOutput& output, std::uint64_t trials, double probability) {
+    NormalityVerdict verdict;
+    const double u = output.standard_uncertainty;
+    if (!(u > 0) || trials < 2) {
+        verdict.words = "no spread";
+        return verdict;
+    }
+    const auto n = static_cast<double>(trials);
+    const double k = boost::math::quantile(boost::math::normal(), (1.0 + probability) / 2.0);
+    verdict.skewness_z = output.skewness / std::sqrt(6.0 / n);
+    verdict.kurtosis_z = output.kurtosis / std::sqrt(24.0 / n);
+    const CoverageInterval& interval = output.symmetric;
+    verdict.coverage_ratio = (interval.high - interval.low) / (2.0 * k * u);
+    const double asymmetry = (interval.high + interval.low - 2.0 * output.mean) / (2.0 * k * u);
+    const double deviation = std::max(std::abs(verdict.coverage_ratio - 1.0), std::abs(asymmetry));
+    const double noise = 3.0 * scatter_of_ratio(n, probability, k);
+    verdict.acceptable = deviation <= tolerable + noise;
+    if (deviation <= std::max(close, noise))
+        verdict.words = noise > close ? "normal as far as so few trials can tell" : "normal within 1 %";
+    else if (verdict.acceptable)
+        verdict.words = "normal within 5 %";
+    else if (std::abs(asymmetry) > std::abs(verdict.coverage_ratio - 1.0))
+        verdict.words = "too skewed for k u: state the coverage interval";
+    else if (output.kurtosis > 0)
+        verdict.words = "too heavy-tailed for k u: state the coverage interval";
+    else
+        verdict.words = "too flat for k u: state the coverage interval";
+    return verdict;
+}
+
+}  // namespace covaria::detail

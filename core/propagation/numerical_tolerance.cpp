@@ -1,0 +1,17 @@
+// Numerical tolerance of a standard uncertainty.
+#include "core/propagation/numerical_tolerance.h"
+
+#include <cmath>
+
+namespace covaria::detail {
+
+double numerical_tolerance(double z, int digits) {
+    z = std::abs(z);
+    if (!(z > 0) || !std::isfinite(z)) return 0.0;
+    int l = static_cast<int>(std::floor(std::log10(z))) - (digits - 1);
+    const double c = std::round(z / std::pow(10.0, l));
+    if (c >= std::pow(10.0, digits)) ++l;  // 0.0996 with two digits is 10 * 10^-2
+    return 0.5 * std::pow(10.0, l);
+}
+
+}  // namespace covaria::detail

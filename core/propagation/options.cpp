@@ -1,0 +1,44 @@
+// Checks of the evaluation options.
+#include "core/propagation/options.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/propagation/adaptive.h"
+
+namespace covaria {
+namespace {
+
+void check_adaptive(const EvaluationOptions& options, Problems& problems) {
+    if (options.significant_digits < 1 || options.significant_digits > 4)
+        problems.error("/significant_digits",
+                       "the number of significant digits of the numerical tolerance must be 1, 2, 3 or 4");
+    if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance)))
+        problems.error("/tolerance", "the numerical tolerance must be greater than zero");
+    if (options.minimum_batches < 2)
+        problems.error("/minimum_batches", "the adaptive procedure needs at least two batches");
+    const bool known = options.coverage_probability > 0 && options.coverage_probability < 1 - 1e-9;
+    const std::uint64_t batch =
+        known ? detail::AdaptiveProcedure::batch_trials(options.coverage_probability) : 0;
+    if (options.method == Method::adaptive && options.maximum_trials / 2 < batch)
+        problems.error("/maximum_trials", "the adaptive procedure needs at least two batches: allow " +
+                                              std::to_string(2 * batch) + " trials or more");
+}
+
+}  // namespace
+
+void EvaluationOptions::check(Problems& problems) const {
+    if (method == Method::monte_carlo && trials < 2)
+        problems.error("/trials", "a Monte Carlo run needs at least two trials");
+    if (!(coverage_probability > 0 && coverage_probability < 1))
+        problems.error("/coverage_probability", "the coverage probability must lie between 0 and 1");
+    else if (coverage_probability > 1 - 1e-9)
+        problems.error("/coverage_probability", "the coverage probability is too near to 1");
+    if (coverage_factor && !(*coverage_factor > 0 && std::isfinite(*coverage_factor)))
+        problems.error("/coverage_factor", "the coverage factor must be greater than zero");
+    if (one_at_a_time_trials == 1)
+        problems.error("/one_at_a_time_trials", "one-at-a-time Monte Carlo needs at least two trials");
+    check_adaptive(*this, problems);
+}
+
+}  // namespace covaria

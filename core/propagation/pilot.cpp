@@ -1,0 +1,111 @@
+// Pilot: thresholds of the tails and grids of the cells.
+#include "core/propagation/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/propagation/parallel_blocks.h"
+
+namespace covaria::detail {
+namespace {
+
+constexpr std::size_t enough_values = 1000;
+using Columns = std::vector<std::vector<double>>;  // values of each output
+
+WorkEnd append_trials(const TrialSource& source, std::uint64_t first, std::uint64_t count,
+                      RunMonitor& monitor, Columns& columns) {
+    OrderedWork<Columns> work;
+    work.units = (count + block_trials - 1) / block_trials;
+    work.make_partial = [&source] { return Columns(source.outputs()); };
+    work.make_worker = [&] {
+        return [&, runner = std::make_shared<TrialBlockRunner>(source)](std::uint64_t block, Columns& part) {
+            const std::uint64_t begin = block * block_trials;
+            runner->run(first + begin, std::min<std::uint64_t>(block_trials, count - begin));
+            for (std::size_t j = 0; j < part.size(); ++j)
+                part[j].assign(runner->output(j), runner->output(j) + runner->valid());
+            return monitor.advance(0);
+        };
+    };
+    work.merge = [&columns](std::uint64_t, Columns& part) {
+        for (std::size_t j = 0; j < part.size(); ++j)
+            columns[j].insert(columns[j].end(), part[j].begin(), part[j].end());
+        return true;
+    };
+    return run_in_order(work, monitor);
+}
+
+/// Five standard uncertainties about the mean, or to the end of a bounded distribution. With heavy tails
+/// the spread is taken from the central 95 %.
+CellGrid grid_of(const std::vector<double>& sorted) {
+    const auto n = static_cast<double>(sorted.size());
+    const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / n;
+    double squares = 0.0;
+    for (double y : sorted) squares += (y - mean) * (y - mean);
+    const double central =
+        sorted[static_cast<std::size_t>(0.975 * (n - 1))] - sorted[static_cast<std::size_t>(0.025 * (n - 1))];
+    const double spread = std::min(std::sqrt(squares / n), central > 0 ? central / 2.6 : infinity);
+    const double centre = std::clamp(mean, sorted.front(), sorted.back());
+    if (!(sorted.back() > sorted.front()) || !(spread > 0)) return {centre, centre};
+    const double pad = 0.005 * (sorted.back() - sorted.front());
+    CellGrid grid{centre - 5 * spread, centre + 5 * spread};
+    if (sorted.front() > centre - 2.6 * spread) grid.low = sorted.front() - pad;
+    if (sorted.back() < centre + 2.6 * spread) grid.high = sorted.back() + pad;
+    return grid;
+}
+
+OutputPilot look_at(std::vector<double>& values, double tail_fraction) {
+    std::sort(values.begin(), values.end());
+    OutputPilot pilot;
+    pilot.median = values[values.size() / 2];
+    pilot.minimum = values.front();
+    pilot.maximum = values.back();
+    pilot.grid = grid_of(values);
+    const auto rank = static_cast<std::size_t>(tail_fraction * static_cast<double>(values.size()));
+    if (rank >= values.size()) {
+        pilot.low = {infinity, 0.0};
+        pilot.high = {-infinity, 0.0};
+    } else {
+        pilot.low = {values[rank], pilot.median - values[rank]};
+        pilot.high = {values[values.size() - 1 - rank], values[values.size() - 1 - rank] - pilot.median};
+        pilot.low.scale = std::abs(pilot.low.scale);
+        pilot.high.scale = std::abs(pilot.high.scale);
+    }
+    return pilot;
+}
+
+}  // namespace
+
+Eigen::VectorXd Pilot::shift() const {
+    Eigen::VectorXd shift(static_cast<Eigen::Index>(outputs.size()));
+    for (std::size_t j = 0; j < outputs.size(); ++j) shift(static_cast<Eigen::Index>(j)) = outputs[j].median;
+    return shift;
+}
+
+Result<Pilot> run_pilot(const TrialSource& source, std::uint64_t limit, double probability,
+                        const EngineSettings& settings, RunMonitor& monitor) {
+    Columns columns(source.outputs());
+    for (std::uint64_t first = 0; first < limit && columns.front().size() < enough_values;
+         first += unit_trials) {
+        const std::uint64_t count = std::min(unit_trials, limit - first);
+        if (append_trials(source, first, count, monitor, columns) == WorkEnd::cancelled)
+            return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    }
+    const std::size_t n = columns.front().size();
+    if (n == 0)
+        return fail(ErrorCode::numeric,
+                    "none of the trials has a value: the measurement model cannot be evaluated within the "
+                    "uncertainties of its inputs; check the standard uncertainties and the geometry");
+    Pilot pilot;
+    if (n >= enough_values) {
+        const double f = 1.0 - probability;
+        const auto m = static_cast<double>(n);
+        pilot.tail_fraction =
+            std::clamp(f + settings.tail_margin * (std::sqrt(f * (1 - f) / m) + 1 / m), 0.0, 1.0);
+    }
+    for (auto& column : columns) pilot.outputs.push_back(look_at(column, pilot.tail_fraction));
+    return pilot;
+}
+
+}  // namespace covaria::detail

@@ -1,0 +1,37 @@
+// The first trials of a run, looked at beforehand to know where the outputs lie.
+#pragma once
+
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/propagation/cell_counts.h"
+#include "core/propagation/run_monitor.h"
+#include "core/propagation/settings.h"
+#include "core/propagation/tail.h"
+#include "core/propagation/trial_block_runner.h"
+
+namespace covaria::detail {
+
+/// Of one output. Decides about memory and speed, never about a result: what is kept by these thresholds is
+/// checked afterwards, and kept again if it was too little.
+struct OutputPilot {
+    double median =
+        0.0;  ///< a value that occurred: the shift of the moments, so that no spread gives exactly 0
+    double minimum = 0.0;
+    double maximum = 0.0;
+    TailShape low, high;
+    CellGrid grid;
+};
+
+struct Pilot {
+    std::vector<OutputPilot> outputs;
+    double tail_fraction = 1.0;  ///< of the trials that lie in each tail, about
+    Eigen::VectorXd shift() const;
+};
+
+/// Always the first 10,000 trials (more only if fewer than 1,000 of them have a value), whatever the number
+/// of threads. `limit`: trials of the run. Error: cancelled, or no trial has a value.
+Result<Pilot> run_pilot(const TrialSource& source, std::uint64_t limit, double probability,
+                        const EngineSettings& settings, RunMonitor& monitor);
+
+}  // namespace covaria::detail

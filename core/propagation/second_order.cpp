@@ -1,0 +1,47 @@
+// Second-order terms of the law of propagation.
+#include "core/propagation/second_order.h"
+
+#include <cmath>
+
+namespace covaria::detail {
+namespace {
+
+constexpr double step_in_u = 0.1;
+
+/// c(epsilon) for component k displaced by `step`.
+Result<Eigen::MatrixXd> displaced_sensitivity(const MeasurementModel& model, const LawOfPropagation& law,
+                                              const Eigen::MatrixXd& factors, Eigen::Index k, double step) {
+    const Eigen::VectorXd x = law.inputs + step * factors.col(k);
+    Eigen::MatrixXd jacobian(law.estimate.size(), law.inputs.size());
+    if (!model.jacobian({x.data(), static_cast<std::size_t>(x.size())}, jacobian) || !jacobian.allFinite())
+        return fail(ErrorCode::numeric,
+                    "the measurement model has no sensitivity coefficients near the estimates: second-order "
+                    "terms do not exist");
+    return Eigen::MatrixXd(jacobian * factors);
+}
+
+}  // namespace
+
+// sum_i sum_j [ 1/2 f_ij^2 + f_i f_ijj ] u_i^2 u_j^2, column j of the derivatives at a time.
+Result<SecondOrder> second_order_terms(const MeasurementModel& model, const InputSet& inputs,
+                                       const LawOfPropagation& law, const std::stop_token& stop) {
+    SecondOrder terms{Eigen::VectorXd::Zero(law.estimate.size()), Eigen::VectorXd::Zero(law.estimate.size())};
+    const Eigen::MatrixXd factors = factor_matrix(inputs);
+    const Eigen::RowVectorXd squares = law.u.array().square().matrix().transpose();
+    for (Eigen::Index j = 0; j < law.u.size(); ++j) {
+        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+        if (!(law.u(j) > 0)) continue;
+        const double step = step_in_u * law.u(j);
+        const auto above = displaced_sensitivity(model, law, factors, j, step);
+        const auto below = displaced_sensitivity(model, law, factors, j, -step);
+        if (!above || !below) return fail(above ? below.error() : above.error());
+        const Eigen::MatrixXd first = (*above - *below) / (2.0 * step);
+        const Eigen::MatrixXd second = (*above - 2.0 * law.sensitivity + *below) / (step * step);
+        const Eigen::MatrixXd term = 0.5 * first.array().square() + law.sensitivity.array() * second.array();
+        terms.variance += term * squares.transpose() * squares(j);
+        terms.shift += 0.5 * first.col(j) * squares(j);
+    }
+    return terms;
+}
+
+}  // namespace covaria::detail

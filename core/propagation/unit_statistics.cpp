@@ -1,0 +1,57 @@
+// Statistics of one unit of trials.
+#include "core/propagation/unit_statistics.h"
+
+#include <algorithm>
+
+namespace covaria::detail {
+
+void OutsideValues::clear() {
+    values.clear();
+    equal_low = equal_high = 0;
+}
+
+void OutsideValues::add(const OutputPilot& pilot, const double* y, std::size_t n) {
+    // Written without branches: which values lie outside cannot be predicted.
+    double found[block_trials];
+    std::size_t count = 0;
+    const double low = pilot.low.threshold, high = pilot.high.threshold;
+    for (std::size_t t = 0; t < n; ++t) {
+        found[count] = y[t];
+        count += static_cast<std::size_t>((y[t] < low) | (y[t] > high));
+    }
+    std::uint64_t at_low = 0, at_high = 0;
+    for (std::size_t t = 0; t < n; ++t) {
+        at_low += y[t] == low;
+        at_high += y[t] == high;
+    }
+    values.insert(values.end(), found, found + count);
+    equal_low += at_low;
+    equal_high += at_high;
+}
+
+UnitStatistics::UnitStatistics(const Pilot& pilot)
+    : moments(pilot.shift()),
+      outside(pilot.outputs.size()),
+      cells(pilot.outputs.size() * CellGrid::counters) {
+    const double expected = 2.2 * pilot.tail_fraction * static_cast<double>(unit_trials) + 500;
+    for (OutsideValues& o : outside) o.values.reserve(static_cast<std::size_t>(expected));
+}
+
+void UnitStatistics::clear() {
+    moments.clear();
+    for (OutsideValues& o : outside) o.clear();
+    std::fill(cells.begin(), cells.end(), 0u);
+    trials = 0;
+}
+
+void UnitStatistics::add(const Pilot& pilot, const TrialBlockRunner& runner, TrialRows& scratch) {
+    trials += runner.trials();
+    moments.add(runner.output(0), runner.valid(), scratch);
+    for (std::size_t j = 0; j < outside.size(); ++j) {
+        outside[j].add(pilot.outputs[j], runner.output(j), runner.valid());
+        count_cells(pilot.outputs[j].grid, runner.output(j), runner.valid(),
+                    cells.data() + j * CellGrid::counters);
+    }
+}
+
+}  // namespace covaria::detail
