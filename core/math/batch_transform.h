@@ -1,0 +1,36 @@
+// Applies a function of xsimd batches to a span so that element i depends on its own argument only.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <xsimd/xsimd.hpp>
+
+namespace covaria {
+
+/// x[i] = f(p[i]) for a function of `xsimd::batch<double>`; `p` and `x` have the same length and may be the
+/// same memory. The last few elements are padded with `padding` and go through the same instructions, so
+/// results are bit-identical for any blocking.
+template <class Function>
+void transform_batches(std::span<const double> p, std::span<double> x, double padding, Function&& f) {
+    using Batch = xsimd::batch<double>;
+    constexpr std::size_t lanes = Batch::size;
+    const std::size_t whole = p.size() - p.size() % lanes;
+    for (std::size_t i = 0; i < whole; i += lanes) f(Batch::load_unaligned(&p[i])).store_unaligned(&x[i]);
+    if (whole == p.size()) return;
+    std::array<double, lanes> last;
+    last.fill(padding);
+    for (std::size_t i = whole; i < p.size(); ++i) last[i - whole] = p[i];
+    f(Batch::load_unaligned(last.data())).store_unaligned(last.data());
+    for (std::size_t i = whole; i < p.size(); ++i) x[i] = last[i - whole];
+}
+
+/// c[0] + c[1] x + c[2] x^2 + ... by Horner's rule with fused multiply-add.
+template <std::size_t N>
+xsimd::batch<double> polynomial(const std::array<double, N>& c, xsimd::batch<double> x) {
+    xsimd::batch<double> sum(c[N - 1]);
+    for (std::size_t i = N - 1; i-- > 0;) sum = xsimd::fma(sum, x, xsimd::batch<double>(c[i]));
+    return sum;
+}
+
+}  // namespace covaria

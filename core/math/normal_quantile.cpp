@@ -1,0 +1,125 @@
+// Wichura's AS 241 on vectors: the central formula for every element, the tail formulae for those gathered
+// from a chunk.
+#include "core/math/normal_quantile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include "core/math/batch_transform.h"
+
+namespace covaria {
+
+namespace {
+
+using Batch = xsimd::batch<double>;
+using Coefficients = std::array<double, 8>;
+
+// Coefficients of PPND16, in the letters of the paper.
+constexpr Coefficients a{3.3871328727963666080e0, 1.3314166789178437745e2, 1.9715909503065514427e3,
+                         1.3731693765509461125e4, 4.5921953931549871457e4, 6.7265770927008700853e4,
+                         3.3430575583588128105e4, 2.5090809287301226727e3};
+constexpr Coefficients b{1.0,
+                         4.2313330701600911252e1,
+                         6.8718700749205790830e2,
+                         5.3941960214247511077e3,
+                         2.1213794301586595867e4,
+                         3.9307895800092710610e4,
+                         2.8729085735721942674e4,
+                         5.2264952788528545610e3};
+constexpr Coefficients c{1.42343711074968357734e0,  4.63033784615654529590e0, 5.76949722146069140550e0,
+                         3.64784832476320460504e0,  1.27045825245236838258e0, 2.41780725177450611770e-1,
+                         2.27238449892691845833e-2, 7.74545014278341407640e-4};
+constexpr Coefficients d{1.0,
+                         2.05319162663775882187e0,
+                         1.67638483018380384940e0,
+                         6.89767334985100004550e-1,
+                         1.48103976427480074590e-1,
+                         1.51986665636164571966e-2,
+                         5.47593808499534494600e-4,
+                         1.05075007164441684324e-9};
+constexpr Coefficients e{6.65790464350110377720e0,  5.46378491116411436990e0,  1.78482653991729133580e0,
+                         2.96560571828504891230e-1, 2.65321895265761230930e-2, 1.24266094738807843860e-3,
+                         2.71155556874348757815e-5, 2.01033439929228813265e-7};
+constexpr Coefficients f{1.0,
+                         5.99832206555887937690e-1,
+                         1.36929880922735805310e-1,
+                         1.48753612908506148525e-2,
+                         7.86869131145613259100e-4,
+                         1.84631831751005468180e-5,
+                         1.42151175831644588870e-7,
+                         2.04426310338993978564e-15};
+
+constexpr double half_width_of_centre = 0.425;
+constexpr std::size_t chunk = 256;  // small enough for the stack and the first-level cache
+
+Batch central(Batch p) {
+    const Batch q = p - Batch(0.5);
+    const Batch r = Batch(half_width_of_centre * half_width_of_centre) - q * q;
+    return q * polynomial(a, r) / polynomial(b, r);
+}
+
+Batch tail(Batch p) {
+    const Batch smaller = xsimd::min(p, Batch(1.0) - p);
+    const Batch r = xsimd::sqrt(-xsimd::log(smaller));
+    const Batch near = r - Batch(1.6);
+    Batch z = polynomial(c, near) / polynomial(d, near);
+    const auto is_far = r > Batch(5.0);
+    if (xsimd::any(is_far)) {
+        const Batch far = r - Batch(5.0);
+        z = xsimd::select(is_far, polynomial(e, far) / polynomial(f, far), z);
+        const Batch infinite(std::numeric_limits<double>::infinity());
+        z = xsimd::select(r == infinite, infinite, z);
+    }
+    return xsimd::select(p < Batch(0.5), -z, z);
+}
+
+/// Needs p.size() <= chunk.
+void chunk_quantiles(std::span<const double> p, std::span<double> z) {
+    std::array<double, chunk + Batch::size> tails;
+    std::array<std::uint16_t, chunk + 1> places;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < p.size();
+         ++i) {  // without a branch: one element in seven, at random, is in a tail
+        tails[count] = p[i];
+        places[count] = static_cast<std::uint16_t>(i);
+        count += std::abs(p[i] - 0.5) > half_width_of_centre ? 1 : 0;
+    }
+    transform_batches(p, z, 0.5, central);
+    const std::span<double> gathered(tails.data(), count);
+    transform_batches(gathered, gathered, 0.01, tail);
+    for (std::size_t i = 0; i < count; ++i) z[places[i]] = tails[i];
+}
+
+}  // namespace
+
+void normal_quantiles(std::span<const double> p, std::span<double> z) {
+    for (std::size_t begin = 0; begin < p.size(); begin += chunk) {
+        const std::size_t length = std::min(chunk, p.size() - begin);
+        chunk_quantiles(p.subspan(begin, length), z.subspan(begin, length));
+    }
+}
+
+double normal_quantile(double p) {
+    double z = 0.0;
+    normal_quantiles({&p, 1}, {&z, 1});
+    return z;
+}
+
+double normal_distribution_function(double z) {
+    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+}
+
+void normal_distribution_functions(std::span<const double> z, std::span<double> p) {
+    transform_batches(
+        z, p, 0.0, [](Batch x) { return Batch(0.5) * xsimd::erfc(x * Batch(-1.0 / std::numbers::sqrt2)); });
+}
+
+double normal_density(double z) {
+    return std::exp(-0.5 * z * z) * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2);
+}
+
+}  // namespace covaria

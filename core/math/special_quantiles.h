@@ -1,0 +1,20 @@
+// Quantiles of Student's t, chi-squared and F, and the coverage factors made of them (JCGM 100 Annex G, JCGM
+// 102 6.5).
+#pragma once
+
+#include "core/base/error.h"
+
+namespace covaria {
+
+/// t_p(nu) for 0 < p < 1; `nu` may be infinite (the normal distribution). NaN unless 0 < p < 1 and nu > 0.
+double t_quantile(double p, double nu);
+/// Quantile of chi-squared with `dof` degrees of freedom. NaN unless 0 < p < 1 and 0 < dof < infinity.
+double chi_squared_quantile(double p, double dof);
+/// Quantile of F; `nu2` may be infinite (chi-squared over nu1). NaN unless 0 < p < 1 and both are positive.
+double f_quantile(double p, double nu1, double nu2);
+
+/// k of a probabilistically symmetric coverage interval: t at (1 + probability)/2 (JCGM 100 G.3, G.4).
+/// Errors: probability not inside (0, 1), degrees of freedom not positive.
+Result<double> coverage_factor(double probability, double nu);
+
+}  // namespace covaria
