@@ -1,0 +1,39 @@
+#include "ui/pages/message_panes.h"
+
+#include <QHeaderView>
+#include <QTime>
+
+#include "ui/models/roles.h"
+
+namespace covaria::ui {
+
+namespace {
+constexpr int most_log_lines = 5000;
+}
+
+ProblemsPane::ProblemsPane(Document& document, QWidget* parent) : QTreeView(parent), model_(document) {
+    setModel(&model_);
+    setAccessibleName(tr("Problems"));
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setFrameShape(QFrame::NoFrame);
+    header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    const auto go = [this](const QModelIndex& index) { emit place_wanted(index.data(path_role).toString()); };
+    connect(this, &QTreeView::clicked, this, go);
+    connect(this, &QTreeView::activated, this, go);
+}
+
+LogPane::LogPane(QWidget* parent) : QPlainTextEdit(parent) {
+    setReadOnly(true);
+    setMaximumBlockCount(most_log_lines);
+    setFrameShape(QFrame::NoFrame);
+    setAccessibleName(tr("Log"));
+}
+
+void LogPane::write(const QString& message) {
+    const QString line = QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + message;
+    QMetaObject::invokeMethod(
+        this, [this, line] { appendPlainText(line); }, Qt::AutoConnection);
+}
+
+}  // namespace covaria::ui

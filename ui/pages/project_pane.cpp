@@ -1,0 +1,116 @@
+#include "ui/pages/project_pane.h"
+
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QMenu>
+
+#include "core/assets/registry.h"
+#include "core/models/registry.h"
+#include "ui/document/project_edits.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
+    : QTreeView(parent),
+      document_(document),
+      runner_(runner),
+      selection_(selection),
+      model_(document, runner) {
+    setModel(&model_);
+    setAccessibleName(tr("Project"));
+    setFrameShape(QFrame::NoFrame);
+    setHeaderHidden(true);
+    setUniformRowHeights(true);
+    setEditTriggers(QAbstractItemView::EditKeyPressed);
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    expandAll();
+    duplicate_action = new QAction(tr("D&uplicate"), this);
+    duplicate_action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_D));
+    rename_action = new QAction(tr("Re&name"), this);
+    rename_action->setShortcut(QKeySequence(Qt::Key_F2));
+    delete_action = new QAction(tr("&Delete …"), this);
+    delete_action->setShortcut(QKeySequence::Delete);
+    for (QAction* action : {duplicate_action, rename_action, delete_action}) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        addAction(action);
+    }
+    connect(duplicate_action, &QAction::triggered, this, &ProjectPane::duplicate_selected);
+    connect(rename_action, &QAction::triggered, this, [this] { edit(currentIndex().siblingAtColumn(0)); });
+    connect(delete_action, &QAction::triggered, this, &ProjectPane::delete_selected);
+    connect(&selection_, &Selection::entry_changed, this, &ProjectPane::follow_selection);
+    connect(&document_, &Document::project_replaced, this, &QTreeView::expandAll);
+    connect(&model_, &QAbstractItemModel::rowsInserted, this,
+            [this](const QModelIndex& above) { expand(above); });
+    update_actions();
+}
+
+QMenu* ProjectPane::make_add_menu(QWidget* parent) {
+    auto* menu = new QMenu(tr("&Add"), parent);
+    for (const ModelDescriptor& model : model_registry())
+        menu->addAction(tr("Analysis: %1").arg(to_qt(model.title)), this,
+                        [this, id = model.id] { add_analysis(id); });
+    menu->addSeparator();
+    for (const AssetDescriptor& asset : asset_registry())
+        menu->addAction(to_qt(asset.title), this, [this, kind = asset.kind] { add_asset(kind); });
+    return menu;
+}
+
+void ProjectPane::add_asset(const std::string& kind) {
+    selection_.select_entry({SetupOwner::asset, covaria::ui::add_asset(document_, kind)});
+}
+
+void ProjectPane::add_analysis(const std::string& model) {
+    selection_.select_entry({SetupOwner::analysis, covaria::ui::add_analysis(document_, model)});
+}
+
+void ProjectPane::duplicate_selected() {
+    const SetupAddress address = model_.address(currentIndex());
+    if (!address.id.empty()) selection_.select_entry({address.owner, duplicate(document_, address)});
+}
+
+void ProjectPane::delete_selected() {
+    const SetupAddress address = model_.address(currentIndex());
+    if (address.id.empty()) return;
+    const QString name = currentIndex().siblingAtColumn(0).data().toString();
+    const QStringList users = dependants(document_.project(), address);
+    QString question = tr("Delete “%1”?").arg(name);
+    if (!users.isEmpty())
+        question += tr("\n\nIt is used by: %1. They will have an error until they use something else.")
+                        .arg(users.join(tr(", ")));
+    if (!users.isEmpty() && confirm && !confirm(question, tr("Delete"))) return;
+    remove(document_, address);
+}
+
+void ProjectPane::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+    QTreeView::currentChanged(current, previous);
+    const SetupAddress address = model_.address(current);
+    if (!address.id.empty()) selection_.select_entry(address);
+    update_actions();
+}
+
+void ProjectPane::follow_selection() {
+    const QModelIndex index = model_.index_of(selection_.entry());
+    if (index.isValid() && index != currentIndex()) setCurrentIndex(index);
+}
+
+void ProjectPane::update_actions() {
+    const bool entry = !model_.address(currentIndex()).id.empty();
+    for (QAction* action : {duplicate_action, rename_action, delete_action}) action->setEnabled(entry);
+}
+
+void ProjectPane::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    menu.addMenu(make_add_menu(&menu));
+    const SetupAddress address = model_.address(indexAt(event->pos()));
+    if (address.owner == SetupOwner::analysis && !address.id.empty())
+        menu.addAction(tr("Run"), this, [this, address] { runner_.run(to_qt(address.id)); });
+    menu.addSeparator();
+    menu.addActions({duplicate_action, rename_action, delete_action});
+    menu.exec(event->globalPos());
+}
+
+}  // namespace covaria::ui

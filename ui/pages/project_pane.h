@@ -1,0 +1,48 @@
+// The project tree with what can be done to its entries: add, duplicate, rename, delete, run.
+#pragma once
+
+#include <QTreeView>
+#include <functional>
+
+#include "ui/document/selection.h"
+#include "ui/models/project_tree_model.h"
+
+class QAction;
+class QMenu;
+
+namespace covaria::ui {
+
+class ProjectPane : public QTreeView {
+    Q_OBJECT
+public:
+    ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+
+    /// Asked before something is deleted; the question names what depends on it.
+    std::function<bool(const QString& question, const QString& action)> confirm;
+
+    QAction* duplicate_action;
+    QAction* rename_action;
+    QAction* delete_action;
+    /// One entry per registered kind.
+    QMenu* make_add_menu(QWidget* parent);
+
+    void add_asset(const std::string& kind);
+    void add_analysis(const std::string& model);
+    void duplicate_selected();
+    void delete_selected();
+
+protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+
+private:
+    void follow_selection();
+    void update_actions();
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    ProjectTreeModel model_;
+};
+
+}  // namespace covaria::ui
