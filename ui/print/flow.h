@@ -1,0 +1,43 @@
+// Content flows over pages: items with heights, kept together where they must be, table heads repeated.
+#pragma once
+
+#include <QPainter>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace covaria::ui {
+
+/// Paints itself with its top left corner at the given point.
+using PaintAt = std::function<void(QPainter&, QPointF)>;
+
+/// Put again at the top of a page on which a table goes on.
+struct RepeatedHead {
+    double height = 0.0;
+    PaintAt paint;
+};
+
+struct FlowItem {
+    double height = 0.0;
+    double space_before = 0.0;  ///< dropped at the top of a page
+    bool keep_with_next = false;
+    PaintAt paint;
+    std::shared_ptr<const RepeatedHead> head = {};  ///< of the table the item is a row of
+};
+
+struct PlacedItem {
+    int page = 0;
+    double y = 0.0;  ///< from the top of the text area
+    PaintAt paint;
+};
+
+struct FlowedPages {
+    std::vector<PlacedItem> items;  ///< in order of pages
+    int pages = 1;
+};
+
+/// Breaks the items into pages of the given height. A run of items that keep together moves to the next page
+/// as a whole if it fits there; an item taller than a page is placed at its top.
+FlowedPages flow(const std::vector<FlowItem>& items, double page_height);
+
+}  // namespace covaria::ui

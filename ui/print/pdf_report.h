@@ -1,0 +1,27 @@
+// The report as PDF: real text and tables, vector charts, pictures of scenes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/report/report_document.h"
+#include "ui/print/figure_layout.h"
+#include "ui/print/page_style.h"
+
+namespace covaria::ui {
+
+struct PdfOptions {
+    PaperSize paper = PaperSize::a4;
+    PaintPlot paint_plot = {};      ///< needed if the document has charts
+    RenderScene render_scene = {};  ///< needed if the document has pictures
+    std::string foot = {};          ///< at the foot of every page, such as the date of issue
+};
+
+/// The bytes of the PDF. Needs a QGuiApplication. Error{usage}: charts or pictures without their painter.
+Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& options);
+/// Atomically: the whole file or none.
+Result<void> write_pdf(const ReportDocument& document, const PdfOptions& options,
+                       const std::filesystem::path& file);
+
+}  // namespace covaria::ui

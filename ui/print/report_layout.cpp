@@ -1,0 +1,172 @@
+// A report document as a flow of printed items.
+#include "ui/print/report_layout.h"
+
+#include <algorithm>
+
+#include "core/report/table_text.h"
+#include "ui/print/rich_text.h"
+#include "ui/print/table_layout.h"
+
+namespace covaria::ui {
+namespace {
+
+QString escaped(const std::string& text) {
+    return QString::fromStdString(escape_html(text));
+}
+
+class ReportLayout {
+public:
+    ReportLayout(const PageStyle& style, const FigurePainters& figures)
+        : style_(style), figures_(figures), width_(style.text_area().width()) {}
+
+    void title(const std::string& text) {
+        RichText over(style_, TextRole::body, "Report of an uncertainty evaluation");
+        over.set_width(width_);
+        items.push_back({over.height() + style_.mm(1.0),
+                         0.0,
+                         true,
+                         [over](QPainter& p, QPointF at) { over.paint(p, at, PageStyle::quiet()); },
+                         {}});
+        RichText title(style_, TextRole::title, escaped(text));
+        title.set_width(width_);
+        const double rule = title.height() + style_.mm(2.5), line = style_.points(0.8);
+        items.push_back({rule + style_.mm(3.0),
+                         0.0,
+                         true,
+                         [title, rule, line, width = width_](QPainter& p, QPointF at) {
+                             title.paint(p, at);
+                             p.fillRect(QRectF(at.x(), at.y() + rule, width, line), PageStyle::ink());
+                         },
+                         {}});
+    }
+
+    void operator()(const HeadingBlock& heading) {
+        const bool first = heading.level == 1;
+        const TextRole role = first                ? TextRole::heading_1
+                              : heading.level == 2 ? TextRole::heading_2
+                                                   : TextRole::heading_3;
+        RichText text(style_, role, escaped(heading.text));
+        text.set_width(width_);
+        const double rule = text.height() + style_.mm(0.8), line = style_.points(0.5);
+        const double before = first ? 9.0 : heading.level == 2 ? 6.0 : 4.0;
+        items.push_back({first ? rule + style_.mm(1.5) : text.height() + style_.mm(0.8),
+                         style_.mm(before),
+                         true,
+                         [text, first, rule, line, width = width_](QPainter& p, QPointF at) {
+                             text.paint(p, at);
+                             if (first)
+                                 p.fillRect(QRectF(at.x(), at.y() + rule, width, line), PageStyle::rule());
+                         },
+                         {}});
+    }
+
+    void operator()(const ParagraphBlock& paragraph) {
+        const TextRole role = paragraph.note ? TextRole::note : TextRole::body;
+        add_text(role, escaped(paragraph.text), 0.0, paragraph.note ? PageStyle::quiet() : PageStyle::ink());
+    }
+
+    void operator()(const ListBlock& list) {
+        const double indent = style_.mm(4.0);
+        for (const std::string& item : list.items) {
+            RichText mark(style_, TextRole::body, "–");
+            RichText text(style_, TextRole::body, escaped(item));
+            text.set_width(width_ - indent);
+            items.push_back({text.height(),
+                             style_.mm(1.0),
+                             false,
+                             [mark, text, indent](QPainter& p, QPointF at) {
+                                 mark.paint(p, at, PageStyle::quiet());
+                                 text.paint(p, at + QPointF(indent, 0.0));
+                             },
+                             {}});
+        }
+    }
+
+    void operator()(const FactsBlock& facts) {
+        double key_width = 0.0;
+        for (const auto& fact : facts.facts)
+            key_width =
+                std::max(key_width, RichText(style_, TextRole::body, escaped(fact.first)).natural_width());
+        key_width = std::min(key_width, style_.mm(62.0));
+        for (const auto& fact : facts.facts) add_fact(fact.first, fact.second, key_width);
+    }
+
+    void operator()(const EquationBlock& equation) {
+        const double indent = style_.mm(6.0), gap = style_.mm(5.0);
+        RichText source(style_, TextRole::note, escaped(equation.source), Qt::AlignRight);
+        const double source_width = std::min(source.natural_width(), 0.34 * width_);
+        source.set_width(source_width);
+        RichText text(style_, TextRole::body, escaped(equation.text));
+        text.set_width(width_ - indent - gap - source_width);
+        const double drop = text.first_baseline() - source.first_baseline();
+        items.push_back({std::max(text.height(), source.height() + drop),
+                         style_.mm(1.3),
+                         false,
+                         [text, source, indent, drop, x = width_ - source_width](QPainter& p, QPointF at) {
+                             text.paint(p, at + QPointF(indent, 0.0));
+                             source.paint(p, at + QPointF(x, drop), PageStyle::quiet());
+                         },
+                         {}});
+    }
+
+    void operator()(const TableBlock& block) { append_table(items, block, style_, width_); }
+    void operator()(const SceneBlock& scene) { append_scene(items, scene, style_, figures_.render_scene); }
+    void operator()(const PlotBlock&) {}  // laid out in runs by lay_out
+
+    void plots(const std::vector<const PlotBlock*>& run) {
+        append_plots(items, run, style_, figures_.paint_plot);
+    }
+
+    std::vector<FlowItem> items;
+
+private:
+    void add_text(TextRole role, const QString& html, double indent, const QColor& color) {
+        RichText text(style_, role, html);
+        text.set_width(width_ - indent);
+        items.push_back({text.height(),
+                         style_.mm(1.8),
+                         false,
+                         [text, indent, color](QPainter& p, QPointF at) {
+                             text.paint(p, at + QPointF(indent, 0.0), color);
+                         },
+                         {}});
+    }
+
+    void add_fact(const std::string& name, const std::string& value, double key_width) {
+        RichText key(style_, TextRole::body, escaped(name));
+        key.set_width(key_width);
+        const double x = key_width + style_.mm(5.0);
+        RichText text(style_, TextRole::body, escaped(value));
+        text.set_width(width_ - x);
+        items.push_back({std::max(key.height(), text.height()),
+                         style_.mm(0.9),
+                         false,
+                         [key, text, x](QPainter& p, QPointF at) {
+                             key.paint(p, at, PageStyle::quiet());
+                             text.paint(p, at + QPointF(x, 0.0));
+                         },
+                         {}});
+    }
+
+    const PageStyle& style_;
+    const FigurePainters& figures_;
+    double width_;
+};
+
+}  // namespace
+
+std::vector<FlowItem> lay_out(const ReportDocument& document, const PageStyle& style,
+                              const FigurePainters& figures) {
+    ReportLayout layout(style, figures);
+    layout.title(document.title);
+    for (std::size_t i = 0; i < document.blocks.size();) {
+        std::vector<const PlotBlock*> run;
+        while (i < document.blocks.size() && std::holds_alternative<PlotBlock>(document.blocks[i]))
+            run.push_back(&std::get<PlotBlock>(document.blocks[i++]));
+        layout.plots(run);
+        if (i < document.blocks.size()) std::visit(layout, document.blocks[i++]);
+    }
+    return std::move(layout.items);
+}
+
+}  // namespace covaria::ui
