@@ -1,0 +1,30 @@
+// Edits to a model's input quantities, components and correlations.
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <string>
+
+#include "core/quantity/input_quantity.h"
+#include "ui/document/document.h"
+
+namespace covaria::ui {
+
+/// The edit of a quantity, or one that changes nothing.
+InputEdit find_input_edit(const Project& project, const std::string& analysis, const std::string& symbol);
+
+/// Changes the edit of a quantity; an edit that says nothing any more is removed.
+void change_input(Document& document, const std::string& analysis, const std::string& symbol,
+                  const QString& text, const std::function<void(InputEdit&)>& change,
+                  const QString& merge_key = {});
+
+/// The component as a user would have typed it, in its own unit.
+ComponentEdit to_edit(const UncertaintyComponent& component);
+/// The distribution described, in SI. Error: unknown kind, wrong number of parameters, values out of range.
+Result<Distribution> distribution_of(const ComponentEdit& edit);
+/// The same parameters in another unit.
+ComponentEdit in_unit(ComponentEdit edit, const Unit& unit);
+/// Parameters (in `edit.unit`) of a distribution given in SI.
+void set_distribution(ComponentEdit& edit, const Distribution& distribution);
+
+}  // namespace covaria::ui

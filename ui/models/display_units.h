@@ -1,0 +1,25 @@
+// Units in which results are shown, chosen per dimension.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/base/unit.h"
+
+namespace covaria::ui {
+
+class DisplayUnits {
+public:
+    void choose(const Unit& unit);
+    void clear() { chosen_.clear(); }
+    /// The chosen unit of the dimension of `unit`, or `unit` itself.
+    const Unit& of(const Unit& unit) const;
+
+    /// Usual units of the same dimension, `unit` first.
+    static std::vector<Unit> choices(const Unit& unit);
+
+private:
+    std::vector<Unit> chosen_;
+};
+
+}  // namespace covaria::ui

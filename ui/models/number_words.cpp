@@ -1,0 +1,21 @@
+// Numbers for tables.
+#include "ui/models/number_words.h"
+
+#include <QLocale>
+#include <cmath>
+
+#include "core/report/number_format.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+QString localized(const std::string& number) {
+    return to_qt(number).replace('.', QLocale().decimalPoint()).replace('-', QChar(0x2212));
+}
+
+QString degrees_of_freedom_text(double value) {
+    if (!std::isfinite(value) || value >= 1e6) return QStringLiteral("∞");
+    return localized(value < 10.0 ? format_significant(value, 2) : format_decimals(std::floor(value), 0));
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,102 @@
+// Problems in words, with the place as people name it.
+#include "ui/models/problems_model.h"
+
+#include <algorithm>
+
+#include "ui/document/setup_address.h"
+#include "ui/document/strings.h"
+#include "ui/models/roles.h"
+
+namespace covaria::ui {
+
+namespace {
+
+QString field_words(const SetupSchema* schema, const QStringList& parts) {
+    const FieldSpec* field = schema && !parts.isEmpty() ? schema->find(to_std(parts[0])) : nullptr;
+    if (!field) return parts.join(QStringLiteral(" › "));
+    QString words = to_qt(field->title);
+    if (parts.size() > 2 && parts[1] == QStringLiteral("rows"))
+        words += ProblemsModel::tr(", row %1").arg(parts[2].toInt() + 1);
+    if (parts.size() > 3) {
+        const std::size_t by_key = SetupSchema::column(*field, to_std(parts[3]));
+        const std::size_t column = by_key < field->columns.size() ? by_key : parts[3].toUInt();
+        if (column < field->columns.size()) words += ", " + to_qt(field->columns[column].title);
+    }
+    return words;
+}
+
+}  // namespace
+
+ProblemsModel::ProblemsModel(Document& document, QObject* parent)
+    : QAbstractTableModel(parent), document_(document), problems_(document.problems().items()) {
+    connect(&document_, &Document::problems_changed, this, [this] { show(document_.problems()); });
+}
+
+void ProblemsModel::show(const Problems& problems) {
+    beginResetModel();
+    problems_ = problems.items();
+    std::stable_sort(problems_.begin(), problems_.end(),
+                     [](const Problem& a, const Problem& b) { return a.severity > b.severity; });
+    endResetModel();
+}
+
+int ProblemsModel::errors() const {
+    return static_cast<int>(std::count_if(problems_.begin(), problems_.end(),
+                                          [](const Problem& p) { return p.severity == Severity::error; }));
+}
+
+int ProblemsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(problems_.size());
+}
+
+int ProblemsModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : column_count;
+}
+
+QString ProblemsModel::place_words(const Project& project, const std::string& path) {
+    const SetupAddress address = address_of_path(project, path);
+    if (address.id.empty()) return to_qt(path);
+    const std::string entry = entry_path(project, address);
+    QString name = to_qt(address.id);
+    if (const AssetEntry* asset = project.find_asset(address.id); asset && address.owner == SetupOwner::asset)
+        name = to_qt(asset->name);
+    if (const AnalysisEntry* analysis = project.find_analysis(address.id);
+        analysis && address.owner == SetupOwner::analysis)
+        name = to_qt(analysis->name);
+    QStringList parts = to_qt(path.substr(entry.size())).split('/', Qt::SkipEmptyParts);
+    if (parts.isEmpty()) return name;
+    if (parts.first() != QStringLiteral("setup")) return name + ": " + parts.join(QStringLiteral(" › "));
+    parts.removeFirst();
+    return name + ": " + field_words(find_schema(project, address), parts);
+}
+
+QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+    const Problem& problem = problems_[static_cast<std::size_t>(index.row())];
+    switch (role) {
+        case path_role:
+            return to_qt(problem.path);
+        case severity_role:
+            return static_cast<int>(problem.severity);
+        case Qt::ToolTipRole:
+            return to_qt(problem.message);
+        case Qt::DisplayRole:
+            break;
+        default:
+            return {};
+    }
+    if (index.column() == severity_column)
+        return problem.severity == Severity::error ? tr("Error") : tr("Warning");
+    if (index.column() == message_column) return to_qt(problem.message);
+    if (problem.file.empty()) return place_words(document_.project(), problem.path);
+    const QString line = problem.line > 0 ? tr(", line %1").arg(problem.line) : QString();
+    return to_qt(problem.file) + line + (problem.path.empty() ? QString() : ": " + to_qt(problem.path));
+}
+
+QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (role != Qt::DisplayRole) return {};
+    if (orientation == Qt::Vertical) return section + 1;
+    return section == severity_column ? tr("Kind") : section == place_column ? tr("Place") : tr("Problem");
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,204 @@
+// The tree keeps ids only and follows the document with the smallest changes, so that views keep their
+// selection.
+#include "ui/models/project_tree_model.h"
+
+#include <algorithm>
+
+#include "core/assets/registry.h"
+#include "core/models/registry.h"
+#include "ui/document/project_edits.h"
+#include "ui/document/strings.h"
+#include "ui/models/roles.h"
+
+namespace covaria::ui {
+
+ProjectTreeModel::ProjectTreeModel(Document& document, AnalysisRunner& runner, QObject* parent)
+    : QAbstractItemModel(parent), document_(document), runner_(runner), ids_(read()) {
+    connect(&document_, &Document::project_changed, this, &ProjectTreeModel::refresh);
+    connect(&document_, &Document::problems_changed, this, &ProjectTreeModel::refresh);
+    connect(&runner_, &AnalysisRunner::state_changed, this, &ProjectTreeModel::refresh_state);
+}
+
+std::array<ProjectTreeModel::Ids, ProjectTreeModel::category_count> ProjectTreeModel::read() const {
+    std::array<Ids, category_count> ids;
+    for (const AssetEntry& asset : document_.project().assets) {
+        const AssetDescriptor* kind = find_asset_kind(asset.kind);
+        ids[kind ? static_cast<std::size_t>(kind->category) : std::size_t{artefacts}].push_back(asset.id);
+    }
+    for (const AnalysisEntry& analysis : document_.project().analyses) ids[analyses].push_back(analysis.id);
+    return ids;
+}
+
+void ProjectTreeModel::refresh() {
+    const auto next = read();
+    for (int category = 0; category < category_count; ++category)
+        refresh_category(category, next[static_cast<std::size_t>(category)]);
+}
+
+void ProjectTreeModel::refresh_category(int category, const Ids& next) {
+    Ids& ids = ids_[static_cast<std::size_t>(category)];
+    const QModelIndex top = index(category, 0);
+    const auto keep = [&](const std::string& id) {
+        return std::find(next.begin(), next.end(), id) != next.end();
+    };
+    for (int row = static_cast<int>(ids.size()) - 1; row >= 0; --row) {
+        if (keep(ids[static_cast<std::size_t>(row)])) continue;
+        beginRemoveRows(top, row, row);
+        ids.erase(ids.begin() + row);
+        endRemoveRows();
+    }
+    for (std::size_t i = 0; i < next.size(); ++i) {
+        const int row = static_cast<int>(i);
+        const auto from = std::find(ids.begin() + row, ids.end(), next[i]);
+        if (from == ids.begin() + row && from != ids.end()) continue;
+        if (from != ids.end()) {
+            beginMoveRows(top, static_cast<int>(from - ids.begin()), static_cast<int>(from - ids.begin()),
+                          top, row);
+            std::rotate(ids.begin() + row, from, from + 1);
+            endMoveRows();
+        } else {
+            beginInsertRows(top, row, row);
+            ids.insert(ids.begin() + row, next[i]);
+            endInsertRows();
+        }
+    }
+    if (!ids.empty())
+        emit dataChanged(index(0, 0, top), index(static_cast<int>(ids.size()) - 1, column_count - 1, top));
+}
+
+void ProjectTreeModel::refresh_state(const QString& id) {
+    const QModelIndex changed = index_of({SetupOwner::analysis, to_std(id)});
+    if (changed.isValid()) emit dataChanged(changed, changed.siblingAtColumn(state_column));
+}
+
+QModelIndex ProjectTreeModel::index(int row, int column, const QModelIndex& parent) const {
+    if (!hasIndex(row, column, parent)) return {};
+    return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row() + 1) : quintptr{0});
+}
+
+QModelIndex ProjectTreeModel::parent(const QModelIndex& index) const {
+    if (!index.isValid() || is_category(index)) return {};
+    return createIndex(static_cast<int>(index.internalId()) - 1, 0, quintptr{0});
+}
+
+int ProjectTreeModel::rowCount(const QModelIndex& parent) const {
+    if (!parent.isValid()) return category_count;
+    if (!is_category(parent) || parent.column() != 0) return 0;
+    return static_cast<int>(ids_[static_cast<std::size_t>(parent.row())].size());
+}
+
+int ProjectTreeModel::columnCount(const QModelIndex&) const {
+    return column_count;
+}
+
+SetupAddress ProjectTreeModel::address(const QModelIndex& index) const {
+    if (!index.isValid() || is_category(index)) return {};
+    const std::size_t category = index.internalId() - 1;
+    return {category == analyses ? SetupOwner::analysis : SetupOwner::asset,
+            ids_[category][static_cast<std::size_t>(index.row())]};
+}
+
+QModelIndex ProjectTreeModel::index_of(const SetupAddress& address) const {
+    for (int category = 0; category < category_count; ++category) {
+        if ((category == analyses) != (address.owner == SetupOwner::analysis)) continue;
+        const Ids& ids = ids_[static_cast<std::size_t>(category)];
+        const auto found = std::find(ids.begin(), ids.end(), address.id);
+        if (found != ids.end()) return index(static_cast<int>(found - ids.begin()), 0, index(category, 0));
+    }
+    return {};
+}
+
+QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+    if (is_category(index)) return category_data(index.row(), index.column(), role);
+    const SetupAddress at = address(index);
+    switch (role) {
+        case id_role:
+            return to_qt(at.id);
+        case category_role:
+            return static_cast<int>(index.internalId()) - 1;
+        case path_role:
+            return to_qt(entry_path(document_.project(), at));
+        case problem_role:
+            return problems_of(at);
+        default:
+            break;
+    }
+    if (at.owner == SetupOwner::analysis) {
+        const AnalysisEntry* analysis = document_.project().find_analysis(at.id);
+        return analysis ? analysis_data(*analysis, index.column(), role) : QVariant();
+    }
+    const AssetEntry* asset = document_.project().find_asset(at.id);
+    return asset ? asset_data(*asset, index.column(), role) : QVariant();
+}
+
+QVariant ProjectTreeModel::category_data(int category, int column, int role) const {
+    if (role == category_role) return category;
+    if (role != Qt::DisplayRole || column != name_column) return {};
+    const std::array<QString, category_count> names{tr("Artefacts"), tr("Instruments"), tr("Robots"),
+                                                    tr("Points and frames"), tr("Analyses")};
+    return names[static_cast<std::size_t>(category)];
+}
+
+QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int role) const {
+    const QString problems = problems_of({SetupOwner::asset, asset.id});
+    const AssetDescriptor* kind = find_asset_kind(asset.kind);
+    if (role == Qt::DisplayRole || role == Qt::EditRole) {
+        if (column == name_column) return to_qt(asset.name);
+        return problems.isEmpty() ? QString() : tr("has problems");
+    }
+    if (role != Qt::ToolTipRole) return {};
+    return problems.isEmpty() ? to_qt(kind ? kind->title : asset.kind) : problems;
+}
+
+QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int column, int role) const {
+    const AnalysisStatus& status = runner_.status(to_qt(analysis.id));
+    if (role == state_role) return static_cast<int>(status.state);
+    if (role == Qt::DisplayRole || role == Qt::EditRole)
+        return column == name_column ? to_qt(analysis.name) : words(status.state);
+    if (role != Qt::ToolTipRole) return {};
+    if (status.state == RunState::failed) return status.message;
+    const ModelDescriptor* model = find_model(analysis.model);
+    return to_qt(model ? model->title : analysis.model) + QStringLiteral(": ") + words(status.state);
+}
+
+QString ProjectTreeModel::problems_of(const SetupAddress& address) const {
+    const std::string path = entry_path(document_.project(), address);
+    QStringList messages;
+    for (const Problem& problem : document_.problems().items())
+        if (problem.path == path || problem.path.starts_with(path + '/')) messages << to_qt(problem.message);
+    return messages.join('\n');
+}
+
+QVariant ProjectTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return section == name_column ? tr("Project") : tr("State");
+}
+
+Qt::ItemFlags ProjectTreeModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags flags = QAbstractItemModel::flags(index);
+    const bool renames = index.isValid() && !is_category(index) && index.column() == name_column;
+    return renames ? flags | Qt::ItemIsEditable : flags;
+}
+
+bool ProjectTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    const QString name = value.toString().trimmed();
+    if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable) || name.isEmpty()) return false;
+    rename(document_, address(index), name);
+    return true;
+}
+
+QString ProjectTreeModel::words(RunState state) {
+    switch (state) {
+        case RunState::running:
+            return tr("running");
+        case RunState::up_to_date:
+            return tr("up to date");
+        case RunState::failed:
+            return tr("failed");
+        default:
+            return tr("out of date");
+    }
+}
+
+}  // namespace covaria::ui

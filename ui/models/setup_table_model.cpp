@@ -1,0 +1,222 @@
+// Showing and editing of cells; how the model follows the document is in setup_table_sync.cpp.
+#include "ui/models/setup_table_model.h"
+
+#include <QColor>
+#include <algorithm>
+#include <set>
+
+#include "core/base/symbol.h"
+#include "ui/document/quantity_text.h"
+#include "ui/document/setup_cells.h"
+#include "ui/document/strings.h"
+#include "ui/models/roles.h"
+#include "ui/models/table_text.h"
+
+namespace covaria::ui {
+
+namespace {
+
+bool is_numeric(const ColumnSpec& column) {
+    return column.kind == FieldKind::number || column.kind == FieldKind::integer;
+}
+
+SetupCell& cell_at(SetupTable& table, int row, int column) {
+    return table.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+}
+
+std::vector<SetupCell> new_row(const FieldSpec& field) {
+    std::vector<SetupCell> row;
+    for (const ColumnSpec& column : field.columns) row.push_back(empty_cell(column));
+    return row;
+}
+
+}  // namespace
+
+SetupTableModel::SetupTableModel(Document& document, SetupAddress address, std::string field, QObject* parent)
+    : QAbstractTableModel(parent),
+      document_(document),
+      address_(std::move(address)),
+      field_(std::move(field)),
+      schema_(find_schema(document.project(), address_)),
+      table_(read()) {
+    refresh_problems();
+    connect(&document_, &Document::project_changed, this, &SetupTableModel::refresh);
+    connect(&document_, &Document::problems_changed, this, &SetupTableModel::refresh_problems);
+}
+
+const FieldSpec* SetupTableModel::field() const {
+    return schema_ ? schema_->find(field_) : nullptr;
+}
+
+const ColumnSpec& SetupTableModel::column(int index) const {
+    return field()->columns[static_cast<std::size_t>(index)];
+}
+
+int SetupTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(table_.rows.size());
+}
+
+int SetupTableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() || !field() ? 0 : static_cast<int>(field()->columns.size());
+}
+
+QString SetupTableModel::complaint(const CellPosition& at) const {
+    if (const auto found = rejected_.find(at); found != rejected_.end()) return found->second.reason;
+    if (const auto found = problems_.find(at); found != problems_.end()) return found->second;
+    return {};
+}
+
+QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+    const CellPosition at{index.row(), index.column()};
+    const ColumnSpec& spec = column(at.second);
+    const SetupCell& cell =
+        table_.rows[static_cast<std::size_t>(at.first)][static_cast<std::size_t>(at.second)];
+    const auto rejected = rejected_.find(at);
+    switch (role) {
+        case Qt::DisplayRole:
+        case Qt::EditRole:
+            return rejected != rejected_.end() ? rejected->second.text : cell_text(spec, cell, QLocale());
+        case Qt::TextAlignmentRole:
+            return QVariant(is_numeric(spec) ? Qt::AlignRight | Qt::AlignVCenter
+                                             : Qt::AlignLeft | Qt::AlignVCenter);
+        case Qt::ToolTipRole:
+            return complaint(at).isEmpty() ? to_qt(spec.help) : complaint(at);
+        case Qt::BackgroundRole:
+            return complaint(at).isEmpty() ? QVariant() : QVariant(QColor(213, 94, 0, 60));
+        case problem_role:
+            return complaint(at);
+        case path_role:
+            return to_qt(setup_path(document_.project(), address_) + '/' + field_ + "/rows/" +
+                         std::to_string(at.first) + '/' + std::to_string(at.second));
+        case choices_role: {
+            QStringList titles;
+            for (const Choice& choice : spec.choices) titles << to_qt(choice.title);
+            if (spec.kind == FieldKind::flag)
+                titles << cell_text(spec, true, {}) << cell_text(spec, false, {});
+            return titles;
+        }
+        default:
+            return {};
+    }
+}
+
+QVariant SetupTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) {
+        if (role == Qt::DisplayRole) return section + 1;
+        return role == Qt::ToolTipRole ? QVariant(complaint({section, -1})) : QVariant();
+    }
+    if (section < 0 || section >= columnCount()) return {};
+    if (role == Qt::DisplayRole)
+        return with_unit(to_qt(symbol_to_unicode(column(section).title)), unit(section));
+    if (role == Qt::ToolTipRole) return to_qt(column(section).help);
+    return {};
+}
+
+Qt::ItemFlags SetupTableModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    return index.isValid() && !is_linked() ? flags | Qt::ItemIsEditable : flags;
+}
+
+bool SetupTableModel::write(const QString& text, const std::function<void(SetupTable&)>& change) {
+    if (!field() || is_linked()) return false;
+    return document_.apply(text, [&](Project& project) {
+        Setup* setup = find_setup(project, address_);
+        if (!setup) return;
+        SetupTable table = table_of(*field(), *setup);
+        const SetupTable before = table;
+        change(table);
+        if (!(table == before)) setup->values[field_] = std::move(table);
+    });
+}
+
+void SetupTableModel::set_cell(SetupTable& table, const CellPosition& at, const QString& text,
+                               Marks& marks) const {
+    Result<SetupCell> cell = parse_cell(column(at.second), unit(at.second), text, QLocale());
+    marks[at] = cell ? Rejected{} : Rejected{text, to_qt(cell.error().message)};
+    if (cell) cell_at(table, at.first, at.second) = std::move(*cell);
+}
+
+int SetupTableModel::take(const Marks& marks) {
+    int refused = 0;
+    for (const auto& [at, mark] : marks) {
+        rejected_.erase(at);
+        if (!mark.reason.isEmpty()) {
+            rejected_[at] = mark;
+            ++refused;
+        }
+        const QModelIndex cell = index(at.first, at.second);
+        emit dataChanged(cell, cell);
+    }
+    return refused;
+}
+
+bool SetupTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !checkIndex(index, CheckIndexOption::IndexIsValid) || is_linked())
+        return false;
+    Marks marks;
+    write(tr("Change %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+        set_cell(table, {index.row(), index.column()}, value.toString(), marks);
+    });
+    take(marks);
+    return true;
+}
+
+bool SetupTableModel::insertRows(int row, int count, const QModelIndex& parent) {
+    if (parent.isValid() || row < 0 || row > rowCount() || count < 1) return false;
+    return write(tr("Insert rows in %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+        table.rows.insert(table.rows.begin() + row, static_cast<std::size_t>(count), new_row(*field()));
+    });
+}
+
+bool SetupTableModel::removeRows(int row, int count, const QModelIndex& parent) {
+    if (parent.isValid() || row < 0 || count < 1 || row + count > rowCount()) return false;
+    return write(tr("Delete rows of %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+        table.rows.erase(table.rows.begin() + row, table.rows.begin() + row + count);
+    });
+}
+
+int SetupTableModel::paste(const QModelIndex& at, const QString& text) {
+    const std::vector<QStringList> block = parse_block(text, QLocale());
+    if (block.empty() || is_linked()) return 0;
+    const int top = at.isValid() ? at.row() : rowCount();
+    const int left = at.isValid() ? at.column() : 0;
+    Marks marks;
+    write(tr("Paste into %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+        const std::size_t rows = std::max(table.rows.size(), static_cast<std::size_t>(top) + block.size());
+        table.rows.resize(rows, new_row(*field()));
+        for (std::size_t r = 0; r < block.size(); ++r) {
+            const int columns = std::min(columnCount() - left, static_cast<int>(block[r].size()));
+            for (int c = 0; c < columns; ++c)
+                set_cell(table, {top + static_cast<int>(r), left + c}, block[r][c], marks);
+        }
+    });
+    return take(marks);
+}
+
+void SetupTableModel::fill_down(const QModelIndexList& cells) {
+    std::map<int, std::set<int>> rows_of_column;
+    for (const QModelIndex& cell : cells) rows_of_column[cell.column()].insert(cell.row());
+    Marks marks;
+    write(tr("Fill down in %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+        for (const auto& [column_index, rows] : rows_of_column)
+            for (const int row : rows) {
+                if (row != *rows.begin()) marks[{row, column_index}] = {};
+                cell_at(table, row, column_index) = cell_at(table, *rows.begin(), column_index);
+            }
+    });
+    take(marks);
+}
+
+void SetupTableModel::clear(const QModelIndexList& cells) {
+    Marks marks;
+    write(tr("Clear cells of %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+        for (const QModelIndex& cell : cells) {
+            marks[{cell.row(), cell.column()}] = {};
+            cell_at(table, cell.row(), cell.column()) = empty_cell(column(cell.column()));
+        }
+    });
+    take(marks);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,146 @@
+// How a SetupTableModel follows the document: the smallest change of rows, and problems at their cells.
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "ui/document/quantity_text.h"
+#include "ui/document/setup_cells.h"
+#include "ui/document/strings.h"
+#include "ui/models/setup_table_model.h"
+
+namespace covaria::ui {
+
+namespace {
+
+int to_int(std::string_view text) {
+    int value = -1;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() ? value : -1;
+}
+
+}  // namespace
+
+SetupTable SetupTableModel::read() const {
+    const Setup* setup = find_setup(document_.project(), address_);
+    return setup && field() ? table_of(*field(), *setup) : SetupTable{};
+}
+
+void SetupTableModel::refresh() {
+    const SetupTable next = read();
+    if (next == table_) return;
+    const bool heads = next.units != table_.units;
+    const bool everything = heads || next.csv_file != table_.csv_file;
+    if (next.units.size() != table_.units.size()) {  // the entry is gone
+        beginResetModel();
+        table_ = {std::vector<Unit>(static_cast<std::size_t>(columnCount())), {}, {}};
+        rejected_.clear();
+        endResetModel();
+        return;
+    }
+    change_rows(next);
+    table_ = next;
+    if (heads) emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    if (everything && rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+}
+
+void SetupTableModel::change_rows(const SetupTable& next) {
+    auto& rows = table_.rows;
+    const auto [old_first, new_first] =
+        std::mismatch(rows.begin(), rows.end(), next.rows.begin(), next.rows.end());
+    const auto first = old_first - rows.begin();
+    auto old_last = static_cast<std::ptrdiff_t>(rows.size());
+    auto new_last = static_cast<std::ptrdiff_t>(next.rows.size());
+    while (old_last > first && new_last > first &&
+           rows[static_cast<std::size_t>(old_last - 1)] ==
+               next.rows[static_cast<std::size_t>(new_last - 1)]) {
+        --old_last;
+        --new_last;
+    }
+    const auto in_place = std::min(old_last, new_last) - first;
+    std::copy_n(new_first, in_place, rows.begin() + first);
+    if (in_place > 0)
+        emit dataChanged(index(static_cast<int>(first), 0),
+                         index(static_cast<int>(first + in_place) - 1, columnCount() - 1));
+    const auto at = first + in_place;
+    const int position = static_cast<int>(at);
+    if (old_last > at) {
+        beginRemoveRows({}, position, static_cast<int>(old_last) - 1);
+        rows.erase(rows.begin() + at, rows.begin() + old_last);
+        shift_rejected(position, -static_cast<int>(old_last - at));
+        endRemoveRows();
+    } else if (new_last > at) {
+        beginInsertRows({}, position, static_cast<int>(new_last) - 1);
+        rows.insert(rows.begin() + at, next.rows.begin() + at, next.rows.begin() + new_last);
+        shift_rejected(position, static_cast<int>(new_last - at));
+        endInsertRows();
+    }
+}
+
+void SetupTableModel::shift_rejected(int row, int count) {
+    Marks shifted;
+    for (auto& [at, mark] : rejected_) {
+        if (at.first < row)
+            shifted[at] = mark;
+        else if (at.first + count >= row)
+            shifted[{at.first + count, at.second}] = mark;
+    }
+    rejected_ = std::move(shifted);
+}
+
+void SetupTableModel::refresh_problems() {
+    problems_.clear();
+    const std::string prefix = setup_path(document_.project(), address_) + '/' + field_;
+    for (const Problem& problem : document_.problems().items()) {
+        if (!problem.path.starts_with(prefix + "/rows/")) continue;
+        QString& text = problems_[position_of_path(problem.path.substr(prefix.size()))];
+        text += (text.isEmpty() ? QString() : QString('\n')) + to_qt(problem.message);
+    }
+    if (rowCount() > 0 && columnCount() > 0) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1),
+                         {Qt::ToolTipRole, Qt::BackgroundRole});
+        emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1);
+    }
+}
+
+SetupTableModel::CellPosition SetupTableModel::position_of_path(const std::string& path) const {
+    constexpr std::string_view prefix = "/rows/";
+    if (!path.starts_with(prefix) || !field()) return {-1, -1};
+    const std::string rest = path.substr(prefix.size());
+    const std::size_t slash = rest.find('/');
+    const int row = to_int(std::string_view(rest).substr(0, slash));
+    if (slash == std::string::npos) return {row, -1};
+    const std::string name = rest.substr(slash + 1);
+    const std::size_t by_key = SetupSchema::column(*field(), name);
+    return {row, by_key < field()->columns.size() ? static_cast<int>(by_key) : to_int(name)};
+}
+
+QModelIndex SetupTableModel::index_of_path(const std::string& path) const {
+    const CellPosition at = position_of_path(path);
+    return index(at.first, std::max(0, at.second));
+}
+
+void SetupTableModel::set_unit(int column_index, const Unit& next) {
+    const Unit before = unit(column_index);
+    if (!(before.dimension() == next.dimension())) return;
+    const auto at = static_cast<std::size_t>(column_index);
+    write(tr("Change unit in %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+        table.units[at] = next;
+        for (auto& row : table.rows)
+            if (double* number = std::get_if<double>(&row[at])) *number = converted(*number, before, next);
+    });
+}
+
+void SetupTableModel::replace_table(const SetupTable& table, const QString& text) {
+    rejected_.clear();
+    document_.apply(text, [&](Project& project) {
+        if (Setup* setup = find_setup(project, address_)) setup->values[field_] = table;
+    });
+}
+
+void SetupTableModel::embed() {
+    SetupTable embedded = table_;
+    embedded.csv_file.clear();
+    replace_table(embedded, tr("Take %1 into the project").arg(to_qt(field()->title)));
+}
+
+}  // namespace covaria::ui

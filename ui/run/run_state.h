@@ -1,0 +1,45 @@
+// What is known about the results of one analysis.
+#pragma once
+
+#include <QMetaType>
+#include <QString>
+#include <cstdint>
+
+#include "ui/run/run_backend.h"
+
+namespace covaria::ui {
+
+enum class RunState { out_of_date, running, up_to_date, failed };
+
+/// How far the shown result has come.
+enum class ResultStage {
+    none,
+    first_order,  ///< law of propagation only; Monte Carlo is to follow
+    preview,      ///< a few trials
+    complete,     ///< what the analysis' options ask for
+};
+
+struct RunProgress {
+    std::uint64_t trials_done = 0;
+    std::uint64_t trials_planned = 0;  ///< 0 = not known
+    double trials_per_second = 0.0;
+    double seconds_left = -1.0;  ///< negative: not known
+};
+
+struct AnalysisStatus {
+    RunState state = RunState::out_of_date;
+    QString message = {};  ///< of a failure
+    ResultStage stage = ResultStage::none;
+    ResultPointer result = {};       ///< the newest there is; may be out of date
+    PreparedPointer result_of = {};  ///< the analysis it was computed from
+    PreparedPointer prepared = {};   ///< the analysis as it is now; null if it has problems
+    std::vector<std::string> warnings = {};
+    /// The result belongs to the analysis as it is now.
+    bool is_current() const {
+        return result && prepared && result_of && prepared->fingerprint == result_of->fingerprint;
+    }
+};
+
+}  // namespace covaria::ui
+
+Q_DECLARE_METATYPE(covaria::ui::RunProgress)
