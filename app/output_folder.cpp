@@ -16,18 +16,30 @@ Result<void> make_output_folder(const std::filesystem::path& folder) {
     return {};
 }
 
+namespace {
+
+Result<void> write_tables(const std::filesystem::path& folder, const std::string& prefix,
+                          const std::vector<DataTable>& tables) {
+    for (const DataTable& table : tables)
+        if (auto written = write_file_atomically(folder / (prefix + table.id + ".csv"), to_csv(table));
+            !written)
+            return written;
+    return {};
+}
+
+}  // namespace
+
 Result<void> write_results(const std::filesystem::path& folder, const Project& project,
-                           const std::vector<EvaluatedAnalysis>& analyses) {
+                           const AssetLibrary& assets, const std::vector<EvaluatedAnalysis>& analyses) {
     if (auto made = make_output_folder(folder); !made) return made;
     if (auto written = write_file_atomically(folder / "results.json", results_json(project, analyses));
         !written)
         return written;
     for (const EvaluatedAnalysis& evaluated : analyses)
-        for (const DataTable& table : result_tables(evaluated)) {
-            const auto file = folder / (evaluated.analysis->id + "-" + table.id + ".csv");
-            if (auto written = write_file_atomically(file, to_csv(table)); !written) return written;
-        }
-    return {};
+        if (auto written = write_tables(folder, evaluated.analysis->id + "-", result_tables(evaluated));
+            !written)
+            return written;
+    return write_tables(folder, "", asset_tables(assets));
 }
 
 }  // namespace covaria

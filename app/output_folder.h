@@ -12,6 +12,6 @@ namespace covaria {
 Result<void> make_output_folder(const std::filesystem::path& folder);
 /// results.json and the CSV tables of every analysis and asset.
 Result<void> write_results(const std::filesystem::path& folder, const Project& project,
-                           const std::vector<EvaluatedAnalysis>& analyses);
+                           const AssetLibrary& assets, const std::vector<EvaluatedAnalysis>& analyses);
 
 }  // namespace covaria

@@ -28,7 +28,8 @@ Result<void> run(const RunArguments& arguments, const std::stop_token& stop) {
     if (!opened) return fail(opened.error());
     auto evaluated = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluated) return fail(evaluated.error());
-    if (auto written = write_results(arguments.out, opened->project, *evaluated); !written) return written;
+    if (auto written = write_results(arguments.out, opened->project, opened->assets, *evaluated); !written)
+        return written;
     if (arguments.pictures)
         if (auto written = write_pictures(arguments.out, *evaluated, stop); !written) return written;
     if (arguments.report)

@@ -1,0 +1,41 @@
+// A report as files: PDF, HTML and Markdown with their figures beside them. Used by the command line and the
+// window.
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/report/report_document.h"
+#include "ui/print/figure_layout.h"
+#include "ui/print/page_style.h"
+
+namespace covaria::ui {
+
+enum class ReportFormat { pdf, html, markdown };
+
+struct ReportTarget {
+    std::filesystem::path folder;
+    std::string name = "report";  ///< of the files, without ending
+    std::vector<ReportFormat> formats = {ReportFormat::pdf, ReportFormat::html, ReportFormat::markdown};
+    PaperSize paper = PaperSize::a4;
+    std::string foot = {};  ///< at the foot of every PDF page
+};
+
+struct FigurePainters {
+    PaintPlot paint_plot;
+    RenderScene render_scene;
+};
+
+/// Every file is written whole or not at all. HTML and Markdown bring their figures: charts as SVG, scenes as
+/// PNG. Errors: io, cancelled (between figures), numeric (a scene cannot be drawn: `render_scene` gave a null
+/// image).
+Result<void> export_report(const ReportDocument& document, const ReportTarget& target,
+                           const FigurePainters& painters, const std::stop_token& stop = {});
+
+/// A chart as SVG text of about 160 x 100 mm.
+std::string plot_svg(const PlotSpecification& plot, const PaintPlot& paint_plot);
+
+}  // namespace covaria::ui

@@ -1,0 +1,45 @@
+#include "ui/export/scene_pictures.h"
+
+#include "viz/scene/analysis_scene.h"
+#include "viz/vtk/scene_renderer.h"
+
+namespace covaria::ui {
+
+struct ScenePictures::Renderer {
+    SceneRenderer renderer;
+};
+
+ScenePictures::ScenePictures(const std::vector<EvaluatedAnalysis>& analyses)
+    : analyses_(analyses), renderer_(std::make_unique<Renderer>()) {}
+
+ScenePictures::~ScenePictures() = default;
+
+QImage ScenePictures::render(const SceneBlock& block, QSize size) {
+    for (const EvaluatedAnalysis& evaluated : analyses_) {
+        if (evaluated.analysis->id != block.analysis) continue;
+        SceneOptions options;
+        options.group = block.group;
+        options.probability = evaluated.result->coverage_probability;
+        auto scene = analysis_scene(*evaluated.analysis, evaluated.result.get(), options);
+        if (!scene) {
+            problem_ = scene.error().message;
+            return {};
+        }
+        SceneRenderer& renderer = renderer_->renderer;
+        renderer.set_size(size.width(), size.height());
+        renderer.set_scene(std::move(*scene));
+        renderer.set_view(standard_view_from(block.view).value_or(StandardView::iso));
+        const auto image = renderer.render(RenderQuality::fine);
+        if (!image) {
+            problem_ = image.error().message;
+            return {};
+        }
+        return QImage(image->rgba.data(), image->width, image->height, image->width * 4,
+                      QImage::Format_RGBA8888)
+            .copy();
+    }
+    problem_ = "the report has no analysis \"" + block.analysis + "\"";
+    return {};
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,30 @@
+// Pictures of the scenes that a report asks for.
+#pragma once
+
+#include <QImage>
+#include <QSize>
+#include <vector>
+
+#include "core/report/report.h"
+
+namespace covaria::ui {
+
+/// Draws scenes of evaluated analyses off screen, with one renderer for all of them. Usable on any thread.
+class ScenePictures {
+public:
+    explicit ScenePictures(const std::vector<EvaluatedAnalysis>& analyses);
+    ~ScenePictures();
+
+    /// A null image if the block names an unknown analysis or the machine cannot render; `problem` then says
+    /// why.
+    QImage render(const SceneBlock& block, QSize size);
+    const std::string& problem() const { return problem_; }
+
+private:
+    struct Renderer;
+    const std::vector<EvaluatedAnalysis>& analyses_;
+    std::unique_ptr<Renderer> renderer_;
+    std::string problem_;
+};
+
+}  // namespace covaria::ui

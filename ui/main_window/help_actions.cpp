@@ -1,0 +1,113 @@
+#include "ui/main_window/help_actions.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QFile>
+#include <QMenu>
+#include <QMessageBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "core/base/resource_path.h"
+#include "core/models/registry.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("covaria::ui::Help", text);
+}
+
+QString list(const QStringList& items) {
+    QString text;
+    for (const QString& item : items) text += QStringLiteral("- ") + item + QLatin1Char('\n');
+    return text;
+}
+
+QString shipped_page(const std::string& page) {
+    QFile file(from_path(data_directory() / "resources" / "help" / page));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+void show_text(QWidget& window, const QString& title, const QString& markdown) {
+    auto* dialog = new QDialog(&window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->resize(760, 640);
+    auto* browser = new QTextBrowser(dialog);
+    browser->setMarkdown(markdown);
+    browser->setOpenExternalLinks(true);
+    browser->setFrameShape(QFrame::NoFrame);
+    browser->document()->setDocumentMargin(24);
+    auto* column = new QVBoxLayout(dialog);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(browser);
+    dialog->show();
+}
+
+void show_model(QWidget& window, const std::string& model) {
+    if (const ModelDescriptor* descriptor = find_model(model))
+        show_text(window, to_qt(descriptor->title), help_text(model));
+}
+
+QString keys_text() {
+    return tr(
+        "# Keys\n\n"
+        "| Key | Does |\n|---|---|\n"
+        "| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |\n"
+        "| Ctrl+Z, Ctrl+Y | undo, redo |\n"
+        "| F5, Ctrl+F5, Esc | run this analysis, run all, stop |\n"
+        "| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |\n"
+        "| Arrow keys, + and − | turn and zoom the scene |\n"
+        "| 1, 2, 3, 4, F | iso, top, front, right view, fit |\n"
+        "| Ctrl+C, Ctrl+V | copy and paste blocks of cells |\n"
+        "| F1 | help on the model of the selected analysis |\n");
+}
+
+void show_about(QWidget& window) {
+    const QString text =
+        tr("<h3>Covaria %1</h3><p>Measurement uncertainty of robots and large-scale metrology.</p>"
+           "<p>Qt %2. Evaluates by JCGM 100, 101 and 102.</p>");
+    QMessageBox::about(&window, tr("About Covaria"),
+                       text.arg(QStringLiteral(COVARIA_VERSION), QString::fromLatin1(qVersion())));
+}
+
+}  // namespace
+
+QString help_text(const std::string& model) {
+    const ModelDescriptor* descriptor = find_model(model);
+    if (!descriptor) return {};
+    QStringList equations, references;
+    for (const ModelEquation& equation : descriptor->equations)
+        equations << QStringLiteral("`%1` (%2)").arg(to_qt(equation.text), to_qt(equation.source));
+    for (const Reference& reference : descriptor->references) references << to_qt(reference.text);
+    QStringList notes;
+    for (const std::string& note : descriptor->notes) notes << to_qt(note);
+    QString text = shipped_page(descriptor->help_page);
+    if (text.isEmpty())
+        text = QStringLiteral("# ") + to_qt(descriptor->title) + QStringLiteral("\n\n") +
+               to_qt(descriptor->summary);
+    text += tr("\n\n## Equations as evaluated\n\n") + list(equations);
+    text += tr("\n## Notes\n\n") + list(notes);
+    return text + tr("\n## References\n\n") + list(references);
+}
+
+void add_help_actions(QMenu& menu, QWidget& window, Selection& selection, Document& document) {
+    menu.addAction(
+        tr("Help on This &Model"), QKeySequence(Qt::Key_F1), &window, [&window, &selection, &document] {
+            const AnalysisEntry* analysis = document.project().find_analysis(to_std(selection.analysis()));
+            if (analysis)
+                show_model(window, analysis->model);
+            else
+                show_text(window, tr("Keys"), keys_text());
+        });
+    QMenu* models = menu.addMenu(tr("M&odels"));
+    for (const ModelDescriptor& model : model_registry())
+        models->addAction(to_qt(model.title), &window, [&window, id = model.id] { show_model(window, id); });
+    menu.addAction(tr("&Keys"), &window, [&window] { show_text(window, tr("Keys"), keys_text()); });
+    menu.addSeparator();
+    menu.addAction(tr("&About Covaria"), &window, [&window] { show_about(window); });
+}
+
+}  // namespace covaria::ui

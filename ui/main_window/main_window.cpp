@@ -1,0 +1,268 @@
+#include "ui/main_window/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTabBar>
+
+#include "ui/document/strings.h"
+#include "ui/main_window/export_actions.h"
+#include "ui/main_window/help_actions.h"
+#include "ui/main_window/theme_switch.h"
+#include "ui/main_window/window_state.h"
+#include "ui/pages/message_panes.h"
+#include "ui/pages/project_pane.h"
+#include "ui/pages/properties_pane.h"
+#include "ui/pages/results_pane.h"
+#include "ui/pages/run_status.h"
+#include "ui/pages/start_page.h"
+#include "ui/scene_view/scene_panel.h"
+
+namespace covaria::ui {
+
+MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
+    : QMainWindow(parent), files_(document_, std::move(store), this) {
+    files_.dialogs = standard_dialogs(this);
+    setObjectName(QStringLiteral("MainWindow"));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    resize(1280, 800);
+    make_panes();
+    make_menus();
+    connect_panes();
+    for (QDockWidget* dock : docks_) dock->hide();
+    update_title();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::make_panes() {
+    pages_ = new QStackedWidget(this);
+    start_ = new StartPage;
+    scene_ = new ScenePanel(runner_);
+    pages_->addWidget(start_);
+    pages_->addWidget(scene_);
+    setCentralWidget(pages_);
+    project_ = new ProjectPane(document_, runner_, selection_);
+    project_->confirm = [this](const QString& question, const QString& action) {
+        return files_.dialogs.confirm(question, action);
+    };
+    results_ = new ResultsPane(document_, runner_, selection_);
+    properties_ = new PropertiesPane(document_, runner_, selection_);
+    problems_ = new ProblemsPane(document_);
+    log_ = new LogPane;
+    add_dock(Qt::LeftDockWidgetArea, tr("Project"), QStringLiteral("project"), project_);
+    add_dock(Qt::RightDockWidgetArea, tr("Properties"), QStringLiteral("properties"), properties_);
+    QDockWidget* results =
+        add_dock(Qt::BottomDockWidgetArea, tr("Results"), QStringLiteral("results"), results_);
+    QDockWidget* problems =
+        add_dock(Qt::BottomDockWidgetArea, tr("Problems"), QStringLiteral("problems"), problems_);
+    QDockWidget* log = add_dock(Qt::BottomDockWidgetArea, tr("Log"), QStringLiteral("log"), log_);
+    tabifyDockWidget(results, problems);
+    tabifyDockWidget(problems, log);
+    resizeDocks({docks_[0], docks_[1]}, {220, 380}, Qt::Horizontal);
+    resizeDocks({results}, {290}, Qt::Vertical);
+    statusBar()->addPermanentWidget(new RunStatus(runner_));
+    exports_ = new ExportActions(document_, runner_, files_.dialogs, this);
+}
+
+QDockWidget* MainWindow::add_dock(Qt::DockWidgetArea area, const QString& title, const QString& name,
+                                  QWidget* content) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    docks_ << dock;
+    return dock;
+}
+
+void MainWindow::make_menus() {
+    make_file_menu();
+    make_edit_menu();
+    make_run_menu();
+    make_view_menu();
+    make_help_menu();
+}
+
+void MainWindow::make_file_menu() {
+    QMenu* menu = menuBar()->addMenu(tr("&File"));
+    menu->addAction(files_.new_action);
+    menu->addMenu(files_.make_examples_menu(this));
+    menu->addAction(files_.open_action);
+    menu->addMenu(files_.make_recent_menu(this));
+    menu->addSeparator();
+    menu->addActions({files_.save_action, files_.save_as_action});
+    menu->addSeparator();
+    QMenu* exported = exports_->make_menu(menu);
+    menu->addMenu(exported);
+    menu->addSeparator();
+    menu->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+    project_actions_ << files_.save_action << files_.save_as_action << exported->menuAction();
+}
+
+void MainWindow::make_edit_menu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = document_.undo_stack().createUndoAction(this, tr("&Undo"));
+    QAction* redo = document_.undo_stack().createRedoAction(this, tr("&Redo"));
+    undo->setShortcut(QKeySequence::Undo);
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    menu->addActions({undo, redo});
+    menu->addSeparator();
+    QMenu* add = project_->make_add_menu(menu);
+    menu->addMenu(add);
+    menu->addActions({project_->duplicate_action, project_->rename_action, project_->delete_action});
+    project_actions_ << add->menuAction();
+}
+
+void MainWindow::make_run_menu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Run"));
+    QAction* run = menu->addAction(tr("&Run This Analysis"), QKeySequence(Qt::Key_F5), this,
+                                   [this] { runner_.run(selection_.analysis()); });
+    QAction* all = menu->addAction(tr("Run &All"), QKeySequence(Qt::CTRL | Qt::Key_F5), &runner_,
+                                   &AnalysisRunner::run_all);
+    QAction* stop =
+        menu->addAction(tr("&Stop"), QKeySequence(Qt::Key_Escape), &runner_, &AnalysisRunner::stop_all);
+    menu->addSeparator();
+    QAction* live = menu->addAction(tr("&Live"));
+    live->setCheckable(true);
+    live->setStatusTip(tr("Each edit computes first-order results at once, then Monte Carlo"));
+    connect(live, &QAction::toggled, &runner_, &AnalysisRunner::set_live);
+    live->setChecked(true);
+    project_actions_ << run << all << stop;
+}
+
+void MainWindow::make_view_menu() {
+    QMenu* menu = menuBar()->addMenu(tr("&View"));
+    for (QDockWidget* dock : docks_) {
+        menu->addAction(dock->toggleViewAction());
+        project_actions_ << dock->toggleViewAction();
+    }
+    menu->addSeparator();
+    menu->addAction(tr("Start Page"), this, [this] { pages_->setCurrentWidget(start_); });
+    QAction* scene = menu->addAction(tr("3D Scene"), this, [this] { pages_->setCurrentWidget(scene_); });
+    project_actions_ << scene;
+    menu->addSeparator();
+    theme_ = new ThemeSwitch(this);
+    theme_->add_to(*menu);
+}
+
+void MainWindow::make_help_menu() {
+    add_help_actions(*menuBar()->addMenu(tr("&Help")), *this, selection_, document_);
+}
+
+void MainWindow::connect_panes() {
+    connect(start_, &StartPage::new_wanted, &files_, &FileActions::new_project);
+    connect(start_, &StartPage::open_wanted, &files_, &FileActions::open);
+    connect(start_, &StartPage::file_wanted, &files_, &FileActions::open_file);
+    connect(start_, &StartPage::example_wanted, &files_, &FileActions::open_example);
+    connect(&files_, &FileActions::recent_changed, start_,
+            [this] { start_->set_recent_files(files_.recent_files()); });
+    start_->set_recent_files(files_.recent_files());
+    connect(&files_, &FileActions::project_opened, this, &MainWindow::show_project);
+    const auto say = [this](const QString& text) {
+        statusBar()->showMessage(text, 8000);
+        log_->write(text);
+    };
+    connect(&files_, &FileActions::message, this, say);
+    connect(exports_, &ExportActions::message, this, say);
+    connect(&document_, &Document::project_changed, this, &MainWindow::follow_document);
+    connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
+    connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
+    connect(problems_, &ProblemsPane::place_wanted, this, &MainWindow::go_to);
+    connect(&selection_, &Selection::analysis_changed, this, [this](const QString& id) {
+        runner_.set_focus(id);
+        scene_->show_analysis(id);
+    });
+    connect(scene_, &ScenePanel::group_changed, &selection_, &Selection::select_group);
+    connect(&selection_, &Selection::group_changed, scene_, &ScenePanel::show_group);
+    connect(scene_, &ScenePanel::source_picked, &selection_, &Selection::select_field);
+    connect(&selection_, &Selection::field_changed, scene_,
+            [this](const QString& field) { scene_->select_source(to_std(field)); });
+    connect(theme_, &ThemeSwitch::changed, this, [this](bool dark) {
+        scene_->set_dark(dark);
+        results_->set_dark(dark);
+    });
+    connect(&runner_, &AnalysisRunner::state_changed, this, [this](const QString& id) {
+        const AnalysisStatus& status = runner_.status(id);
+        if (status.state == RunState::failed) log_->write(tr("%1: %2").arg(id, status.message));
+    });
+    set_rendering_log([this](const std::string& message) { log_->write(to_qt(message)); });
+    for (QAction* action : project_actions_) action->setEnabled(false);
+}
+
+void MainWindow::begin(const QString& file) {
+    if (files_.offer_recovery()) return;
+    if (!file.isEmpty()) files_.open_file(file);
+}
+
+void MainWindow::show_project() {
+    const bool first = pages_->currentWidget() == start_ && docks_.front()->isHidden();
+    pages_->setCurrentWidget(scene_);
+    for (QAction* action : project_actions_) action->setEnabled(true);
+    if (first) {
+        for (QDockWidget* dock : docks_) dock->show();
+        docks_[2]->raise();
+        restore_window(*this);
+    }
+    runner_.reset(document_.snapshot());
+    selection_.clear();
+    const Project& project = document_.project();
+    if (!project.analyses.empty())
+        selection_.select_entry({SetupOwner::analysis, project.analyses.front().id});
+    else if (!project.assets.empty())
+        selection_.select_entry({SetupOwner::asset, project.assets.front().id});
+    update_title();
+}
+
+void MainWindow::follow_document() {
+    runner_.set_project(document_.snapshot());
+}
+
+void MainWindow::go_to(const QString& path) {
+    const SetupAddress entry = address_of_path(document_.project(), to_std(path));
+    if (entry.id.empty()) return;
+    selection_.select_entry(entry);
+    docks_[1]->show();
+    properties_->focus_field(path);
+}
+
+void MainWindow::update_title() {
+    setWindowTitle(pages_->currentWidget() == start_ && docks_.front()->isHidden()
+                       ? tr("Covaria")
+                       : tr("%1[*] – Covaria").arg(document_.display_name()));
+    setWindowModified(document_.is_modified());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_.may_leave()) {
+        event->ignore();
+        return;
+    }
+    if (!docks_.front()->isHidden()) remember_window(*this);
+    runner_.stop_all();
+    set_rendering_log({});
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile() && url.fileName().endsWith(QStringLiteral(".covaria")))
+            event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) {
+            files_.open_file(url.toLocalFile());
+            return;
+        }
+}
+
+}  // namespace covaria::ui

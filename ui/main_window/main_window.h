@@ -1,0 +1,86 @@
+// The window: puts the panes together. Panes talk through Document, Selection and AnalysisRunner, not through
+// the window.
+#pragma once
+
+#include <QMainWindow>
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/main_window/file_actions.h"
+#include "ui/run/analysis_runner.h"
+
+class QAction;
+class QDockWidget;
+class QStackedWidget;
+
+namespace covaria::ui {
+
+class ExportActions;
+class LogPane;
+class ProblemsPane;
+class ProjectPane;
+class PropertiesPane;
+class ResultsPane;
+class ScenePanel;
+class StartPage;
+class ThemeSwitch;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(RecoveryStore store = RecoveryStore(), QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// At the start: recovered work, the file given, or the start page.
+    void begin(const QString& file);
+
+    Document& document() { return document_; }
+    AnalysisRunner& runner() { return runner_; }
+    Selection& selection() { return selection_; }
+    FileActions& files() { return files_; }
+    ScenePanel& scene() { return *scene_; }
+    ResultsPane& results() { return *results_; }
+    PropertiesPane& properties() { return *properties_; }
+    ProjectPane& project_pane() { return *project_; }
+    ExportActions& exports() { return *exports_; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void make_panes();
+    QDockWidget* add_dock(Qt::DockWidgetArea area, const QString& title, const QString& name,
+                          QWidget* content);
+    void make_menus();
+    void make_file_menu();
+    void make_edit_menu();
+    void make_run_menu();
+    void make_view_menu();
+    void make_help_menu();
+    void connect_panes();
+    void show_project();
+    void follow_document();
+    void go_to(const QString& path);
+    void update_title();
+
+    Document document_;
+    Selection selection_;
+    AnalysisRunner runner_;
+    FileActions files_;
+    QStackedWidget* pages_ = nullptr;
+    StartPage* start_ = nullptr;
+    ScenePanel* scene_ = nullptr;
+    ProjectPane* project_ = nullptr;
+    ResultsPane* results_ = nullptr;
+    PropertiesPane* properties_ = nullptr;
+    ProblemsPane* problems_ = nullptr;
+    LogPane* log_ = nullptr;
+    ExportActions* exports_ = nullptr;
+    ThemeSwitch* theme_ = nullptr;
+    QList<QDockWidget*> docks_;
+    QList<QAction*> project_actions_;  ///< enabled only with a project
+};
+
+}  // namespace covaria::ui

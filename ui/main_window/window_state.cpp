@@ -1,0 +1,24 @@
+#include "ui/main_window/window_state.h"
+
+#include <QMainWindow>
+#include <QSettings>
+
+namespace covaria::ui {
+
+namespace {
+constexpr int state_version = 1;  // of the set of docks: an older arrangement is not applied to a newer set
+}
+
+void restore_window(QMainWindow& window) {
+    const QSettings settings;
+    window.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    window.restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), state_version);
+}
+
+void remember_window(const QMainWindow& window) {
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), window.saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), window.saveState(state_version));
+}
+
+}  // namespace covaria::ui

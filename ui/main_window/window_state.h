@@ -1,0 +1,11 @@
+// What the window remembers between sessions: size, docks, switches.
+#pragma once
+
+class QMainWindow;
+
+namespace covaria::ui {
+
+void restore_window(QMainWindow& window);
+void remember_window(const QMainWindow& window);
+
+}  // namespace covaria::ui
