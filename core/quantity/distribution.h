@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -69,15 +70,20 @@ struct Discrete {
     bool operator==(const Discrete&) const = default;
 };  // empirical too
 
+namespace detail {
+class QuantileFunction;
+}
+
 using DistributionParameters =
     std::variant<Normal, StudentT, Rectangular, CurvilinearTrapezoid, Trapezoidal, Triangular, Arcsine,
                  Exponential, Gamma, TruncatedNormal, Lognormal, Beta, Discrete>;
 
-/// A distribution whose parameters have been checked. A width of zero is legal everywhere it makes sense
-/// (normal with standard deviation 0, rectangular with low == high): the quantity is then a constant.
+/// A distribution whose parameters have been checked. Immutable and cheap to copy: tables needed for fast
+/// quantiles are made once and shared. A width of zero is legal everywhere it makes sense (normal with
+/// standard deviation 0, rectangular with low == high): the quantity is then a constant.
 class Distribution {
 public:
-    Distribution() : parameters_(Normal{0.0, 0.0}) {}
+    Distribution();  ///< the constant 0
     /// Errors: not finite, negative width or scale, shape not positive, probabilities that do not sum to 1
     /// ...; the message names the parameter.
     static Result<Distribution> make(DistributionParameters parameters);
@@ -86,8 +92,12 @@ public:
     static Distribution normal(double standard_uncertainty) { return of(Normal{0.0, standard_uncertainty}); }
 
     const DistributionParameters& parameters() const { return parameters_; }
+    /// X = location + factor * (variable with `parameters()`). 0 and 1, unless an exponential, gamma or
+    /// lognormal distribution has been shifted or mirrored: these kinds have no parameters for it.
+    double location() const { return location_; }
+    double factor() const { return factor_; }
 
-    double mean() const;
+    double mean() const;  ///< of a Student t its centre, also where nu <= 1 leaves the expectation undefined
     /// Standard deviation of the drawn values: for Student t scale*sqrt(nu/(nu-2)), infinite for nu <= 2.
     double standard_deviation() const;
     /// Standard uncertainty of the law of propagation: as `standard_deviation`, but the scale for Student t
@@ -105,18 +115,23 @@ public:
     /// Normal.
     void from_standard_normal(std::span<const double> z, std::span<double> x) const;
 
-    /// The distribution of c*X (c may be negative) and of X + d.
+    /// The distribution of c*X (c may be negative or 0) and of X + d; c and d must be finite.
     Distribution scaled(double c) const;
     Distribution shifted(double d) const;
 
     std::string_view kind() const;   ///< key used in files: "normal", "student-t", "rectangular" ...
     std::string_view title() const;  ///< for people: "normal", "Student t", "rectangular" ...
 
-    bool operator==(const Distribution&) const = default;
+    bool operator==(const Distribution& other) const {
+        return parameters_ == other.parameters_ && location_ == other.location_ && factor_ == other.factor_;
+    }
 
 private:
-    explicit Distribution(DistributionParameters parameters) : parameters_(std::move(parameters)) {}
+    explicit Distribution(DistributionParameters parameters, double location = 0.0, double factor = 1.0);
     DistributionParameters parameters_;
+    double location_ = 0.0;
+    double factor_ = 1.0;
+    std::shared_ptr<const detail::QuantileFunction> quantile_function_;
 };
 
 /// The kinds in the order of DistributionParameters with the names of their parameters, for files and forms.
@@ -132,7 +147,9 @@ struct DistributionKindInfo {
     std::vector<DistributionParameterInfo> parameters;  ///< empty for "discrete", whose parameters are lists
 };
 const std::vector<DistributionKindInfo>& distribution_kinds();
-/// Builds from a kind's key and its parameters in the order of `distribution_kinds()` (SI).
+/// Builds from a kind's key and its parameters in the order of `distribution_kinds()` (SI); for "discrete"
+/// all values, then all probabilities. Errors: unknown kind, wrong number of parameters, those of
+/// `Distribution::make`.
 Result<Distribution> distribution_from(std::string_view kind, std::span<const double> parameters);
 /// The parameters in that order (SI).
 std::vector<double> distribution_parameters(const Distribution& distribution);

@@ -1,0 +1,13 @@
+// Checks of the parameters of distributions.
+#pragma once
+
+#include <string>
+
+#include "core/quantity/distribution.h"
+
+namespace covaria::detail {
+
+/// What is wrong with the parameters, naming the first bad one; empty if nothing is.
+std::string distribution_problem(const DistributionParameters& parameters);
+
+}  // namespace covaria::detail
