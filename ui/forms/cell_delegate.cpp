@@ -1,0 +1,45 @@
+// Editors of cells.
+#include "ui/forms/cell_delegate.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+
+#include "ui/models/roles.h"
+
+namespace covaria::ui {
+
+QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                    const QModelIndex& index) const {
+    const QStringList choices = index.data(choices_role).toStringList();
+    if (choices.isEmpty()) {
+        auto* line = new QLineEdit(parent);
+        line->setFrame(false);
+        line->setAlignment(static_cast<Qt::Alignment>(index.data(Qt::TextAlignmentRole).toInt()));
+        return line;
+    }
+    auto* box = new QComboBox(parent);
+    box->addItems(choices);
+    connect(box, &QComboBox::activated, this, [this, box] {
+        auto* self = const_cast<CellDelegate*>(this);
+        emit self->commitData(box);
+        emit self->closeEditor(box);
+    });
+    return box;
+}
+
+void CellDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+    const QString text = index.data(Qt::EditRole).toString();
+    if (auto* box = qobject_cast<QComboBox*>(editor))
+        box->setCurrentText(text);
+    else if (auto* line = qobject_cast<QLineEdit*>(editor))
+        line->setText(text);
+}
+
+void CellDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
+    QString text;
+    if (const auto* box = qobject_cast<QComboBox*>(editor)) text = box->currentText();
+    if (const auto* line = qobject_cast<QLineEdit*>(editor)) text = line->text();
+    if (text != index.data(Qt::EditRole).toString()) model->setData(index, text, Qt::EditRole);
+}
+
+}  // namespace covaria::ui

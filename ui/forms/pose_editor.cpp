@@ -1,0 +1,63 @@
+// Six lines in two columns: lengths and angles.
+#include "ui/forms/pose_editor.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+PoseEditor::PoseEditor(const FieldSpec& field, QWidget* parent) : FieldEditor(parent) {
+    const std::array<QString, 6> symbols{
+        "x", "y", "z", QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")};
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        auto* edit = edits_[i] = new QuantityEdit(this);
+        edit->set_keeps_unit(false);
+        edit->set_optional(false);
+        edit->set_help(help_text(field));
+        edit->setAccessibleName(to_qt(field.title) + ' ' + symbols[i]);
+        edit->setObjectName(to_qt(field.key) + '_' + QString::number(i));
+        auto* label = new QLabel(symbols[i], this);
+        label->setBuddy(edit);
+        const int row = static_cast<int>(i % 3);
+        const int column = i < 3 ? 0 : 2;
+        layout->addWidget(label, row, column);
+        layout->addWidget(edit, row, column + 1);
+        connect(edit, &QuantityEdit::quantity_edited, this, [this, i] { collect(i); });
+    }
+    setFocusProxy(edits_[0]);
+}
+
+void PoseEditor::set_value(const SetupValue& value) {
+    const PoseValue* pose = std::get_if<PoseValue>(&value);
+    pose_ = pose ? *pose : PoseValue{};
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        const Unit& unit = i < 3 ? pose_.length_unit : pose_.angle_unit;
+        edits_[i]->set_unit(unit);
+        edits_[i]->set_quantity(Quantity{i < 3 ? pose_.position[i] : pose_.angles[i - 3], unit});
+    }
+}
+
+void PoseEditor::collect(std::size_t changed) {
+    const double value = edits_[changed]->quantity()->value;
+    if (changed < 3)
+        pose_.position[changed] = value;
+    else
+        pose_.angles[changed - 3] = value;
+    emit edited(SetupValue(pose_));
+}
+
+void PoseEditor::set_complaint(const QString& complaint) {
+    for (QuantityEdit* edit : edits_) edit->set_complaint(complaint);
+}
+
+void PoseEditor::focus_part(const std::string& path) {
+    const std::size_t base = path.starts_with("/angles") ? 3 : 0;
+    const char last = path.empty() ? '0' : path.back();
+    edits_[base + (last >= '0' && last <= '2' ? static_cast<std::size_t>(last - '0') : 0)]->setFocus();
+}
+
+}  // namespace covaria::ui

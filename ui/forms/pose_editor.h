@@ -1,0 +1,27 @@
+// Editor of a pose: position and Z-Y-X angles.
+#pragma once
+
+#include <array>
+
+#include "ui/forms/field_editor.h"
+#include "ui/forms/quantity_edit.h"
+
+namespace covaria::ui {
+
+class PoseEditor : public FieldEditor {
+    Q_OBJECT
+public:
+    PoseEditor(const FieldSpec& field, QWidget* parent);
+    void set_value(const SetupValue& value) override;
+    void set_complaint(const QString& complaint) override;
+    /// "/position/1", "/angles/0".
+    void focus_part(const std::string& path) override;
+
+private:
+    void collect(std::size_t changed);
+
+    PoseValue pose_;
+    std::array<QuantityEdit*, 6> edits_{};  ///< x, y, z, alpha, beta, gamma
+};
+
+}  // namespace covaria::ui

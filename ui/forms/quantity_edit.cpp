@@ -1,0 +1,115 @@
+// Parsing is that of ui/document/quantity_text.h.
+#include "ui/forms/quantity_edit.h"
+
+#include <QKeyEvent>
+#include <cmath>
+
+#include "ui/document/quantity_text.h"
+#include "ui/document/setup_cells.h"
+#include "ui/document/strings.h"
+#include "ui/forms/complaint.h"
+
+namespace covaria::ui {
+
+QuantityEdit::QuantityEdit(QWidget* parent) : QLineEdit(parent) {
+    setAlignment(Qt::AlignRight);
+    connect(this, &QLineEdit::editingFinished, this, &QuantityEdit::commit);
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        if (own_complaint_.isEmpty())
+            return;  // complaints come when typing is over, and go as soon as they can
+        const auto parsed = parse();
+        own_complaint_ = parsed ? complaint_about(*parsed) : to_qt(parsed.error().message);
+        show_mark();
+    });
+}
+
+void QuantityEdit::set_unit(const Unit& unit) {
+    unit_ = unit;
+    setPlaceholderText(unit == Unit() ? QString() : to_qt(unit.display()));
+    if (!isModified()) show_quantity();
+}
+
+void QuantityEdit::set_help(const QString& help) {
+    help_ = help;
+    show_mark();
+}
+
+void QuantityEdit::set_complaint(const QString& complaint) {
+    outer_complaint_ = complaint;
+    show_mark();
+}
+
+void QuantityEdit::show_mark() {
+    mark(*this, own_complaint_.isEmpty() ? outer_complaint_ : own_complaint_, help_);
+}
+
+Unit QuantityEdit::typing_unit() const {
+    return keeps_unit_ && quantity_ ? quantity_->unit : unit_;
+}
+
+Result<std::optional<Quantity>> QuantityEdit::parse() const {
+    auto parsed = parse_quantity(text(), typing_unit(), locale());
+    if (parsed && *parsed && !keeps_unit_)
+        **parsed = Quantity{converted((**parsed).value, (**parsed).unit, unit_), unit_};
+    return parsed;
+}
+
+QString QuantityEdit::complaint_about(const std::optional<Quantity>& quantity) const {
+    if (!quantity) return optional_ ? QString() : tr("A value is needed here.");
+    if (integer_ && quantity->value != std::round(quantity->value))
+        return tr("A whole number is needed here.");
+    return range_complaint(range_, quantity->si(), quantity->unit, locale());
+}
+
+void QuantityEdit::set_quantity(const std::optional<Quantity>& quantity) {
+    if (quantity == quantity_ && (isModified() || !own_complaint_.isEmpty())) return;
+    quantity_ = quantity;
+    own_complaint_.clear();
+    show_quantity();
+    show_mark();
+}
+
+void QuantityEdit::show_quantity() {
+    setText(quantity_ ? quantity_text(*quantity_, locale()) : QString());
+    setModified(false);
+}
+
+void QuantityEdit::commit() {
+    if (!isModified()) return;
+    const auto parsed = parse();
+    own_complaint_ = parsed ? complaint_about(*parsed) : to_qt(parsed.error().message);
+    show_mark();
+    if (!own_complaint_.isEmpty()) return;
+    const bool changed = *parsed != quantity_;
+    quantity_ = *parsed;
+    show_quantity();
+    if (changed) emit quantity_edited(quantity_);
+}
+
+void QuantityEdit::step(int direction) {
+    const auto parsed = parse();
+    if (!parsed || !*parsed) return;
+    const QString number = number_text((**parsed).value, QLocale::c());
+    const qsizetype point = number.indexOf('.');
+    const int decimals = integer_ || point < 0 ? 0 : static_cast<int>(number.size() - point - 1);
+    Quantity next = **parsed;
+    next.value =
+        QString::number(next.value + direction * std::pow(10.0, -decimals), 'f', decimals).toDouble();
+    if (!complaint_about(next).isEmpty()) return;
+    quantity_ = next;
+    own_complaint_.clear();
+    show_quantity();
+    show_mark();
+    emit quantity_edited(quantity_);
+}
+
+void QuantityEdit::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down)
+        step(event->key() == Qt::Key_Up ? 1 : -1);
+    else if (event->key() == Qt::Key_Escape && isModified())
+        show_quantity();
+    else
+        QLineEdit::keyPressEvent(event);
+}
+
+}  // namespace covaria::ui

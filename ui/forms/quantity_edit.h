@@ -1,0 +1,62 @@
+// A line for a number with a unit: "0.5 um" in a field of millimetres, "1,5" where the locale writes so.
+#pragma once
+
+#include <QLineEdit>
+#include <optional>
+
+#include "core/base/unit.h"
+#include "core/model/setup_schema.h"
+
+namespace covaria::ui {
+
+/// What cannot be understood stays in the line, marked, with the reason as tooltip.
+class QuantityEdit : public QLineEdit {
+    Q_OBJECT
+public:
+    explicit QuantityEdit(QWidget* parent = nullptr);
+
+    /// Unit of a number typed without one.
+    void set_unit(const Unit& unit);
+    /// Off: whatever unit is typed, the quantity is converted to that of `set_unit`.
+    void set_keeps_unit(bool keeps) { keeps_unit_ = keeps; }
+    void set_range(const Range& range) { range_ = range; }
+    void set_integer(bool integer) { integer_ = integer; }
+    /// Off: the line must not be left empty.
+    void set_optional(bool optional) { optional_ = optional; }
+    void set_help(const QString& help);
+    /// From outside (a problem of the project); an own complaint about what is typed comes first.
+    void set_complaint(const QString& complaint);
+
+    /// Does not disturb what is being typed unless the value is another.
+    void set_quantity(const std::optional<Quantity>& quantity);
+    const std::optional<Quantity>& quantity() const { return quantity_; }
+    bool is_valid() const { return own_complaint_.isEmpty(); }
+
+signals:
+    /// Enter, focus lost or arrow keys, with a valid text that means another quantity than before.
+    void quantity_edited(const std::optional<covaria::Quantity>& quantity);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    Result<std::optional<Quantity>> parse() const;
+    QString complaint_about(const std::optional<Quantity>& quantity) const;
+    void commit();
+    void step(int direction);
+    void show_quantity();
+    void show_mark();
+    Unit typing_unit() const;
+
+    Unit unit_;
+    Range range_;
+    bool keeps_unit_ = true;
+    bool integer_ = false;
+    bool optional_ = true;
+    QString help_;
+    QString own_complaint_;
+    QString outer_complaint_;
+    std::optional<Quantity> quantity_;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,119 @@
+// Rows of label and editor; sections and rows hide where their fields are not used.
+#include "ui/forms/setup_form.h"
+
+#include "core/base/symbol.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+SetupForm::SetupForm(Document& document, SetupAddress address, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      address_(std::move(address)),
+      schema_(find_schema(document.project(), address_)),
+      layout_(new QFormLayout(this)) {
+    layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    layout_->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    if (schema_) build();
+    refresh();
+    refresh_problems();
+    connect(&document_, &Document::project_changed, this, &SetupForm::refresh);
+    connect(&document_, &Document::problems_changed, this, &SetupForm::refresh_problems);
+}
+
+void SetupForm::build() {
+    std::string section;
+    sections_.push_back(nullptr);
+    for (const FieldSpec& field : schema_->fields()) {
+        if (field.section != section && !field.section.empty()) add_section(to_qt(field.section));
+        section = field.section;
+        add_field(field);
+    }
+}
+
+void SetupForm::add_section(const QString& title) {
+    auto* label = new QLabel(title, this);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    layout_->addRow(label);
+    sections_.push_back(label);
+}
+
+void SetupForm::add_field(const FieldSpec& field) {
+    FieldEditor* editor = make_field_editor(field, document_, address_, this);
+    auto* title = new QLabel(to_qt(symbol_to_unicode(field.title)), this);
+    title->setToolTip(help_text(field));
+    title->setBuddy(editor);
+    if (editor->is_wide()) {
+        layout_->addRow(title);
+        layout_->addRow(editor);
+    } else {
+        layout_->addRow(title, editor);
+    }
+    rows_.push_back({&field, editor, editor->is_wide() ? title : nullptr, sections_.size() - 1});
+    connect(editor, &FieldEditor::edited, this,
+            [this, &field](const SetupValue& value) { write(field, value); });
+}
+
+FieldEditor* SetupForm::editor(const std::string& key) const {
+    for (const Row& row : rows_)
+        if (row.field->key == key) return row.editor;
+    return nullptr;
+}
+
+void SetupForm::write(const FieldSpec& field, const SetupValue& value) {
+    const QString key = QStringLiteral("setup:%1:%2").arg(to_qt(address_.id), to_qt(field.key));
+    document_.apply(
+        tr("Change %1").arg(to_qt(field.title)),
+        [&](Project& project) {
+            Setup* setup = find_setup(project, address_);
+            if (!setup) return;
+            if (std::holds_alternative<std::monostate>(value))
+                setup->values.erase(field.key);
+            else
+                setup->values[field.key] = value;
+        },
+        key);
+}
+
+void SetupForm::refresh() {
+    const Setup* setup = find_setup(document_.project(), address_);
+    setEnabled(setup != nullptr);
+    if (!setup) return;
+    std::vector<bool> used(sections_.size(), false);
+    for (const Row& row : rows_) {
+        const bool shown = is_shown(*schema_, *row.field, *setup);
+        layout_->setRowVisible(row.editor, shown);
+        if (row.title) layout_->setRowVisible(row.title, shown);
+        used[row.section] = used[row.section] || shown;
+        row.editor->set_value(value_of(*row.field, *setup));
+    }
+    for (std::size_t i = 0; i < sections_.size(); ++i)
+        if (sections_[i]) layout_->setRowVisible(sections_[i], used[i]);
+}
+
+void SetupForm::refresh_problems() {
+    const std::string prefix = setup_path(document_.project(), address_) + '/';
+    for (const Row& row : rows_) {
+        const std::string path = prefix + row.field->key;
+        QStringList messages;
+        for (const Problem& problem : document_.problems().items())
+            if (problem.path == path || problem.path.starts_with(path + '/'))
+                messages << to_qt(problem.message);
+        row.editor->set_complaint(messages.join('\n'));
+    }
+}
+
+bool SetupForm::focus_field(const std::string& path) {
+    const std::string prefix = setup_path(document_.project(), address_);
+    const std::string relative = path.starts_with(prefix + '/') ? path.substr(prefix.size()) : path;
+    if (relative.size() < 2) return false;
+    const std::size_t slash = relative.find('/', 1);
+    FieldEditor* found = editor(relative.substr(1, slash == std::string::npos ? slash : slash - 1));
+    if (!found) return false;
+    found->focus_part(slash == std::string::npos ? std::string() : relative.substr(slash));
+    return true;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,52 @@
+// The form of a set-up, made from its schema.
+#pragma once
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QWidget>
+#include <map>
+#include <vector>
+
+#include "ui/document/document.h"
+#include "ui/document/setup_address.h"
+#include "ui/forms/field_editor.h"
+
+namespace covaria::ui {
+
+/// Follows the document; every edit is one undo step, typing in one field merges. When the entry is removed
+/// the form stays empty of use: its owner deletes it.
+class SetupForm : public QWidget {
+    Q_OBJECT
+public:
+    SetupForm(Document& document, SetupAddress address, QWidget* parent = nullptr);
+
+    const SetupAddress& address() const { return address_; }
+    /// Null when the schema has no such field.
+    FieldEditor* editor(const std::string& key) const;
+    /// Gives the focus to the field a JSON pointer names: into the project ("/assets/0/setup/alpha") or
+    /// relative to the set-up ("/alpha"). False when it names none of the form.
+    bool focus_field(const std::string& path);
+
+private:
+    struct Row {
+        const FieldSpec* field;
+        FieldEditor* editor;
+        QLabel* title;  ///< of a wide editor; null when the layout made the label
+        std::size_t section;
+    };
+    void build();
+    void add_field(const FieldSpec& field);
+    void add_section(const QString& title);
+    void refresh();
+    void refresh_problems();
+    void write(const FieldSpec& field, const SetupValue& value);
+
+    Document& document_;
+    SetupAddress address_;
+    const SetupSchema* schema_;
+    QFormLayout* layout_;
+    std::vector<Row> rows_;
+    std::vector<QLabel*> sections_;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,138 @@
+// Each editor is one standard widget filling the row.
+#include "ui/forms/simple_editors.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "core/assets/registry.h"
+#include "ui/document/strings.h"
+#include "ui/forms/complaint.h"
+
+namespace covaria::ui {
+
+namespace {
+
+template <class Widget>
+Widget* fill(FieldEditor* editor, Widget* widget, const FieldSpec& field) {
+    auto* layout = new QHBoxLayout(editor);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(widget);
+    widget->setAccessibleName(to_qt(field.title));
+    widget->setToolTip(help_text(field));
+    widget->setObjectName(to_qt(field.key));
+    editor->setFocusProxy(widget);
+    return widget;
+}
+
+}  // namespace
+
+NumberEditor::NumberEditor(const FieldSpec& field, QWidget* parent)
+    : FieldEditor(parent), edit_(fill(this, new QuantityEdit(this), field)) {
+    edit_->set_unit(field.unit);
+    edit_->set_range(field.range);
+    edit_->set_integer(field.kind == FieldKind::integer);
+    edit_->set_optional(field.optional || !std::holds_alternative<std::monostate>(field.default_value));
+    edit_->set_help(help_text(field));
+    connect(edit_, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& quantity) {
+        emit edited(quantity ? SetupValue(*quantity) : SetupValue());
+    });
+}
+
+void NumberEditor::set_value(const SetupValue& value) {
+    const Quantity* quantity = std::get_if<Quantity>(&value);
+    edit_->set_quantity(quantity ? std::optional<Quantity>(*quantity) : std::nullopt);
+}
+
+TextEditor::TextEditor(const FieldSpec& field, QWidget* parent)
+    : FieldEditor(parent), edit_(fill(this, new QLineEdit(this), field)), help_(help_text(field)) {
+    connect(edit_, &QLineEdit::textEdited, this, [this](const QString& text) {
+        emit edited(text.isEmpty() ? SetupValue() : SetupValue(to_std(text)));
+    });
+}
+
+void TextEditor::set_value(const SetupValue& value) {
+    const std::string* text = std::get_if<std::string>(&value);
+    const QString shown = text ? to_qt(*text) : QString();
+    if (edit_->text() != shown) edit_->setText(shown);
+}
+
+void TextEditor::set_complaint(const QString& complaint) {
+    mark(*edit_, complaint, help_);
+}
+
+FlagEditor::FlagEditor(const FieldSpec& field, QWidget* parent)
+    : FieldEditor(parent), box_(fill(this, new QCheckBox(this), field)), help_(help_text(field)) {
+    connect(box_, &QCheckBox::clicked, this, [this](bool checked) { emit edited(SetupValue(checked)); });
+}
+
+void FlagEditor::set_value(const SetupValue& value) {
+    const bool* flag = std::get_if<bool>(&value);
+    box_->setChecked(flag && *flag);
+}
+
+void FlagEditor::set_complaint(const QString& complaint) {
+    mark(*box_, complaint, help_);
+}
+
+ListEditor::ListEditor(const FieldSpec& field, QWidget* parent)
+    : FieldEditor(parent),
+      field_(field),
+      box_(fill(this, new QComboBox(this), field)),
+      help_(help_text(field)) {
+    box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box_->setMinimumContentsLength(12);
+    connect(box_, &QComboBox::activated, this, [this](int row) {
+        const QString key = box_->itemData(row).toString();
+        emit edited(key.isEmpty() ? SetupValue() : SetupValue(to_std(key)));
+    });
+}
+
+std::vector<Choice> ListEditor::choices() const {
+    return field_.choices;
+}
+
+QString ListEditor::empty_words() const {
+    return tr("(none)");
+}
+
+void ListEditor::set_value(const SetupValue& value) {
+    const QSignalBlocker quiet(box_);
+    const std::string* text = std::get_if<std::string>(&value);
+    const QString key = text ? to_qt(*text) : QString();
+    box_->clear();
+    if (field_.optional || key.isEmpty()) box_->addItem(empty_words(), QString());
+    for (const Choice& choice : choices()) box_->addItem(to_qt(choice.title), to_qt(choice.key));
+    if (box_->findData(key) < 0) box_->addItem(tr("%1 (does not exist)").arg(key), key);
+    box_->setCurrentIndex(box_->findData(key));
+}
+
+void ListEditor::set_complaint(const QString& complaint) {
+    mark(*box_, complaint, help_);
+}
+
+ReferenceEditor::ReferenceEditor(const FieldSpec& field, Document& document, SetupAddress address,
+                                 QWidget* parent)
+    : ListEditor(field, parent), document_(document), address_(std::move(address)) {}
+
+std::vector<Choice> ReferenceEditor::choices() const {
+    std::vector<Choice> found;
+    const auto& wanted = field().capabilities;
+    for (const AssetEntry& asset : document_.project().assets) {
+        const AssetDescriptor* kind = find_asset_kind(asset.kind);
+        const bool itself = address_.owner == SetupOwner::asset && address_.id == asset.id;
+        if (!kind || itself) continue;
+        const bool fits =
+            wanted.empty() || std::find_first_of(wanted.begin(), wanted.end(), kind->capabilities.begin(),
+                                                 kind->capabilities.end()) != wanted.end();
+        if (fits) found.push_back({asset.id, asset.name});
+    }
+    return found;
+}
+
+QString ReferenceEditor::empty_words() const {
+    if (choices().empty()) return tr("(nothing in the project fits: add it first)");
+    return field().optional ? tr("(none)") : tr("(choose)");
+}
+
+}  // namespace covaria::ui

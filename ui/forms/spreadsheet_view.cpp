@@ -1,0 +1,125 @@
+// The actions carry their shortcuts, so that the context menu shows them.
+#include "ui/forms/spreadsheet_view.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMenu>
+#include <set>
+
+#include "ui/forms/cell_delegate.h"
+#include "ui/models/table_text.h"
+
+namespace covaria::ui {
+
+SpreadsheetView::SpreadsheetView(SetupTableModel& model, QWidget* parent)
+    : QTableView(parent),
+      model_(model),
+      copy_(add(tr("Copy"), QKeySequence::Copy, &SpreadsheetView::copy)),
+      cut_(add(tr("Cut"), QKeySequence::Cut, &SpreadsheetView::cut)),
+      paste_(add(tr("Paste"), QKeySequence::Paste, &SpreadsheetView::paste)),
+      clear_(add(tr("Clear"), QKeySequence::Delete, &SpreadsheetView::clear)),
+      fill_down_(add(tr("Fill down"), QKeySequence(Qt::CTRL | Qt::Key_D), &SpreadsheetView::fill_down)),
+      insert_row_(
+          add(tr("Insert row above"), QKeySequence(Qt::CTRL | Qt::Key_I), &SpreadsheetView::insert_row)),
+      append_row_(add(tr("Add row at the end"), QKeySequence(Qt::CTRL | Qt::Key_Return),
+                      &SpreadsheetView::append_row)),
+      remove_rows_(
+          add(tr("Delete rows"), QKeySequence(Qt::CTRL | Qt::Key_Minus), &SpreadsheetView::remove_rows)) {
+    setModel(&model_);
+    setItemDelegate(new CellDelegate(this));
+    setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
+    setSelectionMode(ExtendedSelection);
+    setAlternatingRowColors(true);
+    setTabKeyNavigation(true);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    resizeColumnsToContents();
+    connect(&model_, &QAbstractItemModel::dataChanged, this, &SpreadsheetView::update_actions);
+    update_actions();
+}
+
+QAction* SpreadsheetView::add(const QString& text, const QKeySequence& key,
+                              void (SpreadsheetView::*method)()) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, method);
+    addAction(action);
+    return action;
+}
+
+void SpreadsheetView::update_actions() {
+    for (QAction* action : {cut_, paste_, clear_, fill_down_, insert_row_, append_row_, remove_rows_})
+        action->setEnabled(!model_.is_linked());
+}
+
+void SpreadsheetView::keyPressEvent(QKeyEvent* event) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!enter || event->modifiers() != Qt::NoModifier || state() == EditingState) {
+        QTableView::keyPressEvent(event);
+        return;
+    }
+    const QModelIndex below = currentIndex().siblingAtRow(currentIndex().row() + 1);
+    if (below.isValid()) setCurrentIndex(below);
+}
+
+void SpreadsheetView::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    menu.addActions(actions());
+    menu.exec(event->globalPos());
+}
+
+void SpreadsheetView::copy() {
+    QGuiApplication::clipboard()->setText(block_text(selectedIndexes()));
+}
+
+void SpreadsheetView::cut() {
+    copy();
+    clear();
+}
+
+void SpreadsheetView::paste() {
+    QModelIndex corner = currentIndex();
+    for (const QModelIndex& cell : selectedIndexes())
+        corner = model_.index(std::min(corner.row(), cell.row()), std::min(corner.column(), cell.column()));
+    const int refused = model_.paste(corner, QGuiApplication::clipboard()->text());
+    if (refused > 0) emit cells_refused(refused);
+}
+
+void SpreadsheetView::clear() {
+    model_.clear(selectedIndexes());
+}
+
+void SpreadsheetView::fill_down() {
+    model_.fill_down(selectedIndexes());
+}
+
+void SpreadsheetView::insert_row() {
+    const int row = currentIndex().isValid() ? currentIndex().row() : 0;
+    const int column = std::max(0, currentIndex().column());
+    if (model_.insertRow(row)) setCurrentIndex(model_.index(row, column));
+}
+
+void SpreadsheetView::append_row() {
+    if (model_.insertRow(model_.rowCount())) setCurrentIndex(model_.index(model_.rowCount() - 1, 0));
+}
+
+void SpreadsheetView::remove_rows() {
+    std::set<int> rows;
+    for (const QModelIndex& cell : selectedIndexes()) rows.insert(cell.row());
+    if (rows.empty()) return;
+    const QModelIndex current = currentIndex();
+    if (static_cast<int>(rows.size()) == *rows.rbegin() - *rows.begin() + 1) {
+        model_.removeRows(*rows.begin(), static_cast<int>(rows.size()));
+    } else {
+        SetupTable table = model_.table();
+        for (auto row = rows.rbegin(); row != rows.rend(); ++row) table.rows.erase(table.rows.begin() + *row);
+        model_.replace_table(table, tr("Delete rows"));
+    }
+    setCurrentIndex(model_.index(std::min(current.row(), model_.rowCount() - 1), current.column()));
+}
+
+}  // namespace covaria::ui

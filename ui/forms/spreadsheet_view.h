@@ -1,0 +1,56 @@
+// A table that behaves like a spreadsheet: keyboard, copy and paste of blocks, fill down, rows.
+#pragma once
+
+#include <QAction>
+#include <QTableView>
+
+#include "ui/models/setup_table_model.h"
+
+namespace covaria::ui {
+
+class SpreadsheetView : public QTableView {
+    Q_OBJECT
+public:
+    explicit SpreadsheetView(SetupTableModel& model, QWidget* parent = nullptr);
+
+    QAction* copy_action() const { return copy_; }
+    QAction* cut_action() const { return cut_; }
+    QAction* paste_action() const { return paste_; }
+    QAction* clear_action() const { return clear_; }
+    QAction* fill_down_action() const { return fill_down_; }
+    QAction* insert_row_action() const { return insert_row_; }
+    QAction* append_row_action() const { return append_row_; }
+    QAction* remove_rows_action() const { return remove_rows_; }
+
+signals:
+    /// Of a paste: how many cells could not be understood.
+    void cells_refused(int count);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    QAction* add(const QString& text, const QKeySequence& key, void (SpreadsheetView::*method)());
+    void copy();
+    void cut();
+    void paste();
+    void clear();
+    void fill_down();
+    void insert_row();
+    void append_row();
+    void remove_rows();
+    void update_actions();
+
+    SetupTableModel& model_;
+    QAction* copy_;
+    QAction* cut_;
+    QAction* paste_;
+    QAction* clear_;
+    QAction* fill_down_;
+    QAction* insert_row_;
+    QAction* append_row_;
+    QAction* remove_rows_;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,103 @@
+// A table with what can be done to it.
+#include "ui/forms/table_editor.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QMenu>
+#include <QVBoxLayout>
+
+#include "ui/document/strings.h"
+#include "ui/forms/complaint.h"
+#include "ui/forms/csv_import_dialog.h"
+#include "ui/models/display_units.h"
+
+namespace covaria::ui {
+
+TableEditor::TableEditor(const FieldSpec& field, Document& document, const SetupAddress& address,
+                         QWidget* parent)
+    : FieldEditor(parent),
+      field_(field),
+      model_(new SetupTableModel(document, address, field.key, this)),
+      view_(new SpreadsheetView(*model_, this)),
+      note_(new QLabel(this)),
+      embed_(new QPushButton(tr("Take into the project"), this)) {
+    view_->setAccessibleName(to_qt(field.title));
+    view_->setObjectName(to_qt(field.key));
+    view_->setMinimumHeight(fontMetrics().height() * 9);
+    note_->setWordWrap(true);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(add_button(tr("Add row"), view_->append_row_action()));
+    buttons->addWidget(add_button(tr("Delete rows"), view_->remove_rows_action()));
+    auto* import = new QPushButton(tr("Import CSV…"), this);
+    buttons->addWidget(import);
+    buttons->addWidget(embed_);
+    buttons->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(view_);
+    layout->addLayout(buttons);
+    layout->addWidget(note_);
+    setFocusProxy(view_);
+    view_->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(view_->horizontalHeader(), &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+        choose_unit(view_->horizontalHeader()->logicalIndexAt(at),
+                    view_->horizontalHeader()->mapToGlobal(at));
+    });
+    connect(import, &QPushButton::clicked, this, &TableEditor::import_csv);
+    connect(embed_, &QPushButton::clicked, model_, &SetupTableModel::embed);
+    connect(view_, &SpreadsheetView::cells_refused, this, [this](int count) {
+        note_->setText(tr("%n cell(s) could not be understood and are marked.", nullptr, count));
+        note_->show();
+    });
+    set_value({});
+    set_complaint({});
+}
+
+QPushButton* TableEditor::add_button(const QString& text, QAction* action) {
+    auto* button = new QPushButton(text, this);
+    button->setToolTip(action->text() + " (" + action->shortcut().toString(QKeySequence::NativeText) + ')');
+    button->setEnabled(action->isEnabled());
+    connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
+    return button;
+}
+
+void TableEditor::set_value(const SetupValue&) {
+    embed_->setVisible(model_->is_linked());
+    embed_->setToolTip(tr("The rows are read from %1. Taken into the project they can be edited here.")
+                           .arg(to_qt(model_->table().csv_file)));
+}
+
+void TableEditor::set_complaint(const QString& complaint) {
+    mark(*view_, complaint, help_text(field_));
+    note_->setText(complaint);
+    note_->setVisible(!complaint.isEmpty());
+}
+
+void TableEditor::focus_part(const std::string& path) {
+    view_->setFocus(Qt::OtherFocusReason);
+    const QModelIndex cell = model_->index_of_path(path);
+    if (!cell.isValid()) return;
+    view_->setCurrentIndex(cell);
+    view_->scrollTo(cell);
+}
+
+void TableEditor::choose_unit(int column, const QPoint& position) {
+    if (column < 0 || field_.columns[static_cast<std::size_t>(column)].kind != FieldKind::number) return;
+    QMenu menu(this);
+    for (const Unit& unit : DisplayUnits::choices(model_->unit(column)))
+        menu.addAction(to_qt(unit.display()), this, [this, column, unit] { model_->set_unit(column, unit); });
+    menu.exec(position);
+}
+
+void TableEditor::import_csv() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Import CSV into %1").arg(to_qt(field_.title)),
+                                                      {}, tr("Tables (*.csv *.tsv *.txt);;All files (*)"));
+    if (file.isEmpty()) return;
+    CsvImportDialog dialog(field_, model_->table().units, file, this);
+    if (dialog.exec() == QDialog::Accepted)
+        model_->replace_table(dialog.table(), tr("Import %1").arg(to_qt(field_.title)));
+}
+
+}  // namespace covaria::ui

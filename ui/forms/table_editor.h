@@ -1,0 +1,40 @@
+// Editor of a table field: the spreadsheet with its buttons and import.
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/forms/field_editor.h"
+#include "ui/forms/spreadsheet_view.h"
+#include "ui/models/setup_table_model.h"
+
+namespace covaria::ui {
+
+class TableEditor : public FieldEditor {
+    Q_OBJECT
+public:
+    TableEditor(const FieldSpec& field, Document& document, const SetupAddress& address, QWidget* parent);
+    /// The model follows the document by itself.
+    void set_value(const SetupValue& value) override;
+    void set_complaint(const QString& complaint) override;
+    void focus_part(const std::string& path) override;
+    bool is_wide() const override { return true; }
+
+    SetupTableModel& model() { return *model_; }
+    SpreadsheetView& view() { return *view_; }
+    /// Asks for a file, shows the preview, replaces the table.
+    void import_csv();
+
+private:
+    QPushButton* add_button(const QString& text, QAction* action);
+    void choose_unit(int column, const QPoint& position);
+
+    FieldSpec field_;
+    SetupTableModel* model_;
+    SpreadsheetView* view_;
+    QLabel* note_;
+    QPushButton* embed_;
+    QString complaint_;
+};
+
+}  // namespace covaria::ui

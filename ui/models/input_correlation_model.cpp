@@ -1,0 +1,201 @@
+// Edits of correlations; the core decides whether they are possible together.
+#include "ui/models/input_correlation_model.h"
+
+#include <QColor>
+#include <algorithm>
+
+#include "ui/document/quantity_text.h"
+#include "ui/document/setup_address.h"
+#include "ui/document/strings.h"
+#include "ui/models/roles.h"
+
+namespace covaria::ui {
+
+namespace {
+
+bool is_pair(const CorrelationEdit& edit, const std::string& a, const std::string& b) {
+    return (edit.first == a && edit.second == b) || (edit.first == b && edit.second == a);
+}
+
+std::size_t find_component(const InputSet& inputs, const std::string& id) {
+    for (std::size_t i = 0; i < inputs.components.size(); ++i)
+        if (inputs.components[i].id == id) return i;
+    return InputSet::npos;
+}
+
+void set_coefficient(InputSet& inputs, std::size_t a, std::size_t b, double r) {
+    for (ComponentCorrelation& known : inputs.correlations) {
+        const bool same = (known.first == a && known.second == b) || (known.first == b && known.second == a);
+        if (!same) continue;
+        known.coefficient = r;
+        return;
+    }
+    inputs.correlations.push_back({a, b, r});
+}
+
+template <class Container, class Value>
+bool contains(const Container& container, const Value& value) {
+    return std::find(container.begin(), container.end(), value) != container.end();
+}
+
+}  // namespace
+
+InputCorrelationModel::InputCorrelationModel(Document& document, QObject* parent)
+    : QAbstractTableModel(parent), document_(document) {
+    connect(&document_, &Document::project_changed, this, &InputCorrelationModel::refresh);
+}
+
+void InputCorrelationModel::set_analysis(std::shared_ptr<const PreparedAnalysis> analysis) {
+    if (!analysis || !analysis_ || analysis->id != analysis_->id) added_.clear();
+    analysis_ = std::move(analysis);
+    refresh();
+}
+
+const std::vector<CorrelationEdit>& InputCorrelationModel::edits() const {
+    static const std::vector<CorrelationEdit> none;
+    const AnalysisEntry* entry = analysis_ ? document_.project().find_analysis(analysis_->id) : nullptr;
+    return entry ? entry->correlations : none;
+}
+
+std::vector<std::string> InputCorrelationModel::shown_components() const {
+    std::vector<std::string> shown;
+    if (!analysis_) return shown;
+    const auto add = [&](const std::string& id) {
+        if (!contains(shown, id)) shown.push_back(id);
+    };
+    for (const ComponentCorrelation& known : analysis_->inputs.correlations) {
+        add(analysis_->inputs.components[known.first].id);
+        add(analysis_->inputs.components[known.second].id);
+    }
+    for (const CorrelationEdit& edit : edits()) {
+        add(edit.first);
+        add(edit.second);
+    }
+    for (const std::string& id : added_) add(id);
+    return shown;
+}
+
+void InputCorrelationModel::refresh() {
+    const std::vector<std::string> shown = shown_components();
+    if (shown != ids_) {
+        beginResetModel();
+        ids_ = shown;
+        endResetModel();
+    } else if (!ids_.empty()) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, rowCount() - 1));
+    }
+    check();
+}
+
+void InputCorrelationModel::check() {
+    QString complaint;
+    if (analysis_) {
+        InputSet inputs = analysis_->inputs;
+        for (const CorrelationEdit& edit : edits()) {
+            const std::size_t a = find_component(inputs, edit.first);
+            const std::size_t b = find_component(inputs, edit.second);
+            if (a != InputSet::npos && b != InputSet::npos) set_coefficient(inputs, a, b, edit.coefficient);
+        }
+        if (const auto resolved = resolved_correlations(inputs); !resolved)
+            complaint = to_qt(resolved.error().message);
+    }
+    if (complaint == complaint_) return;
+    complaint_ = complaint;
+    emit complaint_changed();
+}
+
+void InputCorrelationModel::add_component(const std::string& id) {
+    if (!contains(added_, id)) added_.push_back(id);
+    refresh();
+}
+
+void InputCorrelationModel::remove_component(int row) {
+    const std::string id = ids_[static_cast<std::size_t>(row)];
+    std::erase(added_, id);
+    document_.apply(tr("Remove correlations of %1").arg(to_qt(id)), [&](Project& project) {
+        if (AnalysisEntry* entry = find_analysis_entry(project, analysis_->id))
+            std::erase_if(entry->correlations,
+                          [&](const CorrelationEdit& edit) { return edit.first == id || edit.second == id; });
+    });
+    refresh();
+}
+
+std::vector<std::string> InputCorrelationModel::other_components() const {
+    std::vector<std::string> others;
+    if (!analysis_) return others;
+    for (const UncertaintyComponent& component : analysis_->inputs.components)
+        if (!contains(ids_, component.id)) others.push_back(component.id);
+    return others;
+}
+
+int InputCorrelationModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(ids_.size());
+}
+
+double InputCorrelationModel::coefficient(const std::string& a, const std::string& b) const {
+    if (a == b) return 1.0;
+    for (const CorrelationEdit& edit : edits())
+        if (is_pair(edit, a, b)) return edit.coefficient;
+    const InputSet& inputs = analysis_->inputs;
+    for (const ComponentCorrelation& known : inputs.correlations)
+        if (is_pair({inputs.components[known.first].id, inputs.components[known.second].id, 0.0}, a, b))
+            return known.coefficient;
+    return 0.0;
+}
+
+QVariant InputCorrelationModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+    const std::string& a = ids_[static_cast<std::size_t>(index.row())];
+    const std::string& b = ids_[static_cast<std::size_t>(index.column())];
+    switch (role) {
+        case Qt::DisplayRole:
+        case Qt::EditRole:
+            return number_text(coefficient(a, b), QLocale());
+        case Qt::TextAlignmentRole:
+            return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+        case Qt::BackgroundRole:
+            return complaint_.isEmpty() || a == b || coefficient(a, b) == 0.0
+                       ? QVariant()
+                       : QVariant(QColor(213, 94, 0, 60));
+        case Qt::ToolTipRole:
+            return complaint_.isEmpty() ? to_qt(a + ", " + b) : complaint_;
+        case problem_role:
+            return complaint_;
+        default:
+            return {};
+    }
+}
+
+QVariant InputCorrelationModel::headerData(int section, Qt::Orientation, int role) const {
+    if (role != Qt::DisplayRole || section < 0 || section >= rowCount()) return {};
+    return to_qt(ids_[static_cast<std::size_t>(section)]);
+}
+
+Qt::ItemFlags InputCorrelationModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    return index.isValid() && index.row() != index.column() ? flags | Qt::ItemIsEditable : flags;
+}
+
+bool InputCorrelationModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
+    const std::optional<double> r = parse_number(value.toString(), QLocale());
+    if (!r || *r < -1.0 || *r > 1.0) return false;
+    const std::string a = ids_[static_cast<std::size_t>(index.row())];
+    const std::string b = ids_[static_cast<std::size_t>(index.column())];
+    for (const std::string& id : {a, b})
+        if (!contains(added_, id)) added_.push_back(id);  // stays in sight when its last coefficient goes
+    document_.apply(tr("Change correlation of %1 and %2").arg(to_qt(a), to_qt(b)), [&](Project& project) {
+        AnalysisEntry* entry = find_analysis_entry(project, analysis_->id);
+        if (!entry) return;
+        auto& all = entry->correlations;
+        const auto known =
+            std::find_if(all.begin(), all.end(), [&](const auto& edit) { return is_pair(edit, a, b); });
+        if (known == all.end())
+            all.push_back({a, b, *r});
+        else
+            known->coefficient = *r;
+    });
+    return true;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,58 @@
+// Correlation coefficients between components of uncertainty, as an editable symmetric matrix with a live
+// check.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/project/workspace.h"
+#include "ui/document/document.h"
+
+namespace covaria::ui {
+
+/// Rows and columns are the components that are correlated already and those added to be edited.
+class InputCorrelationModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    explicit InputCorrelationModel(Document& document, QObject* parent = nullptr);
+
+    /// The analysis as it was last prepared; null empties the table.
+    void set_analysis(std::shared_ptr<const PreparedAnalysis> analysis);
+    const std::shared_ptr<const PreparedAnalysis>& analysis() const { return analysis_; }
+    /// Puts a component into the matrix; nothing is written until a coefficient is.
+    void add_component(const std::string& id);
+    /// Removes all coefficients of the component and takes it out.
+    void remove_component(int row);
+    /// Ids of components that are not in the matrix.
+    std::vector<std::string> other_components() const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override { return rowCount(parent); }
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+
+    /// Why the matrix is not a correlation matrix (not positive semi-definite ...), in words; empty: it is.
+    const QString& complaint() const { return complaint_; }
+
+signals:
+    void complaint_changed();
+
+private:
+    void refresh();
+    void check();
+    const std::vector<CorrelationEdit>& edits() const;
+    double coefficient(const std::string& a, const std::string& b) const;
+    std::vector<std::string> shown_components() const;
+
+    Document& document_;
+    std::shared_ptr<const PreparedAnalysis> analysis_;
+    std::vector<std::string> added_;
+    std::vector<std::string> ids_;
+    QString complaint_;
+};
+
+}  // namespace covaria::ui
