@@ -3,9 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+
+#include "core/math/special_quantiles.h"
 
 namespace covaria {
 namespace {
@@ -97,7 +97,7 @@ std::optional<PointUncertainty> PointUncertainties::of_inputs(const std::array<s
     }
     found.u = found.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     const double p = std::clamp(result_->coverage_probability, 0.01, 0.999999);
-    found.U = found.u * boost::math::quantile(boost::math::normal(), (1 + p) / 2);
+    found.U = found.u * t_quantile((1 + p) / 2, infinity);
     return found;
 }
 
@@ -109,7 +109,7 @@ CoverageEllipsoid coverage_ellipsoid(const Eigen::Matrix3d& covariance, double p
     // A ratio of semi-axes below 1e-5 cannot be seen, and is rounding where the true value is zero.
     while (ellipsoid.rank < 3 && solver.eigenvalues()[2 - ellipsoid.rank] > 1e-10 * largest) ++ellipsoid.rank;
     const double p = std::clamp(probability, 1e-6, 1 - 1e-12);
-    ellipsoid.coverage_factor = std::sqrt(boost::math::quantile(boost::math::chi_squared(ellipsoid.rank), p));
+    ellipsoid.coverage_factor = std::sqrt(chi_squared_quantile(p, ellipsoid.rank));
     for (int i = 0; i < ellipsoid.rank; ++i) {
         Eigen::Vector3d direction = solver.eigenvectors().col(2 - i);
         Eigen::Index longest = 0;

@@ -1,0 +1,78 @@
+// Actors of clouds: one point per trial, and a thinned twin for moving pictures.
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "viz/vtk/layer_actors.h"
+
+namespace covaria::detail {
+namespace {
+
+constexpr std::size_t moving_limit = 12'000;  // points of all clouds together while the camera moves
+constexpr double point_size = 1.7;
+
+vtkSmartPointer<vtkPolyData> points_of(const SceneCloud& cloud, std::size_t stride) {
+    const std::size_t count = (cloud.size() + stride - 1) / stride;
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(3);
+    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(count));
+    float* to = coordinates->GetPointer(0);
+    for (std::size_t i = 0; i < count; ++i) to = std::copy_n(&cloud.offsets[3 * i * stride], 3, to);
+    vtkNew<vtkPoints> points;
+    points->SetData(coordinates);
+    vtkNew<vtkCellArray> cell;  // one cell of many points
+    std::vector<vtkIdType> ids(count);
+    std::iota(ids.begin(), ids.end(), vtkIdType{0});
+    cell->InsertNextCell(static_cast<vtkIdType>(count), ids.data());
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetVerts(cell);
+    return data;
+}
+
+LayerActor cloud_actor(const SceneCloud& cloud, const Eigen::Vector3d& origin, ScenePalette palette,
+                       std::size_t stride) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(points_of(cloud, stride));
+    mapper->SetStatic(true);
+    LayerActor made{vtkSmartPointer<vtkActor>::New()};
+    made.point_size = point_size;
+    made.actor->SetMapper(mapper);
+    const Eigen::Vector3d at = cloud.item.position - origin;
+    made.actor->SetPosition(at.x(), at.y(), at.z());
+    const Colour colour = colour_of(cloud.role, palette);
+    vtkProperty* property = made.actor->GetProperty();
+    property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+    property->LightingOff();
+    // Few trials are drawn strongly, many faintly, so that the density shows.
+    property->SetOpacity(std::clamp(25.0 / std::sqrt(static_cast<double>(cloud.size())), 0.12, 0.7));
+    return made;
+}
+
+}  // namespace
+
+std::vector<LayerActor> cloud_actors(const Scene& scene, const Eigen::Vector3d& origin,
+                                     ScenePalette palette) {
+    std::size_t total = 0;
+    for (const SceneCloud& cloud : scene.clouds) total += cloud.size();
+    const std::size_t stride = (total + moving_limit - 1) / moving_limit;
+    std::vector<LayerActor> actors;
+    for (const SceneCloud& cloud : scene.clouds) {
+        if (cloud.size() == 0) continue;
+        actors.push_back(cloud_actor(cloud, origin, palette, 1));
+        if (stride <= 1) continue;
+        actors.back().shown = LayerActor::Shown::still;
+        actors.push_back(cloud_actor(cloud, origin, palette, stride));
+        actors.back().shown = LayerActor::Shown::moving;
+    }
+    return actors;
+}
+
+}  // namespace covaria::detail

@@ -1,0 +1,44 @@
+// An OpenGL context of our own, off screen, without any display (EGL).
+#pragma once
+
+#include "core/base/error.h"
+
+namespace covaria::detail {
+
+/// Not current in any thread except between the life of a `CurrentContext`.
+class EglContext {
+public:
+    EglContext() = default;
+    ~EglContext();
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
+
+    /// Mesa's surfaceless platform, else the first EGL device that works. Error{io} says what is missing.
+    Result<void> open();
+    bool is_open() const { return context_ != nullptr; }
+    bool is_current() const;
+
+private:
+    friend class CurrentContext;
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+};
+
+/// Makes the context current in this thread, and what was current before again at the end.
+class CurrentContext {
+public:
+    explicit CurrentContext(const EglContext& context);
+    ~CurrentContext();
+    CurrentContext(const CurrentContext&) = delete;
+    CurrentContext& operator=(const CurrentContext&) = delete;
+
+private:
+    void* display_;
+    void* previous_display_;
+    void* previous_context_;
+    void* previous_draw_;
+    void* previous_read_;
+    unsigned previous_api_;
+};
+
+}  // namespace covaria::detail

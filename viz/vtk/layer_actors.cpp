@@ -1,0 +1,77 @@
+// Which layers to rebuild, and how the actors follow the camera.
+#include "viz/vtk/layer_actors.h"
+
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+namespace covaria::detail {
+namespace {
+
+bool same(Layer layer, const Scene& a, const Scene& b) {
+    switch (layer) {
+        case Layer::frames:
+            return a.frames == b.frames;
+        case Layer::points:
+            return a.points == b.points;
+        case Layer::bodies:
+            return a.bodies == b.bodies;
+        case Layer::links:
+            return a.links == b.links;
+        case Layer::vectors:
+            return a.vectors == b.vectors;
+        case Layer::ellipsoids:
+            return a.ellipsoids == b.ellipsoids;
+        case Layer::clouds:
+            return a.clouds == b.clouds;
+        case Layer::wall_histograms:
+            return a.wall_histograms == b.wall_histograms;
+        case Layer::axes:
+            return a.axes == b.axes;
+        case Layer::labels:
+        case Layer::legend:
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void LayerActors::update(const Scene& scene, const Scene* before, ScenePalette palette) {
+    const SceneBounds bounds = bounds_of(scene);
+    const Eigen::Vector3d middle = (bounds.low + bounds.high) / 2;
+    // The origin moves only when it has become far: then everything is built anew.
+    const bool far = (middle - origin_).norm() > 10 * (bounds.high - bounds.low).norm();
+    if (!before || far) origin_ = middle;
+    for (std::size_t i = 0; i < layer_count; ++i) {
+        const auto layer = static_cast<Layer>(i);
+        if (!before || far || !same(layer, scene, *before)) rebuild(layer, scene, palette);
+    }
+}
+
+void LayerActors::rebuild(Layer layer, const Scene& scene, ScenePalette palette) {
+    auto& actors = actors_[static_cast<std::size_t>(layer)];
+    for (const LayerActor& old : actors) renderer_->RemoveActor(old.actor);
+    actors = actors_of(layer, scene, origin_, palette);
+    for (const LayerActor& added : actors) renderer_->AddActor(added.actor);
+}
+
+void LayerActors::prepare(const View& view) {
+    for (std::size_t i = 0; i < layer_count; ++i)
+        for (LayerActor& item : actors_[i]) {
+            const bool hidden =
+                item.shown == (view.moving ? LayerActor::Shown::still : LayerActor::Shown::moving);
+            item.actor->SetVisibility(view.layers[static_cast<Layer>(i)] && !hidden);
+            vtkProperty* property = item.actor->GetProperty();
+            if (item.line_width > 0) property->SetLineWidth(static_cast<float>(item.line_width * view.ratio));
+            if (item.point_size > 0)
+                property->SetPointSize(static_cast<float>(std::max(1.0, item.point_size * view.ratio)));
+            if (item.wall_normal < 0) continue;
+            const bool far_is_high = view.camera.direction[item.wall_normal] > 1e-6;
+            Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+            shift[item.wall_normal] = far_is_high ? item.wall_shift : 0.0;
+            item.actor->SetPosition(shift.data());
+        }
+}
+
+}  // namespace covaria::detail

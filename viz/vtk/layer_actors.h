@@ -1,0 +1,60 @@
+// The actors of a scene, layer by layer; a layer is rebuilt only when what it shows has changed.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "viz/scene/camera.h"
+#include "viz/vtk/palette.h"
+
+namespace covaria::detail {
+
+/// An actor and how it follows the camera, the pixel density and the quality.
+struct LayerActor {
+    vtkSmartPointer<vtkActor> actor;
+    double line_width = 0.0;  ///< in units of the pixel ratio; 0 = no lines
+    double point_size = 0.0;  ///< likewise; 0 = no points
+    /// A wall stands at the side of its box that is farther from the eye: normal direction (0 x, 1 y, 2 z)
+    /// and the way from the low to the high side. -1 = no wall.
+    int wall_normal = -1;
+    double wall_shift = 0.0;
+    enum class Shown { always, still, moving } shown = Shown::always;  ///< thinned twins of clouds
+};
+
+class LayerActors {
+public:
+    explicit LayerActors(vtkRenderer* renderer) : renderer_(renderer) {}
+
+    /// `before` is the scene the layers were last built from (null: build all).
+    void update(const Scene& scene, const Scene* before, ScenePalette palette);
+    struct View {
+        Camera camera;
+        LayerVisibility layers;
+        double ratio = 1.0;
+        bool moving = false;
+    };
+    /// Visibility, widths and walls for the next picture.
+    void prepare(const View& view);
+    const Eigen::Vector3d& origin() const { return origin_; }
+
+private:
+    void rebuild(Layer layer, const Scene& scene, ScenePalette palette);
+    vtkRenderer* renderer_;
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+    std::array<std::vector<LayerActor>, layer_count> actors_;
+};
+
+/// The actors of one layer (none for labels and legend, which are painted on the picture).
+std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Eigen::Vector3d& origin,
+                                  ScenePalette palette);
+std::vector<LayerActor> axes_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
+std::vector<LayerActor> histogram_actors(const Scene& scene, const Eigen::Vector3d& origin,
+                                         ScenePalette palette);
+std::vector<LayerActor> cloud_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
+
+}  // namespace covaria::detail

@@ -1,0 +1,93 @@
+// Colours of the roles.
+#include "viz/vtk/palette.h"
+
+namespace covaria::detail {
+namespace {
+
+Colour light(Role role) {
+    switch (role) {
+        case Role::axis_x:
+            return {0xD5, 0x5E, 0x00};
+        case Role::axis_y:
+            return {0x00, 0x9E, 0x73};
+        case Role::axis_z:
+            return {0x00, 0x72, 0xB2};
+        case Role::point:
+            return {0x4A, 0x50, 0x57};
+        case Role::input:
+            return {0xE6, 0x8A, 0x00};
+        case Role::output:
+            return {0x00, 0x72, 0xB2};
+        case Role::body:
+            return {0xA9, 0xB0, 0xB7};
+        case Role::link:
+            return {0x8C, 0x94, 0x9C};
+        case Role::sight_line:
+            return {0xA6, 0x5C, 0x86};
+        case Role::instrument:
+            return {0x6B, 0x74, 0x7D};
+        case Role::vector:
+            return {0xA6, 0x3C, 0x78};
+        case Role::text:
+            return {0x20, 0x24, 0x28};
+        case Role::quiet_text:
+            return {0x66, 0x6D, 0x74};
+    }
+    return {};
+}
+
+Colour dark(Role role) {
+    switch (role) {
+        case Role::axis_x:
+            return {0xF0, 0x82, 0x3A};
+        case Role::axis_y:
+            return {0x2B, 0xC4, 0x97};
+        case Role::axis_z:
+            return {0x56, 0xB4, 0xE9};
+        case Role::point:
+            return {0xC3, 0xCA, 0xD1};
+        case Role::input:
+            return {0xF5, 0xB0, 0x41};
+        case Role::output:
+            return {0x56, 0xB4, 0xE9};
+        case Role::body:
+            return {0x7E, 0x87, 0x90};
+        case Role::link:
+            return {0x8F, 0x99, 0xA3};
+        case Role::sight_line:
+            return {0xD8, 0x8F, 0xB8};
+        case Role::instrument:
+            return {0x9A, 0xA4, 0xAE};
+        case Role::vector:
+            return {0xE0, 0x8B, 0xB9};
+        case Role::text:
+            return {0xE9, 0xEC, 0xEF};
+        case Role::quiet_text:
+            return {0xA4, 0xAC, 0xB4};
+    }
+    return {};
+}
+
+}  // namespace
+
+Colour colour_of(Role role, ScenePalette palette) {
+    return palette == ScenePalette::light ? light(role) : dark(role);
+}
+
+Colour ground_top(ScenePalette palette) {
+    return palette == ScenePalette::light ? Colour{0xFD, 0xFD, 0xFC} : Colour{0x25, 0x29, 0x2D};
+}
+
+Colour ground_bottom(ScenePalette palette) {
+    return palette == ScenePalette::light ? Colour{0xF2, 0xF3, 0xF4} : Colour{0x1A, 0x1D, 0x20};
+}
+
+Colour grid_colour(ScenePalette palette) {
+    return palette == ScenePalette::light ? Colour{0xD9, 0xDD, 0xE0} : Colour{0x3C, 0x42, 0x48};
+}
+
+Colour selection_colour(ScenePalette palette) {
+    return palette == ScenePalette::light ? Colour{0xCC, 0x33, 0x11} : Colour{0xFF, 0x8A, 0x65};
+}
+
+}  // namespace covaria::detail

@@ -1,0 +1,104 @@
+// Letters by FreeType, through VTK.
+#include "viz/vtk/text_masks.h"
+
+#include <vtkFreeTypeTools.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <mutex>
+
+namespace covaria::detail {
+namespace {
+
+constexpr std::size_t most_masks = 2000;  // beyond that the store starts anew: bounded memory
+
+std::string font_file(bool bold) {
+    const std::string weight = bold ? "-Bold.ttf" : "-Regular.ttf";
+    const std::string candidates[] = {
+        "/usr/share/fonts/truetype/liberation2/LiberationSans" + weight,
+        "/usr/share/fonts/truetype/liberation/LiberationSans" + weight,
+        "/usr/share/fonts/liberation-sans/LiberationSans" + weight,
+        std::string("/usr/share/fonts/truetype/dejavu/DejaVuSans") + (bold ? "-Bold.ttf" : ".ttf"),
+        std::string("/usr/share/fonts/TTF/DejaVuSans") + (bold ? "-Bold.ttf" : ".ttf"),
+    };
+    std::error_code ignored;
+    for (const std::string& file : candidates)
+        if (std::filesystem::is_regular_file(file, ignored)) return file;
+    return {};
+}
+
+void set_font(vtkTextProperty* property, bool bold) {
+    static const std::string regular_file = font_file(false), bold_file = font_file(true);
+    const std::string& file = bold ? bold_file : regular_file;
+    if (file.empty()) {
+        property->SetFontFamilyToArial();
+        property->SetBold(bold);
+        return;
+    }
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(file.c_str());
+}
+
+Mask letters_of(const std::string& text, int pixels, bool bold) {
+    static std::mutex freetype;  // VTK keeps one FreeType for the process
+    const std::lock_guard lock(freetype);
+    vtkNew<vtkTextProperty> property;
+    set_font(property, bold);
+    property->SetFontSize(pixels);
+    property->SetColor(1, 1, 1);
+    vtkNew<vtkImageData> data;
+    int used[2] = {0, 0};
+    Mask mask;
+    if (!vtkFreeTypeTools::GetInstance()->RenderString(property, vtkStdString(text), 72, data, used))
+        return mask;
+    mask.width = used[0];
+    mask.height = used[1];
+    const int channels = data->GetNumberOfScalarComponents();
+    for (int y = mask.height - 1; y >= 0; --y)
+        for (int x = 0; x < mask.width; ++x)
+            mask.opacity.push_back(static_cast<const std::uint8_t*>(
+                data->GetScalarPointer(data->GetExtent()[0] + x, data->GetExtent()[2] + y, 0))[channels - 1]);
+    return mask;
+}
+
+/// Each pixel takes the strongest within `reach`, fading at the rim.
+Mask grown(const Mask& mask, int reach) {
+    Mask halo{mask.width + 2 * reach, mask.height + 2 * reach, {}};
+    halo.opacity.assign(static_cast<std::size_t>(halo.width) * static_cast<std::size_t>(halo.height), 0);
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) {
+            const int strength = mask.at(x, y);
+            if (strength == 0) continue;
+            for (int dy = -reach; dy <= reach; ++dy)
+                for (int dx = -reach; dx <= reach; ++dx) {
+                    const double fade = std::clamp(reach + 0.5 - std::hypot(dx, dy), 0.0, 1.0);
+                    const auto at =
+                        static_cast<std::size_t>(y + reach + dy) * static_cast<std::size_t>(halo.width) +
+                        static_cast<std::size_t>(x + reach + dx);
+                    halo.opacity[at] = std::max(halo.opacity[at], static_cast<std::uint8_t>(fade * strength));
+                }
+        }
+    return halo;
+}
+
+}  // namespace
+
+const TextMask& TextMasks::of(const std::string& text, double pixels, bool bold) {
+    const int size = std::max(6, static_cast<int>(std::lround(pixels)));
+    if (masks_.size() > most_masks) masks_.clear();
+    auto [place, added] = masks_.try_emplace({text, size, bold});
+    if (added) {
+        TextMask& mask = place->second;
+        mask.letters = letters_of(text, size, bold);
+        mask.halo_width = std::max(1, size / 6);
+        mask.halo = grown(mask.letters, mask.halo_width);
+    }
+    return place->second;
+}
+
+}  // namespace covaria::detail
