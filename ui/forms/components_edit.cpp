@@ -1,0 +1,191 @@
+// The first change copies the model's components into the project.
+#include "ui/forms/components_edit.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/base/symbol.h"
+#include "ui/document/input_edits.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+ComponentsEdit::ComponentsEdit(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      list_(new QListWidget(this)),
+      add_(new QPushButton(tr("Add"), this)),
+      remove_(new QPushButton(tr("Remove"), this)),
+      reset_(new QPushButton(tr("Reset"), this)),
+      details_(new QWidget(this)),
+      name_(new QLineEdit(details_)),
+      type_(new QComboBox(details_)),
+      degrees_(new QuantityEdit(details_)),
+      origin_(new QLineEdit(details_)),
+      distribution_(new DistributionEdit(details_)) {
+    build();
+    connect(&document_, &Document::project_changed, this, &ComponentsEdit::refresh);
+    connect(list_, &QListWidget::currentRowChanged, this, &ComponentsEdit::show_component);
+    connect(add_, &QPushButton::clicked, this, &ComponentsEdit::add_component);
+    connect(remove_, &QPushButton::clicked, this, &ComponentsEdit::remove_component);
+    connect(reset_, &QPushButton::clicked, this, &ComponentsEdit::reset);
+    connect(name_, &QLineEdit::textEdited, this, [this](const QString& text) {
+        change("name", [&](ComponentEdit& edit) { edit.name = to_std(text); });
+    });
+    connect(origin_, &QLineEdit::textEdited, this, [this](const QString& text) {
+        change("origin", [&](ComponentEdit& edit) { edit.origin = to_std(text); });
+    });
+    connect(type_, &QComboBox::activated, this, [this](int row) {
+        change("type", [&](ComponentEdit& edit) {
+            edit.type = row == 0 ? EvaluationType::type_a : EvaluationType::type_b;
+        });
+    });
+    connect(degrees_, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& quantity) {
+        change("degrees", [&](ComponentEdit& edit) {
+            edit.degrees_of_freedom = quantity ? std::optional<double>(quantity->value) : std::nullopt;
+        });
+    });
+    connect(distribution_, &DistributionEdit::component_edited, this, [this](const ComponentEdit& edited) {
+        change("distribution", [&](ComponentEdit& edit) { edit = edited; });
+    });
+}
+
+void ComponentsEdit::build() {
+    list_->setAccessibleName(tr("Components of uncertainty"));
+    list_->setMaximumHeight(fontMetrics().height() * 6);
+    reset_->setToolTip(tr("Back to the components that the model gives"));
+    type_->addItems({tr("Type A (from observations)"), tr("Type B (other means)")});
+    degrees_->set_range({0.0, Range::infinity_value, true});
+    degrees_->setPlaceholderText(QStringLiteral("∞"));
+    degrees_->set_help(tr("Degrees of freedom of the standard uncertainty; empty: infinitely many."));
+    auto* form = new QFormLayout(details_);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("Name"), name_);
+    form->addRow(tr("Evaluation"), type_);
+    form->addRow(tr("Degrees of freedom"), degrees_);
+    form->addRow(tr("Origin"), origin_);
+    form->addRow(distribution_);
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {add_, remove_, reset_}) buttons->addWidget(button);
+    buttons->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(list_);
+    layout->addLayout(buttons);
+    layout->addWidget(details_);
+    layout->addStretch(1);
+}
+
+void ComponentsEdit::set_quantity(std::shared_ptr<const PreparedAnalysis> analysis,
+                                  const std::string& symbol) {
+    analysis_ = std::move(analysis);
+    symbol_ = symbol;
+    refresh();
+}
+
+std::vector<ComponentEdit> ComponentsEdit::model_components() const {
+    std::vector<ComponentEdit> found;
+    const InputSet& inputs = analysis_->inputs;
+    const std::size_t quantity = inputs.find(symbol_);
+    if (quantity == InputSet::npos) return found;
+    for (const Share& share : inputs.quantities[quantity].shares) {
+        const auto shares_it = [&](const InputQuantity& other) {
+            return std::any_of(other.shares.begin(), other.shares.end(),
+                               [&](const Share& s) { return s.component == share.component; });
+        };
+        if (std::count_if(inputs.quantities.begin(), inputs.quantities.end(), shares_it) == 1)
+            found.push_back(to_edit(inputs.components[share.component]));
+    }
+    return found;
+}
+
+std::vector<ComponentEdit> ComponentsEdit::components() const {
+    if (!analysis_) return {};
+    const InputEdit edit = find_input_edit(document_.project(), analysis_->id, symbol_);
+    return edit.components ? *edit.components : model_components();
+}
+
+void ComponentsEdit::write(const QString& text, std::vector<ComponentEdit> components,
+                           const QString& merge_key) {
+    change_input(
+        document_, analysis_->id, symbol_, text,
+        [&](InputEdit& edit) { edit.components = std::move(components); }, merge_key);
+}
+
+void ComponentsEdit::change(const QString& what, const std::function<void(ComponentEdit&)>& edit) {
+    std::vector<ComponentEdit> all = components();
+    const int row = list_->currentRow();
+    if (row < 0 || row >= static_cast<int>(all.size())) return;
+    edit(all[static_cast<std::size_t>(row)]);
+    const QString key =
+        QStringLiteral("component:%1:%2:%3:%4").arg(to_qt(analysis_->id), to_qt(symbol_), what).arg(row);
+    write(tr("Change component of %1").arg(to_qt(symbol_to_unicode(symbol_))), std::move(all), key);
+}
+
+void ComponentsEdit::add_component() {
+    if (!analysis_) return;
+    std::vector<ComponentEdit> all = components();
+    const std::size_t quantity = analysis_->inputs.find(symbol_);
+    ComponentEdit added;
+    added.name = to_std(tr("component %1").arg(all.size() + 1));
+    if (quantity != InputSet::npos) added.unit = analysis_->inputs.quantities[quantity].unit;
+    set_distribution(added, Distribution::normal(0.0));
+    all.push_back(added);
+    const int row = static_cast<int>(all.size()) - 1;
+    write(tr("Add component to %1").arg(to_qt(symbol_to_unicode(symbol_))), std::move(all));
+    list_->setCurrentRow(row);
+}
+
+void ComponentsEdit::remove_component() {
+    std::vector<ComponentEdit> all = components();
+    const int row = list_->currentRow();
+    if (row < 0 || row >= static_cast<int>(all.size())) return;
+    all.erase(all.begin() + row);
+    write(tr("Remove component of %1").arg(to_qt(symbol_to_unicode(symbol_))), std::move(all));
+}
+
+void ComponentsEdit::reset() {
+    if (!analysis_) return;
+    change_input(document_, analysis_->id, symbol_,
+                 tr("Reset components of %1").arg(to_qt(symbol_to_unicode(symbol_))),
+                 [](InputEdit& edit) { edit.components.reset(); });
+}
+
+void ComponentsEdit::refresh() {
+    const std::vector<ComponentEdit> all = components();
+    const int row = std::clamp(list_->currentRow(), 0, std::max(0, static_cast<int>(all.size()) - 1));
+    {
+        const QSignalBlocker quiet(list_);
+        while (list_->count() > static_cast<int>(all.size())) delete list_->takeItem(list_->count() - 1);
+        for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+            if (i == list_->count()) list_->addItem(QString());
+            list_->item(i)->setText(to_qt(all[static_cast<std::size_t>(i)].name));
+        }
+        if (!all.empty()) list_->setCurrentRow(row);
+    }
+    add_->setEnabled(analysis_ != nullptr);
+    reset_->setEnabled(analysis_ && find_input_edit(document_.project(), analysis_->id, symbol_).components);
+    show_component();
+}
+
+void ComponentsEdit::show_component() {
+    const std::vector<ComponentEdit> all = components();
+    const int row = list_->currentRow();
+    const bool some = row >= 0 && row < static_cast<int>(all.size());
+    details_->setVisible(some);
+    remove_->setEnabled(some);
+    if (!some) return;
+    const ComponentEdit& shown = all[static_cast<std::size_t>(row)];
+    if (name_->text() != to_qt(shown.name)) name_->setText(to_qt(shown.name));
+    if (origin_->text() != to_qt(shown.origin)) origin_->setText(to_qt(shown.origin));
+    type_->setCurrentIndex(shown.type == EvaluationType::type_a ? 0 : 1);
+    degrees_->set_quantity(shown.degrees_of_freedom
+                               ? std::optional<Quantity>({*shown.degrees_of_freedom, Unit()})
+                               : std::nullopt);
+    distribution_->set_component(shown);
+}
+
+}  // namespace covaria::ui

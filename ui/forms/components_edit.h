@@ -1,0 +1,55 @@
+// The components of uncertainty of one input quantity, to be edited one by one.
+#pragma once
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QWidget>
+#include <memory>
+
+#include "core/project/workspace.h"
+#include "ui/document/document.h"
+#include "ui/forms/distribution_edit.h"
+
+namespace covaria::ui {
+
+/// The quantity's own components; those it shares with other quantities belong to what they come from (an
+/// instrument, an artefact) and are edited there.
+class ComponentsEdit : public QWidget {
+    Q_OBJECT
+public:
+    explicit ComponentsEdit(Document& document, QWidget* parent = nullptr);
+    /// `analysis` as it was last prepared.
+    void set_quantity(std::shared_ptr<const PreparedAnalysis> analysis, const std::string& symbol);
+
+    void add_component();
+    void remove_component();
+    /// Back to what the model says.
+    void reset();
+
+private:
+    void build();
+    std::vector<ComponentEdit> components() const;
+    std::vector<ComponentEdit> model_components() const;
+    void write(const QString& text, std::vector<ComponentEdit> components, const QString& merge_key = {});
+    void change(const QString& what, const std::function<void(ComponentEdit&)>& edit);
+    void refresh();
+    void show_component();
+
+    Document& document_;
+    std::shared_ptr<const PreparedAnalysis> analysis_;
+    std::string symbol_;
+    QListWidget* list_;
+    QPushButton* add_;
+    QPushButton* remove_;
+    QPushButton* reset_;
+    QWidget* details_;
+    QLineEdit* name_;
+    QComboBox* type_;
+    QuantityEdit* degrees_;
+    QLineEdit* origin_;
+    DistributionEdit* distribution_;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,222 @@
+// The parameters come from distribution_kinds(); a new kind needs no line here.
+#include "ui/forms/distribution_edit.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/report/number_format.h"
+#include "ui/document/input_edits.h"
+#include "ui/document/quantity_text.h"
+#include "ui/document/strings.h"
+#include "ui/forms/complaint.h"
+#include "ui/models/display_units.h"
+#include "ui/models/number_words.h"
+
+namespace covaria::ui {
+
+namespace {
+
+const DistributionKindInfo* find_kind(std::string_view key) {
+    for (const DistributionKindInfo& kind : distribution_kinds())
+        if (kind.key == key) return &kind;
+    return nullptr;
+}
+
+/// A distribution of the kind with parameters that are always possible.
+Result<Distribution> any_of_kind(const DistributionKindInfo& kind) {
+    static const std::map<std::string_view, double> usual{
+        {"mean", 1.0},  {"low", -1.0},  {"high", 1.0},     {"beta", 0.5},  {"inexactness", 0.1},
+        {"shape", 2.0}, {"alpha", 2.0}, {"log_mean", 0.0}, {"scale", 1.0}, {"degrees_of_freedom", 10.0}};
+    if (kind.parameters.empty()) {
+        const std::vector<double> list{-1.0, 1.0, 0.5, 0.5};
+        return distribution_from(kind.key, list);
+    }
+    std::vector<double> parameters;
+    for (const DistributionParameterInfo& info : kind.parameters) {
+        std::string key(info.key);
+        std::replace(key.begin(), key.end(), '-', '_');
+        const auto found = usual.find(key);
+        parameters.push_back(found == usual.end() ? 1.0 : found->second);
+    }
+    return distribution_from(kind.key, parameters);
+}
+
+/// Of the same kind with the wanted mean and u, where the kind allows.
+Distribution fitted(const Distribution& distribution, double mean, double u) {
+    const double own = distribution.standard_uncertainty();
+    if (!(u > 0.0) || !std::isfinite(own) || !(own > 0.0)) return distribution;
+    const Distribution wide = distribution.scaled(u / own);
+    if (wide.kind() != distribution.kind()) return distribution;
+    const Distribution moved = wide.shifted(mean - wide.mean());
+    return moved.kind() == distribution.kind() ? moved : wide;
+}
+
+std::optional<std::vector<double>> numbers_of(const QString& text, const QLocale& locale) {
+    std::vector<double> numbers;
+    for (const QString& part : text.split(';', Qt::SkipEmptyParts)) {
+        const auto number = parse_number(part, locale);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+}  // namespace
+
+DistributionEdit::DistributionEdit(QWidget* parent)
+    : QWidget(parent),
+      kind_(new QComboBox(this)),
+      unit_(new QComboBox(this)),
+      parameters_(new QFormLayout),
+      picture_(new DensityPicture(this)),
+      summary_(new QLabel(this)) {
+    for (const DistributionKindInfo& kind : distribution_kinds())
+        kind_->addItem(to_qt(kind.title), to_qt(kind.key));
+    kind_->setAccessibleName(tr("Distribution"));
+    kind_->setObjectName("distribution");
+    unit_->setAccessibleName(tr("Unit"));
+    unit_->setObjectName("unit");
+    summary_->setWordWrap(true);
+    auto* head = new QFormLayout;
+    head->addRow(tr("Distribution"), kind_);
+    head->addRow(tr("Unit"), unit_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(head);
+    layout->addLayout(parameters_);
+    layout->addWidget(picture_);
+    layout->addWidget(summary_);
+    connect(kind_, &QComboBox::activated, this,
+            [this](int row) { choose_kind(kind_->itemData(row).toString()); });
+    connect(unit_, &QComboBox::activated, this, &DistributionEdit::choose_unit);
+}
+
+bool DistributionEdit::is_list() const {
+    const DistributionKindInfo* kind = find_kind(component_.distribution);
+    return kind && kind->parameters.empty();
+}
+
+void DistributionEdit::set_component(const ComponentEdit& component) {
+    component_ = component;
+    kind_->setCurrentIndex(kind_->findData(to_qt(component.distribution)));
+    unit_->clear();
+    for (const Unit& unit : DisplayUnits::choices(component.unit))
+        unit_->addItem(to_qt(unit.display()), to_qt(unit.text()));
+    if (shown_kind_ != component.distribution) rebuild_parameters();
+    show_values();
+    show_summary();
+}
+
+void DistributionEdit::choose_kind(const QString& key) {
+    const DistributionKindInfo* kind = find_kind(to_std(key));
+    if (!kind || component_.distribution == kind->key) return;
+    const Result<Distribution> start = any_of_kind(*kind);
+    if (!start) return;
+    const Result<Distribution> before = distribution_of(component_);
+    set_distribution(component_,
+                     before ? fitted(*start, before->mean(), before->standard_uncertainty()) : *start);
+    rebuild_parameters();
+    show_values();
+    show_summary();
+    emit component_edited(component_);
+}
+
+void DistributionEdit::choose_unit(int index) {
+    const Result<Unit> unit = Unit::parse(to_std(unit_->itemData(index).toString()));
+    if (!unit || *unit == component_.unit) return;
+    set_component(in_unit(component_, *unit));
+    emit component_edited(component_);
+}
+
+void DistributionEdit::rebuild_parameters() {
+    shown_kind_ = component_.distribution;
+    while (parameters_->rowCount() > 0) parameters_->removeRow(0);
+    edits_.clear();
+    lists_.clear();
+    const DistributionKindInfo* kind = find_kind(shown_kind_);
+    if (!kind) return;
+    if (is_list()) {
+        add_list(tr("values"), 0);
+        add_list(tr("probabilities"), 1);
+    }
+    for (std::size_t i = 0; i < kind->parameters.size(); ++i) add_parameter(i, kind->parameters[i]);
+}
+
+void DistributionEdit::add_parameter(std::size_t index, const DistributionParameterInfo& info) {
+    auto* edit = new QuantityEdit(this);
+    edit->set_keeps_unit(false);
+    edit->set_optional(false);
+    edit->setAccessibleName(to_qt(info.title));
+    edit->setObjectName(to_qt(info.key));
+    parameters_->addRow(to_qt(info.title), edit);
+    edits_.push_back(edit);
+    connect(edit, &QuantityEdit::quantity_edited, this,
+            [this, index](const std::optional<Quantity>& quantity) { set_parameter(index, quantity); });
+}
+
+void DistributionEdit::add_list(const QString& title, std::size_t part) {
+    auto* line = new QLineEdit(this);
+    line->setAccessibleName(title);
+    line->setPlaceholderText(tr("numbers with ; between"));
+    parameters_->addRow(title, line);
+    lists_.push_back(line);
+    connect(line, &QLineEdit::editingFinished, this, [this, line, part] { set_list(part, line->text()); });
+}
+
+void DistributionEdit::set_parameter(std::size_t index, const std::optional<Quantity>& quantity) {
+    if (!quantity || index >= component_.parameters.size()) return;
+    component_.parameters[index] = quantity->value;
+    show_summary();
+    emit component_edited(component_);
+}
+
+void DistributionEdit::set_list(std::size_t part, const QString& text) {
+    const auto numbers = numbers_of(text, locale());
+    mark(*lists_[part], numbers ? QString() : tr("These are not all numbers."), {});
+    const auto other = numbers_of(lists_[1 - part]->text(), locale());
+    if (!numbers || !other) return;
+    std::vector<double> all = part == 0 ? *numbers : *other;
+    const std::vector<double>& probabilities = part == 0 ? *other : *numbers;
+    const bool complete = all.size() == probabilities.size();
+    mark(*lists_[1], complete ? QString() : tr("There must be as many probabilities as values."), {});
+    all.insert(all.end(), probabilities.begin(), probabilities.end());
+    if (!complete || all == component_.parameters) return;
+    component_.parameters = all;
+    show_summary();
+    emit component_edited(component_);
+}
+
+void DistributionEdit::show_values() {
+    const DistributionKindInfo* kind = find_kind(component_.distribution);
+    for (std::size_t i = 0; kind && i < edits_.size() && i < component_.parameters.size(); ++i) {
+        const Unit unit = kind->parameters[i].has_unit ? component_.unit : Unit();
+        edits_[i]->set_unit(unit);
+        edits_[i]->set_quantity(Quantity{component_.parameters[i], unit});
+    }
+    const std::size_t half = component_.parameters.size() / 2;
+    for (std::size_t part = 0; part < lists_.size(); ++part) {
+        QStringList texts;
+        for (std::size_t i = 0; i < half; ++i)
+            texts << number_text(component_.parameters[part * half + i], locale());
+        lists_[part]->setText(texts.join("; "));
+    }
+}
+
+void DistributionEdit::show_summary() {
+    const Result<Distribution> distribution = distribution_of(component_);
+    picture_->set_distribution(distribution ? std::optional<Distribution>(*distribution) : std::nullopt);
+    const QString complaint = distribution ? QString() : to_qt(distribution.error().message);
+    for (QuantityEdit* edit : edits_) edit->set_complaint(complaint);
+    if (!distribution) {
+        summary_->setText(complaint);
+        return;
+    }
+    const double u = component_.unit.interval_from_si(distribution->standard_uncertainty());
+    const QString unit = component_.unit == Unit() ? QString() : ' ' + to_qt(component_.unit.display());
+    summary_->setText(std::isfinite(u) ? QStringLiteral("u = ") + localized(format_significant(u, 3)) + unit
+                                       : tr("This distribution has no finite standard uncertainty."));
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,53 @@
+// Chooses a distribution and its parameters, with a picture of the density and the resulting u.
+#pragma once
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QWidget>
+#include <vector>
+
+#include "core/project/project.h"
+#include "ui/forms/density_picture.h"
+#include "ui/forms/quantity_edit.h"
+
+namespace covaria::ui {
+
+/// Edits kind, parameters and unit of a component; the rest of it is passed through.
+class DistributionEdit : public QWidget {
+    Q_OBJECT
+public:
+    explicit DistributionEdit(QWidget* parent = nullptr);
+    void set_component(const ComponentEdit& component);
+    const ComponentEdit& component() const { return component_; }
+    /// Standard uncertainty in words ("u = 0.58 µm"), or why there is none.
+    QString summary() const { return summary_->text(); }
+
+signals:
+    void component_edited(const covaria::ComponentEdit& component);
+
+private:
+    void choose_kind(const QString& kind);
+    void choose_unit(int index);
+    void rebuild_parameters();
+    void add_parameter(std::size_t index, const DistributionParameterInfo& info);
+    void add_list(const QString& title, std::size_t part);
+    void set_parameter(std::size_t index, const std::optional<Quantity>& quantity);
+    void set_list(std::size_t part, const QString& text);
+    void show_values();
+    void show_summary();
+    bool is_list() const;
+
+    ComponentEdit component_;
+    std::string shown_kind_;
+    QComboBox* kind_;
+    QComboBox* unit_;
+    QFormLayout* parameters_;
+    std::vector<QuantityEdit*> edits_;
+    std::vector<QLineEdit*> lists_;
+    DensityPicture* picture_;
+    QLabel* summary_;
+};
+
+}  // namespace covaria::ui

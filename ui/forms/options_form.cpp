@@ -1,0 +1,207 @@
+// One row per option; rows that the method does not use are hidden.
+#include "ui/forms/options_form.h"
+
+#include <algorithm>
+
+#include "ui/document/setup_address.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+constexpr double largest_count = 9007199254740992.0;  // 2^53: every whole number up to it is a double
+const std::vector<Method> always{Method::first_order, Method::monte_carlo, Method::adaptive};
+const std::vector<Method> with_trials{Method::monte_carlo, Method::adaptive};
+
+}  // namespace
+
+OptionsForm::OptionsForm(Document& document, std::string analysis, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      analysis_(std::move(analysis)),
+      layout_(new QFormLayout(this)),
+      method_(new QComboBox(this)),
+      second_order_(new QCheckBox(tr("Second-order terms"), this)) {
+    build_method();
+    build_common();
+    build_monte_carlo();
+    build_adaptive();
+    connect(&document_, &Document::project_changed, this, &OptionsForm::refresh);
+    connect(&document_, &Document::problems_changed, this, &OptionsForm::refresh_problems);
+    refresh();
+    refresh_problems();
+}
+
+void OptionsForm::build_method() {
+    method_->addItem(tr("Law of propagation only"), static_cast<int>(Method::first_order));
+    method_->addItem(tr("Monte Carlo, fixed number of trials"), static_cast<int>(Method::monte_carlo));
+    method_->addItem(tr("Monte Carlo, adaptive"), static_cast<int>(Method::adaptive));
+    method_->setAccessibleName(tr("Method"));
+    method_->setObjectName("method");
+    layout_->addRow(tr("Method"), method_);
+    connect(method_, &QComboBox::activated, this, [this](int row) {
+        const auto method = static_cast<Method>(method_->itemData(row).toInt());
+        change("method", [&](EvaluationOptions& options) { options.method = method; });
+    });
+}
+
+void OptionsForm::build_common() {
+    add(
+        {"coverage_probability",
+         tr("Coverage probability"),
+         tr("Between 0 and 1, usually 0.95."),
+         false,
+         {0.0, 1.0, true}},
+        always, [](const EvaluationOptions& o) { return o.coverage_probability; },
+        [](EvaluationOptions& o, std::optional<double> value) {
+            o.coverage_probability = value.value_or(0.95);
+        });
+    add(
+        {"coverage_factor",
+         tr("Coverage factor"),
+         tr("A fixed k; empty: from the t-distribution and the effective degrees of freedom."),
+         false,
+         {0.0, Range::infinity_value, true},
+         true},
+        always, [](const EvaluationOptions& o) { return o.coverage_factor; },
+        [](EvaluationOptions& o, std::optional<double> value) { o.coverage_factor = value; });
+    second_order_->setObjectName("second_order");
+    second_order_->setToolTip(
+        tr("Adds the second-order terms of the law of propagation (NOTE to JCGM 100 5.1.2)."));
+    layout_->addRow(QString(), second_order_);
+    connect(second_order_, &QCheckBox::clicked, this, [this](bool checked) {
+        change("second_order", [&](EvaluationOptions& options) { options.second_order = checked; });
+    });
+    add(
+        {"significant_digits",
+         tr("Significant digits"),
+         tr("Of the numerical tolerance: adaptive procedure and validation (JCGM 101 7.9, 8)."),
+         true,
+         {1.0, 4.0}},
+        always, [](const EvaluationOptions& o) { return o.significant_digits; },
+        [](EvaluationOptions& o, std::optional<double> value) {
+            o.significant_digits = static_cast<int>(value.value_or(2.0));
+        });
+}
+
+void OptionsForm::build_monte_carlo() {
+    add_count({"trials", tr("Trials"), tr("Number of trials M."), true, {1.0, largest_count}},
+              {Method::monte_carlo}, &EvaluationOptions::trials);
+    add_count({"seed",
+               tr("Seed"),
+               tr("The same seed gives the same numbers, whatever the number of threads."),
+               true,
+               {0.0, largest_count}},
+              with_trials, &EvaluationOptions::seed);
+    add_count({"one_at_a_time_trials",
+               tr("Trials one at a time"),
+               tr("Trials for each component alone, every other held; 0: none."),
+               true,
+               {0.0, largest_count}},
+              with_trials, &EvaluationOptions::one_at_a_time_trials);
+}
+
+void OptionsForm::build_adaptive() {
+    add(
+        {"tolerance",
+         tr("Tolerance"),
+         tr("For every output quantity, in its SI unit; empty: from the significant digits."),
+         false,
+         {0.0, Range::infinity_value, true},
+         true},
+        {Method::adaptive}, [](const EvaluationOptions& o) { return o.tolerance; },
+        [](EvaluationOptions& o, std::optional<double> value) { o.tolerance = value; });
+    add_count({"minimum_batches",
+               tr("Least number of batches"),
+               tr("Before the procedure may stop."),
+               true,
+               {2.0, largest_count}},
+              {Method::adaptive}, &EvaluationOptions::minimum_batches);
+    add_count({"maximum_trials",
+               tr("Most trials"),
+               tr("The procedure stops here and says that it has not stabilised."),
+               true,
+               {1.0, largest_count}},
+              {Method::adaptive}, &EvaluationOptions::maximum_trials);
+}
+
+void OptionsForm::add_count(const Field& field, std::vector<Method> methods,
+                            std::uint64_t EvaluationOptions::*member) {
+    add(
+        field, std::move(methods),
+        [member](const EvaluationOptions& options) { return static_cast<double>(options.*member); },
+        [member](EvaluationOptions& options, std::optional<double> value) {
+            options.*member = static_cast<std::uint64_t>(value.value_or(0.0));
+        });
+}
+
+void OptionsForm::add(const Field& field, std::vector<Method> methods, Get get, Set set) {
+    auto* edit = new QuantityEdit(this);
+    edit->set_integer(field.integer);
+    edit->set_range(field.range);
+    edit->set_optional(field.optional);
+    edit->set_help(field.help);
+    edit->setAccessibleName(field.title);
+    edit->setObjectName(field.key);
+    layout_->addRow(field.title, edit);
+    const QString key = field.key;
+    rows_.push_back({key, edit, std::move(get), std::move(methods)});
+    connect(edit, &QuantityEdit::quantity_edited, this,
+            [this, key, set = std::move(set)](const std::optional<Quantity>& quantity) {
+                change(key, [&](EvaluationOptions& options) {
+                    set(options, quantity ? std::optional<double>(quantity->value) : std::nullopt);
+                });
+            });
+}
+
+const EvaluationOptions* OptionsForm::options() const {
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    return entry ? &entry->options : nullptr;
+}
+
+void OptionsForm::change(const QString& key, const std::function<void(EvaluationOptions&)>& edit) {
+    document_.apply(
+        tr("Change evaluation options"),
+        [&](Project& project) {
+            if (AnalysisEntry* entry = find_analysis_entry(project, analysis_)) edit(entry->options);
+        },
+        QStringLiteral("options:%1:%2").arg(to_qt(analysis_), key));
+}
+
+void OptionsForm::refresh() {
+    const EvaluationOptions* shown = options();
+    setEnabled(shown != nullptr);
+    if (!shown) return;
+    method_->setCurrentIndex(method_->findData(static_cast<int>(shown->method)));
+    second_order_->setChecked(shown->second_order);
+    for (const Row& row : rows_) {
+        const auto value = row.get(*shown);
+        row.edit->set_quantity(value ? std::optional<Quantity>({*value, Unit()}) : std::nullopt);
+        const bool used =
+            std::find(row.methods.begin(), row.methods.end(), shown->method) != row.methods.end();
+        layout_->setRowVisible(row.edit, used);
+    }
+}
+
+void OptionsForm::refresh_problems() {
+    const std::string prefix =
+        entry_path(document_.project(), {SetupOwner::analysis, analysis_}) + "/options/";
+    for (const Row& row : rows_) {
+        QStringList messages;
+        for (const Problem& problem : document_.problems().items())
+            if (problem.path == prefix + to_std(row.key)) messages << to_qt(problem.message);
+        row.edit->set_complaint(messages.join('\n'));
+    }
+}
+
+bool OptionsForm::focus_field(const std::string& path) {
+    const QString key = to_qt(path.substr(path.rfind('/') + 1));
+    if (key == method_->objectName()) method_->setFocus(Qt::OtherFocusReason);
+    for (const Row& row : rows_)
+        if (row.key == key) row.edit->setFocus(Qt::OtherFocusReason);
+    return key == method_->objectName() ||
+           std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.key == key; });
+}
+
+}  // namespace covaria::ui
