@@ -4,11 +4,12 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
+#include <array>
 #include <cmath>
 #include <memory>
 
+#include "core/math/normal_quantile.h"
+#include "core/math/special_quantiles.h"
 #include "core/propagation/order_statistics.h"
 #include "core/propagation/parallel_blocks.h"
 
@@ -20,9 +21,8 @@ CoverageRegion region_of(const std::string& group, std::vector<std::size_t> outp
     region.group = group;
     const auto m = static_cast<double>(outputs.size());
     region.outputs = std::move(outputs);
-    region.ellipsoid_first_order = std::sqrt(boost::math::quantile(boost::math::chi_squared(m), probability));
-    region.rectangle_first_order = boost::math::quantile(
-        boost::math::complement(boost::math::normal(), (1.0 - probability) / (2.0 * m)));
+    region.ellipsoid_first_order = std::sqrt(chi_squared_quantile(probability, m));
+    region.rectangle_first_order = -normal_quantile((1.0 - probability) / (2.0 * m));
     return region;
 }
 

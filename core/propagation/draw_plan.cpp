@@ -6,15 +6,11 @@
 #include <numeric>
 #include <span>
 
+#include "core/math/normal_quantile.h"
 #include "core/random/uniforms.h"
 
 namespace covaria::detail {
 namespace {
-
-const Distribution& standard_normal() {
-    static const Distribution distribution = Distribution::normal(1.0);
-    return distribution;
-}
 
 std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -139,7 +135,7 @@ void DrawPlan::draw_group(const CorrelatedDraws& group, std::uint64_t seed, std:
     for (std::size_t k = 0; k < group.addresses.size(); ++k) {
         const std::span<double> normal(workspace.latent.row(k), count);
         uniforms(seed, DrawPurpose::trials, group.addresses[k], first, normal);
-        standard_normal().quantiles(normal, normal);
+        normal_quantiles(normal, normal);
     }
     double* z = workspace.draw.row(0);
     for (std::size_t member = 0; member < group.members.size(); ++member) {

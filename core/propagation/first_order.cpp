@@ -1,10 +1,9 @@
 // Law of propagation of uncertainty.
 #include "core/propagation/first_order.h"
 
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "core/math/special_quantiles.h"
 #include "core/propagation/draw_plan.h"
 
 namespace covaria::detail {
@@ -124,10 +123,8 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
 }
 
 double coverage_factor_of(double probability, double degrees_of_freedom) {
-    const double p = (1.0 + probability) / 2.0;
-    // Beyond 10^7 the two quantiles agree to rounding of what anybody states.
-    if (!(degrees_of_freedom < 1e7)) return boost::math::quantile(boost::math::normal(), p);
-    return boost::math::quantile(boost::math::students_t(degrees_of_freedom), p);
+    return -t_quantile(0.5 * (1.0 - probability),
+                       degrees_of_freedom);  // lower tail: exact near probability 1
 }
 
 }  // namespace covaria::detail

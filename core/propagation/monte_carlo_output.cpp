@@ -1,6 +1,5 @@
 // Statistics of each output of a finished run.
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
 #include "core/propagation/monte_carlo.h"

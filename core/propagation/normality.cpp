@@ -2,8 +2,9 @@
 #include "core/propagation/normality.h"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+
+#include "core/math/normal_quantile.h"
 
 namespace covaria::detail {
 namespace {
@@ -14,7 +15,7 @@ constexpr double tolerable = 0.05;
 /// Standard error of (q_high - q_low)/(2 k u) under normality, relative.
 double scatter_of_ratio(double trials, double probability, double k) {
     const double tail = (1.0 - probability) / 2.0;
-    const double density = boost::math::pdf(boost::math::normal(), k);
+    const double density = normal_density(k);
     return std::sqrt(tail * (1.0 - tail) / trials / 2.0) / density / k;
 }
 
@@ -28,7 +29,7 @@ NormalityVerdict normality_of(const MonteCarloOutput& output, std::uint64_t tria
         return verdict;
     }
     const auto n = static_cast<double>(trials);
-    const double k = boost::math::quantile(boost::math::normal(), (1.0 + probability) / 2.0);
+    const double k = -normal_quantile(0.5 * (1.0 - probability));
     verdict.skewness_z = output.skewness / std::sqrt(6.0 / n);
     verdict.kurtosis_z = output.kurtosis / std::sqrt(24.0 / n);
     const CoverageInterval& interval = output.symmetric;
