@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/report/report_document.h"
-#include "ui/print/figure_layout.h"
 #include "ui/print/page_style.h"
+#include "ui/print/report_layout.h"
 
 namespace covaria::ui {
 
@@ -22,11 +22,6 @@ struct ReportTarget {
     std::vector<ReportFormat> formats = {ReportFormat::pdf, ReportFormat::html, ReportFormat::markdown};
     PaperSize paper = PaperSize::a4;
     std::string foot = {};  ///< at the foot of every PDF page
-};
-
-struct FigurePainters {
-    PaintPlot paint_plot;
-    RenderScene render_scene;
 };
 
 /// Every file is written whole or not at all. HTML and Markdown bring their figures: charts as SVG, scenes as

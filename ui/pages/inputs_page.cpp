@@ -1,0 +1,96 @@
+#include "ui/pages/inputs_page.h"
+
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <cstdio>
+
+#include "ui/document/strings.h"
+#include "ui/forms/components_edit.h"
+#include "ui/forms/correlation_edit.h"
+#include "ui/models/roles.h"
+
+namespace covaria::ui {
+
+InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string analysis, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      runner_(runner),
+      analysis_(std::move(analysis)),
+      model_(document) {
+    search_ = new QLineEdit;
+    search_->setPlaceholderText(tr("Find a quantity"));
+    search_->setClearButtonEnabled(true);
+    make_table();
+    components_ = new ComponentsEdit(document_);
+    correlations_ = new CorrelationEdit(document_);
+    auto* details = new QTabWidget;
+    details->setDocumentMode(true);
+    details->addTab(components_, tr("Components"));
+    details->addTab(correlations_, tr("Correlations"));
+    auto* splitter = new QSplitter(Qt::Vertical);
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(table_);
+    splitter->addWidget(details);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    column->addWidget(search_);
+    column->addWidget(splitter, 1);
+    connect(search_, &QLineEdit::textChanged, &filter_, &QSortFilterProxyModel::setFilterFixedString);
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &InputsPage::show_components);
+    connect(&runner_, &AnalysisRunner::state_changed, this, [this](const QString& id) {
+        if (to_std(id) == analysis_) take_analysis();
+    });
+    take_analysis();
+}
+
+void InputsPage::make_table() {
+    filter_.setSourceModel(&model_);
+    filter_.setFilterCaseSensitivity(Qt::CaseInsensitive);
+    filter_.setFilterKeyColumn(-1);
+    filter_.setSortRole(sort_role);
+    table_ = new QTableView;
+    table_->setModel(&filter_);
+    table_->setAccessibleName(tr("Input quantities"));
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setAlternatingRowColors(true);
+    table_->setWordWrap(false);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->hideColumn(InputQuantitiesModel::name_column);
+}
+
+void InputsPage::take_analysis() {
+    const auto& prepared = runner_.status(to_qt(analysis_)).prepared;
+    if (prepared == model_.analysis()) return;
+    model_.set_analysis(prepared);
+    correlations_->set_analysis(prepared);
+    if (!table_->currentIndex().isValid() && model_.rowCount() > 0) table_->selectRow(0);
+    show_components();
+}
+
+void InputsPage::show_components() {
+    const QString symbol = table_->currentIndex().data(id_role).toString();
+    components_->set_quantity(model_.analysis(), to_std(symbol));
+}
+
+bool InputsPage::focus_field(const std::string& path) {
+    const auto at = path.find("/inputs/");
+    unsigned index = 0;
+    const AnalysisEntry* analysis = document_.project().find_analysis(analysis_);
+    if (!analysis || at == std::string::npos || std::sscanf(path.c_str() + at, "/inputs/%u", &index) != 1)
+        return false;
+    if (index >= analysis->inputs.size()) return false;
+    const int row = model_.row_of(analysis->inputs[index].symbol);
+    if (row < 0) return false;
+    search_->clear();
+    table_->selectRow(filter_.mapFromSource(model_.index(row, 0)).row());
+    return true;
+}
+
+}  // namespace covaria::ui

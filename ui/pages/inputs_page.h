@@ -1,0 +1,44 @@
+// The input quantities of an analysis: a table, and below it the components of the selected one and the
+// correlations.
+#pragma once
+
+#include <QSortFilterProxyModel>
+#include <QWidget>
+
+#include "ui/models/input_quantities_model.h"
+#include "ui/run/analysis_runner.h"
+
+class QLineEdit;
+class QTableView;
+
+namespace covaria::ui {
+
+class ComponentsEdit;
+class CorrelationEdit;
+
+class InputsPage : public QWidget {
+    Q_OBJECT
+public:
+    InputsPage(Document& document, AnalysisRunner& runner, std::string analysis, QWidget* parent = nullptr);
+
+    /// "/analyses/0/inputs/3/...": selects the quantity of that edit. False if the pointer names none.
+    bool focus_field(const std::string& path);
+    QTableView& table() { return *table_; }
+
+private:
+    void make_table();
+    void take_analysis();
+    void show_components();
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    std::string analysis_;
+    InputQuantitiesModel model_;
+    QSortFilterProxyModel filter_;
+    QLineEdit* search_;
+    QTableView* table_;
+    ComponentsEdit* components_;
+    CorrelationEdit* correlations_;
+};
+
+}  // namespace covaria::ui

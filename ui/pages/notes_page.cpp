@@ -1,0 +1,45 @@
+#include "ui/pages/notes_page.h"
+
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSignalBlocker>
+
+#include "ui/document/project_edits.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+NotesPage::NotesPage(Document& document, SetupAddress entry, QWidget* parent)
+    : QWidget(parent), document_(document), entry_(std::move(entry)) {
+    name_ = new QLineEdit;
+    notes_ = new QPlainTextEdit;
+    name_->setAccessibleName(tr("Name"));
+    notes_->setAccessibleName(tr("Notes"));
+    notes_->setToolTip(tr("Appear in the report"));
+    notes_->setTabChangesFocus(true);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("Name"), name_);
+    form->addRow(tr("Notes"), notes_);
+    refresh();
+    connect(name_, &QLineEdit::textEdited, this,
+            [this](const QString& text) { rename(document_, entry_, text); });
+    connect(notes_, &QPlainTextEdit::textChanged, this,
+            [this] { set_notes(document_, entry_, notes_->toPlainText()); });
+    connect(&document_, &Document::project_changed, this, &NotesPage::refresh);
+}
+
+void NotesPage::refresh() {
+    const Project& project = document_.project();
+    const AssetEntry* asset = entry_.owner == SetupOwner::asset ? project.find_asset(entry_.id) : nullptr;
+    const AnalysisEntry* analysis =
+        entry_.owner == SetupOwner::analysis ? project.find_analysis(entry_.id) : nullptr;
+    if (!asset && !analysis) return;
+    const QString name = to_qt(asset ? asset->name : analysis->name);
+    const QString notes = to_qt(asset ? asset->notes : analysis->notes);
+    if (name != name_->text()) name_->setText(name);
+    const QSignalBlocker blocker(notes_);
+    if (notes != notes_->toPlainText()) notes_->setPlainText(notes);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,98 @@
+#include "ui/pages/properties_pane.h"
+
+#include <QLabel>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "ui/document/strings.h"
+#include "ui/forms/options_form.h"
+#include "ui/forms/setup_form.h"
+#include "ui/pages/asset_evaluation.h"
+#include "ui/pages/inputs_page.h"
+#include "ui/pages/notes_page.h"
+
+namespace covaria::ui {
+namespace {
+
+QScrollArea* scrolled(QWidget* content) {
+    auto* area = new QScrollArea;
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setWidget(content);
+    return area;
+}
+
+}  // namespace
+
+PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
+                               QWidget* parent)
+    : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    connect(&selection_, &Selection::entry_changed, this, &PropertiesPane::rebuild);
+    connect(&document_, &Document::project_changed, this, &PropertiesPane::discard_if_gone);
+    connect(&selection_, &Selection::field_changed, this, [this](const QString& field) {
+        if (setup_ && !field.isEmpty()) setup_->focus_field(to_std(field));
+    });
+    rebuild();
+}
+
+void PropertiesPane::rebuild() {
+    delete tabs_;
+    setup_ = nullptr;
+    inputs_ = nullptr;
+    options_ = nullptr;
+    tabs_ = new QTabWidget(this);
+    tabs_->setDocumentMode(true);
+    layout()->addWidget(tabs_);
+    const SetupAddress& entry = selection_.entry();
+    if (!find_setup(document_.project(), entry)) {
+        auto* hint =
+            new QLabel(tr("Select an asset or an analysis in the project tree to see its properties."));
+        hint->setWordWrap(true);
+        hint->setMargin(16);
+        hint->setAlignment(Qt::AlignTop);
+        hint->setEnabled(false);
+        tabs_->addTab(hint, tr("Properties"));
+        return;
+    }
+    setup_ = new SetupForm(document_, entry);
+    tabs_->addTab(scrolled(setup_), tr("Set-up"));
+    if (entry.owner == SetupOwner::asset)
+        add_asset_pages(entry);
+    else
+        add_analysis_pages(entry);
+    add_notes_page(entry);
+}
+
+void PropertiesPane::add_asset_pages(const SetupAddress& entry) {
+    tabs_->addTab(new AssetEvaluation(document_, entry.id), tr("Evaluation"));
+}
+
+void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
+    inputs_ = new InputsPage(document_, runner_, entry.id);
+    options_ = new OptionsForm(document_, entry.id);
+    tabs_->addTab(inputs_, tr("Inputs"));
+    tabs_->addTab(scrolled(options_), tr("Evaluation"));
+}
+
+void PropertiesPane::add_notes_page(const SetupAddress& entry) {
+    tabs_->addTab(new NotesPage(document_, entry), tr("Notes"));
+}
+
+void PropertiesPane::discard_if_gone() {
+    if (setup_ && !find_setup(document_.project(), setup_->address())) rebuild();
+}
+
+void PropertiesPane::focus_field(const QString& path) {
+    const std::string field = to_std(path);
+    if (setup_ && setup_->focus_field(field))
+        tabs_->setCurrentIndex(0);
+    else if (options_ && options_->focus_field(field))
+        tabs_->setCurrentIndex(2);
+    else if (inputs_ && inputs_->focus_field(field))
+        tabs_->setCurrentIndex(1);
+}
+
+}  // namespace covaria::ui

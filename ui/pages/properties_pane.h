@@ -1,0 +1,48 @@
+// The properties of what is selected: an asset's set-up and evaluation, or an analysis' set-up, inputs,
+// correlations and options. Every form comes from a schema or from the model's input quantities.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/run/analysis_runner.h"
+
+class QStackedLayout;
+class QTabWidget;
+
+namespace covaria::ui {
+
+class InputsPage;
+class OptionsForm;
+class SetupForm;
+
+class PropertiesPane : public QWidget {
+    Q_OBJECT
+public:
+    PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
+                   QWidget* parent = nullptr);
+
+    /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
+    void focus_field(const QString& path);
+    SetupForm* setup_form() const { return setup_; }
+    QTabWidget* tabs() const { return tabs_; }
+
+private:
+    void rebuild();
+    void add_asset_pages(const SetupAddress& entry);
+    void add_analysis_pages(const SetupAddress& entry);
+    void add_notes_page(const SetupAddress& entry);
+    void discard_if_gone();
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    QTabWidget* tabs_ = nullptr;
+    SetupForm* setup_ = nullptr;
+    InputsPage* inputs_ = nullptr;
+    OptionsForm* options_ = nullptr;
+};
+
+}  // namespace covaria::ui

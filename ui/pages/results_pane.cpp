@@ -1,0 +1,212 @@
+#include "ui/pages/results_pane.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "core/base/symbol.h"
+#include "core/report/plots.h"
+#include "ui/charts/chart_view.h"
+#include "ui/document/strings.h"
+#include "ui/pages/report_preview.h"
+#include "ui/pages/sortable_table.h"
+#include "ui/theme/theme.h"
+
+namespace covaria::ui {
+namespace {
+
+QSplitter* side_by_side(QWidget* left, QWidget* right) {
+    auto* splitter = new QSplitter(Qt::Horizontal);
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(left);
+    splitter->addWidget(right);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 1);
+    return splitter;
+}
+
+}  // namespace
+
+ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
+    : QWidget(parent), runner_(runner), selection_(selection) {
+    tabs_ = new QTabWidget;
+    tabs_->setDocumentMode(true);
+    tabs_->addTab(make_results_tab(), tr("Results"));
+    tabs_->addTab(make_budget_tab(), tr("Budget"));
+    tabs_->addTab(make_distributions_tab(), tr("Distributions"));
+    tabs_->addTab(make_correlation_tab(), tr("Correlation"));
+    tabs_->addTab(make_convergence_tab(), tr("Convergence"));
+    report_ = new ReportPreview(document, runner);
+    tabs_->addTab(report_, tr("Report"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(make_head());
+    column->addWidget(tabs_, 1);
+    connect_selection();
+    connect(tabs_, &QTabWidget::currentChanged, this, &ResultsPane::refresh_charts);
+    take_result();
+}
+
+QWidget* ResultsPane::make_head() {
+    auto* head = new QWidget;
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(8, 3, 8, 3);
+    state_ = new QLabel;
+    output_ = new QComboBox;
+    output_->setToolTip(tr("Output quantity of the budget and the charts"));
+    output_->setAccessibleName(tr("Output quantity"));
+    output_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    digits_ = new QSpinBox;
+    digits_->setRange(1, 6);
+    digits_->setValue(2);
+    digits_->setPrefix(tr("digits of U: "));
+    digits_->setToolTip(tr("Significant digits of uncertainties; estimates are rounded to match"));
+    row->addWidget(state_, 1);
+    row->addWidget(output_);
+    row->addWidget(digits_);
+    connect(output_, &QComboBox::activated, this,
+            [this](int index) { selection_.select_output(output_->itemData(index).toInt()); });
+    connect(digits_, &QSpinBox::valueChanged, this, [this](int digits) {
+        result_model_.set_digits(digits);
+        budget_model_.set_digits(digits);
+    });
+    return head;
+}
+
+QWidget* ResultsPane::make_results_tab() {
+    results_ = new SortableTable(result_model_, tr("results"));
+    connect(results_, &SortableTable::row_selected, this,
+            [this](int row) { selection_.select_output(int(result_model_.output_of(row))); });
+    return results_;
+}
+
+QWidget* ResultsPane::make_budget_tab() {
+    budget_ = new SortableTable(budget_model_, tr("budget"));
+    contributions_ = new ChartView;
+    return side_by_side(budget_, contributions_);
+}
+
+QWidget* ResultsPane::make_distributions_tab() {
+    histogram_ = new ChartView;
+    quantiles_ = new ChartView;
+    return side_by_side(histogram_, quantiles_);
+}
+
+QWidget* ResultsPane::make_correlation_tab() {
+    correlation_ = new SortableTable(correlation_model_, tr("correlation"));
+    correlation_->setSortingEnabled(false);
+    correlation_->verticalHeader()->show();
+    correlation_map_ = new ChartView;
+    return side_by_side(correlation_, correlation_map_);
+}
+
+QWidget* ResultsPane::make_convergence_tab() {
+    convergence_ = new ChartView;
+    return convergence_;
+}
+
+void ResultsPane::connect_selection() {
+    const auto take = [this](const QString& id) {
+        if (id == selection_.analysis()) take_result();
+    };
+    connect(&runner_, &AnalysisRunner::result_changed, this, take);
+    connect(&runner_, &AnalysisRunner::state_changed, this, take);
+    connect(&selection_, &Selection::analysis_changed, this, &ResultsPane::take_result);
+    connect(&selection_, &Selection::group_changed, this, &ResultsPane::show_group);
+    connect(&selection_, &Selection::output_changed, this, &ResultsPane::show_output);
+}
+
+QString ResultsPane::state_words() const {
+    if (selection_.analysis().isEmpty()) return tr("Select an analysis to see its results.");
+    const AnalysisStatus& status = runner_.status(selection_.analysis());
+    if (status.state == RunState::failed) return tr("Failed: %1").arg(status.message);
+    if (!status.result)
+        return status.prepared ? tr("Not evaluated yet: press F5.") : tr("The analysis has problems.");
+    QString words =
+        status.stage == ResultStage::first_order || status.result->trials == 0
+            ? tr("Law of propagation of uncertainty")
+            : tr("Monte Carlo, %1 trials").arg(QLocale().toString(qulonglong(status.result->trials)));
+    if (status.result->failed_trials > 0)
+        words += tr("; %1 trials without a value")
+                     .arg(QLocale().toString(qulonglong(status.result->failed_trials)));
+    if (!status.result->stabilised) words += tr("; not stabilised");
+    if (!status.is_current()) words = tr("<b>Out of date</b>: shown for the project as it was. ") + words;
+    return words;
+}
+
+void ResultsPane::take_result() {
+    const AnalysisStatus& status = runner_.status(selection_.analysis());
+    result_ = status.result;
+    current_ = status.is_current();
+    state_->setText(state_words());
+    result_model_.set_group(to_std(selection_.group()));
+    result_model_.set_result(result_, current_);
+    refresh_outputs();
+    show_group(selection_.group());
+}
+
+void ResultsPane::refresh_outputs() {
+    const QSignalBlocker blocker(output_);
+    output_->clear();
+    if (!result_) return;
+    for (std::size_t i = 0; i < result_->outputs.size(); ++i) {
+        const OutputQuantity& quantity = result_->outputs[i].quantity;
+        if (!selection_.group().isEmpty() && to_qt(quantity.group) != selection_.group()) continue;
+        const QString symbol = to_qt(symbol_to_unicode(quantity.symbol));
+        output_->addItem(quantity.group.empty() ? symbol : tr("%1 of %2").arg(symbol, to_qt(quantity.group)),
+                         int(i));
+    }
+}
+
+void ResultsPane::show_group(const QString& group) {
+    result_model_.set_group(to_std(group));
+    correlation_model_.set_result(result_, to_std(group), current_);
+    refresh_outputs();
+    const bool shown = selection_.output() >= 0 && output_->findData(selection_.output()) >= 0;
+    if (!shown && output_->count() > 0) selection_.select_output(output_->itemData(0).toInt());
+    show_output(selection_.output());
+}
+
+void ResultsPane::show_output(int output) {
+    const bool known = result_ && output >= 0 && std::size_t(output) < result_->outputs.size();
+    if (known) {
+        const QSignalBlocker blocker(output_);
+        output_->setCurrentIndex(output_->findData(output));
+        results_->select_row(result_model_.row_of(std::size_t(output)));
+    }
+    budget_model_.set_result(known ? result_ : nullptr, known ? std::size_t(output) : 0, current_);
+    refresh_charts();
+}
+
+void ResultsPane::refresh_charts() {
+    const int output = selection_.output();
+    const bool known = result_ && output >= 0 && std::size_t(output) < result_->outputs.size();
+    if (!known) {
+        for (ChartView* chart : {contributions_, histogram_, quantiles_, correlation_map_, convergence_})
+            chart->set_plot({});
+        return;
+    }
+    const auto index = std::size_t(output);
+    const QWidget* shown = tabs_->currentWidget();
+    if (shown->isAncestorOf(contributions_)) contributions_->set_plot(contribution_plot(*result_, index));
+    if (shown->isAncestorOf(histogram_)) {
+        histogram_->set_plot(histogram_plot(*result_, index));
+        quantiles_->set_plot(normal_quantile_plot(*result_, index));
+    }
+    if (shown->isAncestorOf(correlation_map_))
+        correlation_map_->set_plot(correlation_plot(*result_, result_->outputs[index].quantity.group));
+    if (shown == convergence_) convergence_->set_plot(convergence_plot(*result_, index));
+}
+
+void ResultsPane::set_dark(bool dark) {
+    for (ChartView* chart : {contributions_, histogram_, quantiles_, correlation_map_, convergence_})
+        chart->set_theme(dark ? Theme::dark() : Theme::light());
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,73 @@
+// The results of the analysis being looked at, in tabs: results, budget, distributions, correlation,
+// convergence, report.
+#pragma once
+
+#include <QTabWidget>
+#include <memory>
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/models/budget_table_model.h"
+#include "ui/models/correlation_table_model.h"
+#include "ui/models/result_table_model.h"
+#include "ui/run/analysis_runner.h"
+
+class QComboBox;
+class QLabel;
+class QSpinBox;
+
+namespace covaria::ui {
+
+class ChartView;
+class ReportPreview;
+class SortableTable;
+
+class ResultsPane : public QWidget {
+    Q_OBJECT
+public:
+    ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+
+    void set_dark(bool dark);
+    QTabWidget& tabs() { return *tabs_; }
+    SortableTable& result_table() { return *results_; }
+    SortableTable& budget_table() { return *budget_; }
+
+private:
+    QWidget* make_head();
+    QWidget* make_results_tab();
+    QWidget* make_budget_tab();
+    QWidget* make_distributions_tab();
+    QWidget* make_correlation_tab();
+    QWidget* make_convergence_tab();
+    void connect_selection();
+    void take_result();
+    void refresh_outputs();
+    void show_group(const QString& group);
+    void show_output(int output);
+    void refresh_charts();
+    QString state_words() const;
+
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    ResultPointer result_;
+    bool current_ = true;
+    ResultTableModel result_model_;
+    BudgetTableModel budget_model_;
+    CorrelationTableModel correlation_model_;
+
+    QLabel* state_ = nullptr;
+    QComboBox* output_ = nullptr;
+    QSpinBox* digits_ = nullptr;
+    QTabWidget* tabs_ = nullptr;
+    SortableTable* results_ = nullptr;
+    SortableTable* budget_ = nullptr;
+    SortableTable* correlation_ = nullptr;
+    ChartView* contributions_ = nullptr;
+    ChartView* histogram_ = nullptr;
+    ChartView* quantiles_ = nullptr;
+    ChartView* correlation_map_ = nullptr;
+    ChartView* convergence_ = nullptr;
+    ReportPreview* report_ = nullptr;
+};
+
+}  // namespace covaria::ui
