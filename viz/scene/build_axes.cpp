@@ -85,16 +85,17 @@ void add_axes(SceneBuild& build) {
 void add_legend(SceneBuild& build) {
     Scene& scene = build.scene;
     const std::string p = percent_text(scene.probability);
-    for (const auto& [role, name] : {std::pair{Role::output, "output"}, std::pair{Role::input, "input"}}) {
+    for (const auto& [role, name] : {std::pair{Role::output, "outputs"}, std::pair{Role::input, "inputs"}}) {
         const auto is_role = [role = role](const auto& item) { return item.role == role; };
         if (std::any_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), is_role))
             scene.legend.push_back(
-                {LegendMark::ellipsoid, role, std::string(name) + " quantities, coverage ellipsoid " + p});
+                {LegendMark::ellipsoid, role, std::string(name) + ": coverage ellipsoids, p = " + p});
         const auto cloud = std::find_if(scene.clouds.begin(), scene.clouds.end(), is_role);
         if (cloud != scene.clouds.end())
             scene.legend.push_back({LegendMark::cloud, role,
-                                    std::string(name) + " quantities, " +
-                                        plain_number(static_cast<double>(cloud->size()), 0) + " trials"});
+                                    std::string(name) + ": " +
+                                        plain_number(static_cast<double>(cloud->size()), 0) +
+                                        " trials per point"});
     }
     if (!scene.wall_histograms.empty()) {
         const SceneItem* item = find_item(scene, scene.wall_histograms.front().cloud);

@@ -12,6 +12,7 @@ namespace {
 constexpr double frame_length = 0.11;
 constexpr double point_radius = 0.011;
 constexpr double plate_thickness = 0.012;
+constexpr double seat_height = 0.75 * point_radius;
 constexpr double plate_margin = 0.032;
 constexpr double glyph_size = 0.09;
 constexpr double longest_vector = 0.25;
@@ -113,6 +114,9 @@ void add_bodies(SceneBuild& build) {
         if (body.outline_W.size() >= 3) {
             added.normal = normal_of(body.outline_W);
             added.outline = rounded_outline(body.outline_W, added.normal, plate_margin * build.scene.size);
+            // The points sit on the plate: their centres, and frames between them, stay above it.
+            const double down = added.thickness / 2 + seat_height * build.scene.size;
+            for (Eigen::Vector3d& corner : added.outline) corner -= down * added.normal;
             added.item.position.setZero();
             for (const Eigen::Vector3d& corner : body.outline_W)
                 added.item.position += corner / static_cast<double>(body.outline_W.size());

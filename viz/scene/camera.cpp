@@ -52,7 +52,7 @@ Eigen::Vector3d world_at(const Camera& camera, PictureSize size, Pixel pixel,
 }
 
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size) {
-    constexpr double margin = 1.24;  // room for the axis titles, the title line and the caption
+    constexpr double margin = 1.17;  // room for the axis titles, the title line and the caption
     const Eigen::Vector3d extent = bounds.high - bounds.low;
     const double width = extent.dot(camera.right().cwiseAbs());
     const double height = extent.dot(camera.up.cwiseAbs());
@@ -77,6 +77,11 @@ Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size) {
     }
     // Not quite isometric: from 25 degrees right of front, so that equal triangles do not fall on a line.
     return fitted(looking_along({-0.62, 1.0, -0.52}, z), bounds, size);
+}
+
+bool far_side_is_high(const Camera& camera, int axis) {
+    constexpr double edge_on = 1e-6;
+    return camera.direction[axis] > (axis == 2 ? edge_on : -edge_on);
 }
 
 Camera orbited(const Camera& camera, PictureSize size, double dx, double dy) {

@@ -45,6 +45,10 @@ Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size);
 /// Same direction, the whole box in the picture with a margin for captions.
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size);
 
+/// Is the high side of a box along `axis` (0 x, 1 y, 2 z) farther from the eye than its low side? Where
+/// neither is, the answer puts the axes of the plane views below and to the left.
+bool far_side_is_high(const Camera& camera, int axis);
+
 /// Drag by (dx, dy) pixels: turns about the focal point, z stays upright (a full picture width = 360 deg).
 Camera orbited(const Camera& camera, PictureSize size, double dx, double dy);
 /// What is under the pointer follows it.

@@ -8,7 +8,7 @@
 namespace covaria::detail {
 namespace {
 
-constexpr int corner_steps = 6;
+constexpr int corner_steps = 12;
 
 bool is_convex(const std::vector<Eigen::Vector3d>& outline, const Eigen::Vector3d& normal) {
     const std::size_t n = outline.size();

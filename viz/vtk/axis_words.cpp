@@ -9,11 +9,6 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-/// Is the high side of the box along `axis` farther from the eye?
-bool far_is_high(const Camera& camera, int axis) {
-    return camera.direction[axis] > 1e-6;
-}
-
 Vector corner(const SceneAxes& axes, bool x_high, bool y_high, bool z_high) {
     return {x_high ? axes.high.x() : axes.low.x(), y_high ? axes.high.y() : axes.low.y(),
             z_high ? axes.high.z() : axes.low.z()};
@@ -25,7 +20,8 @@ void Overlay::paint_axes() {
     if (!scene_.axes) return;
     const SceneAxes& axes = *scene_.axes;
     const Camera& camera = view_.camera;
-    const bool x_far = far_is_high(camera, 0), y_far = far_is_high(camera, 1), z_far = far_is_high(camera, 2);
+    const bool x_far = far_side_is_high(camera, 0), y_far = far_side_is_high(camera, 1),
+               z_far = far_side_is_high(camera, 2);
     // The floor's (or ceiling's) edges nearest to the eye, and the upright edge farthest to the left.
     paint_axis(0, corner(axes, false, !y_far, z_far), corner(axes, true, !y_far, z_far));
     paint_axis(1, corner(axes, !x_far, false, z_far), corner(axes, !x_far, true, z_far));

@@ -16,7 +16,7 @@ namespace covaria::detail {
 namespace {
 
 constexpr std::size_t moving_limit = 12'000;  // points of all clouds together while the camera moves
-constexpr double point_size = 1.7;
+constexpr double point_size = 1.5;
 
 vtkSmartPointer<vtkPolyData> points_of(const SceneCloud& cloud, std::size_t stride) {
     const std::size_t count = (cloud.size() + stride - 1) / stride;
@@ -52,7 +52,10 @@ LayerActor cloud_actor(const SceneCloud& cloud, const Eigen::Vector3d& origin, S
     property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
     property->LightingOff();
     // Few trials are drawn strongly, many faintly, so that the density shows.
-    property->SetOpacity(std::clamp(25.0 / std::sqrt(static_cast<double>(cloud.size())), 0.12, 0.7));
+    property->SetOpacity(std::clamp(25.0 / std::sqrt(static_cast<double>(cloud.size())), 0.5, 0.8));
+    // Blended in the order of the trials and with depth: near trials hide far ones, a dense middle does not
+    // saturate, and sorting translucent surfaces need not peel through thousands of points.
+    made.actor->ForceOpaqueOn();
     return made;
 }
 

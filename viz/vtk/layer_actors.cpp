@@ -47,6 +47,11 @@ void LayerActors::update(const Scene& scene, const Scene* before, ScenePalette p
         const auto layer = static_cast<Layer>(i);
         if (!before || far || !same(layer, scene, *before)) rebuild(layer, scene, palette);
     }
+    // Clouds blend over what is there already: they come after all other opaque actors.
+    for (const LayerActor& cloud : actors_[static_cast<std::size_t>(Layer::clouds)]) {
+        renderer_->RemoveActor(cloud.actor);
+        renderer_->AddActor(cloud.actor);
+    }
 }
 
 void LayerActors::rebuild(Layer layer, const Scene& scene, ScenePalette palette) {
@@ -67,9 +72,8 @@ void LayerActors::prepare(const View& view) {
             if (item.point_size > 0)
                 property->SetPointSize(static_cast<float>(std::max(1.0, item.point_size * view.ratio)));
             if (item.wall_normal < 0) continue;
-            const bool far_is_high = view.camera.direction[item.wall_normal] > 1e-6;
             Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-            shift[item.wall_normal] = far_is_high ? item.wall_shift : 0.0;
+            shift[item.wall_normal] = far_side_is_high(view.camera, item.wall_normal) ? item.wall_shift : 0.0;
             item.actor->SetPosition(shift.data());
         }
 }

@@ -50,7 +50,6 @@ Result<void> OffscreenWindow::open(vtkRenderer* renderer) {
     redirect_vtk_messages();
     if (auto opened = context_.open(); !opened) return opened;
     const CurrentContext current(context_);
-    const QuietMessages quiet;  // GLEW complains about a missing GLX display, and works
     window_ = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
     window_->SetOwnContext(false);
     observe(window_, vtkCommand::WindowIsCurrentEvent, answer_is_current, &context_);

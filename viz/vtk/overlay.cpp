@@ -50,14 +50,19 @@ void Overlay::paint_heading() {
         put(word, x, y);
         y += mask_of(word).letters.height + px(2);
     }
-    if (!view_.layers[Layer::legend]) return;
-    y += px(6);
+    if (view_.layers[Layer::legend]) paint_legend(y + px(6));
+}
+
+void Overlay::paint_legend(double y) {
+    const double x = px(margin), indent = px(24);
+    double widest = 0.0;
+    for (const LegendLine& line : scene_.legend)
+        widest = std::max(widest, indent + mask_of({line.text, Role::quiet_text, false, 0.92}).letters.width);
+    // A small picture has no room beside the scene; the caption says what matters most.
+    if (widest > 0.3 * canvas_.size().width) return;
     for (const LegendLine& line : scene_.legend) {
         const Word word{line.text, Role::quiet_text, false, 0.92};
         const TextMask& mask = mask_of(word);
-        // A small picture shows what fits above its middle; the caption holds the rest.
-        if (y + mask.letters.height > 0.42 * canvas_.size().height) return;
-        const double indent = line.mark == LegendMark::none ? 0.0 : px(24);
         put(word, x + indent, y);
         paint_legend_mark(line, x, y + mask.letters.height / 2.0);
         y += mask.letters.height + px(3);

@@ -36,6 +36,7 @@ private:
     double px(double points) const { return points * view_.ratio; }
 
     void paint_heading();
+    void paint_legend(double y);
     void paint_legend_mark(const LegendLine& line, double x, double middle);
     void paint_caption();
     void paint_scale_bar();

@@ -87,7 +87,7 @@ Colour grid_colour(ScenePalette palette) {
 }
 
 Colour selection_colour(ScenePalette palette) {
-    return palette == ScenePalette::light ? Colour{0xCC, 0x33, 0x11} : Colour{0xFF, 0x8A, 0x65};
+    return palette == ScenePalette::light ? Colour{0xD8, 0x1B, 0x60} : Colour{0xFF, 0x6F, 0xA8};
 }
 
 }  // namespace covaria::detail

@@ -72,7 +72,7 @@ SceneRenderer::Implementation::Implementation() {
     renderer->AutomaticLightCreationOff();
     add_light(renderer, {-0.45, 0.75, 1.0}, 0.85);
     add_light(renderer, {0.9, -0.1, 0.6}, 0.35);
-    renderer->SetMaximumNumberOfPeels(6);
+    renderer->SetMaximumNumberOfPeels(4);
     renderer->SetOcclusionRatio(0.0);
     renderer->GetActiveCamera()->ParallelProjectionOn();
 }

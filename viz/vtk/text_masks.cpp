@@ -1,11 +1,14 @@
 // Letters by FreeType, through VTK.
+// VTK 9.1 reads a std::string byte by byte here; only its vtkUnicodeString, marked as deprecated, keeps Greek
+// letters and signs.
+#define VTK_DEPRECATION_LEVEL 0
 #include "viz/vtk/text_masks.h"
 
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkStdString.h>
 #include <vtkTextProperty.h>
+#include <vtkUnicodeString.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +57,8 @@ Mask letters_of(const std::string& text, int pixels, bool bold) {
     vtkNew<vtkImageData> data;
     int used[2] = {0, 0};
     Mask mask;
-    if (!vtkFreeTypeTools::GetInstance()->RenderString(property, vtkStdString(text), 72, data, used))
+    if (!vtkFreeTypeTools::GetInstance()->RenderString(property, vtkUnicodeString::from_utf8(text), 72, data,
+                                                       used))
         return mask;
     mask.width = used[0];
     mask.height = used[1];

@@ -72,7 +72,7 @@ std::vector<LayerActor> histogram_actors(const Scene& scene, const Vector& origi
         Shapes bars(origin), frame(origin);
         const Colour colour = colour_of(histogram.role, palette);
         for (std::size_t cell = 0; cell < histogram.bars.size(); ++cell)
-            if (histogram.bars[cell] > 0) bars.polygon(bar(histogram, cell), colour, 0.62);
+            if (histogram.bars[cell] > 0) bars.polygon(bar(histogram, cell), colour, 0.72);
         frame.line(closed(rectangle(histogram.low, histogram.high, histogram.normal)), colour, 0.5);
         const double shift = histogram.high[histogram.normal] - histogram.low[histogram.normal];
         if (auto actor = bars.line_actor()) {
