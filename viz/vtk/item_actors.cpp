@@ -52,9 +52,9 @@ void add_points(const Scene& scene, Parts& parts) {
         const double r = point.radius;
         const Colour colour = parts.colour(Role::point);
         switch (point.kind) {
-            case PointKind::nest:  // a ball in a flat ring
+            case PointKind::nest:  // a ball in its seat
                 parts.solids.sphere(p, r, colour);
-                parts.solids.cylinder(p - 0.75 * r * point.axis, p + 0.75 * r * point.axis, 1.35 * r,
+                parts.solids.cylinder(p - 0.75 * r * point.axis, p - 0.1 * r * point.axis, 1.25 * r,
                                       parts.colour(Role::body));
                 break;
             case PointKind::support:

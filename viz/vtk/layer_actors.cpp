@@ -4,6 +4,8 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace covaria::detail {
 namespace {
@@ -33,6 +35,14 @@ bool same(Layer layer, const Scene& a, const Scene& b) {
             return true;
     }
     return false;
+}
+
+/// So that a dense middle does not saturate and single trials are still seen.
+double cloud_opacity(const LayerActor& cloud, const LayerActors::View& view) {
+    const double radius = std::max(1.0, cloud.cloud_radius / view.metres_per_pixel);
+    const double side = cloud.point_size * view.ratio;
+    const double density = cloud.cloud_points * side * side / (std::numbers::pi * radius * radius);
+    return std::clamp(0.68 / std::sqrt(density), 0.2, 0.85);
 }
 
 }  // namespace
@@ -71,6 +81,7 @@ void LayerActors::prepare(const View& view) {
             if (item.line_width > 0) property->SetLineWidth(static_cast<float>(item.line_width * view.ratio));
             if (item.point_size > 0)
                 property->SetPointSize(static_cast<float>(std::max(1.0, item.point_size * view.ratio)));
+            if (item.cloud_points > 0) property->SetOpacity(cloud_opacity(item, view));
             if (item.wall_normal < 0) continue;
             Eigen::Vector3d shift = Eigen::Vector3d::Zero();
             shift[item.wall_normal] = far_side_is_high(view.camera, item.wall_normal) ? item.wall_shift : 0.0;

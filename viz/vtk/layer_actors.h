@@ -19,6 +19,10 @@ struct LayerActor {
     vtkSmartPointer<vtkActor> actor;
     double line_width = 0.0;  ///< in units of the pixel ratio; 0 = no lines
     double point_size = 0.0;  ///< likewise; 0 = no points
+    /// Of clouds: number of points and radius (m) in which most lie; the denser they are in the picture, the
+    /// fainter each is drawn.
+    double cloud_points = 0.0;
+    double cloud_radius = 0.0;
     /// A wall stands at the side of its box that is farther from the eye: normal direction (0 x, 1 y, 2 z)
     /// and the way from the low to the high side. -1 = no wall.
     int wall_normal = -1;
@@ -36,6 +40,7 @@ public:
         Camera camera;
         LayerVisibility layers;
         double ratio = 1.0;
+        double metres_per_pixel = 1.0;
         bool moving = false;
     };
     /// Visibility, widths and walls for the next picture.

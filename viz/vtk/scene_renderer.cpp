@@ -96,7 +96,8 @@ void SceneRenderer::Implementation::aim(double scale, RenderQuality quality) {
     const bool moving = quality == RenderQuality::moving;
     renderer->SetUseDepthPeeling(!moving);
     renderer->SetUseFXAA(quality == RenderQuality::full);
-    actors.prepare({camera, layers, scale * pixel_ratio(), moving});
+    const double per_pixel = metres_per_pixel(camera, size) / scale;
+    actors.prepare({camera, layers, scale * pixel_ratio(), per_pixel, moving});
     const SceneBounds bounds = bounds_of(scene);
     const double radius = std::max(1e-9, (bounds.high - bounds.low).norm());
     const double middle = ((bounds.low + bounds.high) / 2 - camera.focal_point).dot(camera.direction);
