@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -64,6 +66,8 @@ public:
     bool cell_empty(const std::string& table, std::size_t row, const std::string& column) const;
     double cell_number(const std::string& table, std::size_t row, const std::string& column) const;  ///< SI
     std::string cell_text(const std::string& table, std::size_t row, const std::string& column) const;
+    bool cell_flag(const std::string& table, std::size_t row,
+                   const std::string& column) const;  ///< empty: false
     Eigen::Vector3d cell_vector(const std::string& table, std::size_t row,
                                 const std::string& first_column) const;  ///< three columns on end
 

@@ -70,6 +70,8 @@ public:
     const FieldSpec* find(const std::string& key) const;
     /// Index of a table's column, or npos.
     static std::size_t column(const FieldSpec& table, const std::string& key);
+    static constexpr std::size_t npos = static_cast<std::size_t>(-1);
+    std::vector<std::string> keys() const;  ///< of all fields, in order
 
 private:
     std::vector<FieldSpec> fields_;
@@ -81,6 +83,13 @@ const SetupValue& value_of(const FieldSpec& field, const Setup& setup);
 bool is_shown(const SetupSchema& schema, const FieldSpec& field, const Setup& setup);
 /// Kinds, units' dimensions, ranges, choices, required fields, unknown keys, NaN. Paths are relative to the
 /// set-up ("/alpha").
+/// Every problem is reported; a cell is named by row and column ("/base_points/rows/2/x").
 void check_setup(const SetupSchema& schema, const Setup& setup, Problems& problems);
+
+/// A number as given for `title`, which is to be in a unit like `expected`. Empty if it may be used;
+/// otherwise why not: another dimension, not finite, or a temperature difference given on the scale of degC.
+std::string unit_objection(const std::string& title, const Quantity& given, const Unit& expected);
+/// Likewise for the unit of a table's column.
+std::string column_unit_objection(const FieldSpec& table, const ColumnSpec& column, const Unit& unit);
 
 }  // namespace covaria
