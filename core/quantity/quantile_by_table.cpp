@@ -1,10 +1,12 @@
 // Quantile functions whose inverses cost a microsecond and more (Student t, gamma, beta): tables over the
 // normal score.
+#include <algorithm>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <utility>
 
 #include "core/math/special_quantiles.h"
@@ -25,6 +27,7 @@ using Quiet =
 
 constexpr double tolerance = 1e-11;
 constexpr double limit = NormalScoreTable::largest_score;
+constexpr double largest_direct_score = 37.0;  ///< beyond it probabilities are too small for double
 
 /// Tables in use by shape parameters: distributions of one shape share theirs, however often they are made.
 class SharedTables {
@@ -48,16 +51,24 @@ private:
 // Each shape gives the function of the score that is tabulated, smooth and computed directly where there is
 // no table.
 
-/// t/z, an even function.
+/// t/z, an even function. Near the centre from the probability between -t and t, which keeps all its digits
+/// there.
 struct StudentTShape {
     static constexpr NormalScoreTable::Domain domain{0.0, limit, true};
     double degrees_of_freedom;
     std::pair<double, double> key() const { return {degrees_of_freedom, 0.0}; }
     double operator()(double z) const {
+        if (z > 0.5) return -t_quantile(normal_distribution_function(-z), degrees_of_freedom) / z;
         const double score = std::max(z, 1e-8);  // t/z has its limit there
-        return -t_quantile(normal_distribution_function(-score), degrees_of_freedom) / score;
+        double rest = 0.0;
+        const double x = boost::math::ibeta_inv(0.5, 0.5 * degrees_of_freedom,
+                                                std::erf(score / std::numbers::sqrt2), &rest, Quiet());
+        return std::sqrt(degrees_of_freedom * x / rest) / score;
     }
 };
+
+/// Below this logarithm the leading term of a distribution function is all of it, in double precision.
+constexpr double leading_term_only = -45.0;
 
 /// ln x
 struct GammaShape {
@@ -66,8 +77,11 @@ struct GammaShape {
     std::pair<double, double> key() const { return {shape, 0.0}; }
     double operator()(double z) const {
         const double smaller = normal_distribution_function(-std::abs(z));
-        return std::log(z < 0.0 ? boost::math::gamma_p_inv(shape, smaller, Quiet())
-                                : boost::math::gamma_q_inv(shape, smaller, Quiet()));
+        if (z > 0.0) return std::log(boost::math::gamma_q_inv(shape, smaller, Quiet()));
+        const double leading =
+            (std::log(smaller) + std::lgamma(shape + 1.0)) / shape;  // p = x^a/Gamma(a + 1)
+        return leading < leading_term_only ? leading
+                                           : std::log(boost::math::gamma_p_inv(shape, smaller, Quiet()));
     }
 };
 
@@ -77,10 +91,15 @@ struct BetaShape {
     double alpha, beta;
     std::pair<double, double> key() const { return {alpha, beta}; }
     double operator()(double z) const {
-        const double smaller = normal_distribution_function(-std::abs(z));
+        return z < 0.0 ? of_lower_tail(alpha, beta, z) : -of_lower_tail(beta, alpha, -z);
+    }
+    static double of_lower_tail(double a, double b, double z) {
+        const double p = normal_distribution_function(z);
+        const double log_beta = std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b);
+        const double leading = (std::log(p) + std::log(a) + log_beta) / a;  // p = x^a/(a B(a, b))
+        if (leading + std::log1p(b) < leading_term_only) return leading;
         double rest = 0.0;
-        const double x = z < 0.0 ? boost::math::ibeta_inv(alpha, beta, smaller, &rest, Quiet())
-                                 : boost::math::ibetac_inv(alpha, beta, smaller, &rest, Quiet());
+        const double x = boost::math::ibeta_inv(a, b, p, &rest, Quiet());
         return std::log(x) - std::log(rest);
     }
 };
@@ -94,8 +113,8 @@ public:
             tables.get(shape.key(), [&] { return NormalScoreTable::build(shape, Shape::domain, tolerance); });
     }
     double operator()(double z) const {
-        if (table_ == nullptr || !(std::abs(z) < limit)) return shape_(z);
-        return (*table_)(z);
+        if (table_ != nullptr && std::abs(z) < limit) return (*table_)(z);
+        return shape_(std::clamp(z, -largest_direct_score, largest_direct_score));
     }
 
 private:
