@@ -1,0 +1,17 @@
+// The asset kinds of this folder, one function each; registry.cpp lists them.
+#pragma once
+
+#include "core/model/asset.h"
+
+namespace covaria {
+
+/// An artefact with calibrated points, measured repeatedly (Porath et al., 2.1, Eqs 1-3).
+AssetDescriptor artefact_points_kind();
+/// A calibrated length measured in several positions (Porath et al., 2.2, Eqs 4-6).
+AssetDescriptor length_standard_kind();
+/// An instrument that measures distance and two angles, standing somewhere.
+AssetDescriptor spherical_instrument_kind();
+/// A manufacturer's figure for the uncertainty of a measured point.
+AssetDescriptor point_specification_kind();
+
+}  // namespace covaria

@@ -1,0 +1,20 @@
+// The list of asset kinds.
+#include "core/assets/registry.h"
+
+#include "core/assets/kinds.h"
+
+namespace covaria {
+
+const std::vector<AssetDescriptor>& asset_registry() {
+    static const std::vector<AssetDescriptor> kinds{artefact_points_kind(), length_standard_kind(),
+                                                    spherical_instrument_kind(), point_specification_kind()};
+    return kinds;
+}
+
+const AssetDescriptor* find_asset_kind(const std::string& kind) {
+    for (const AssetDescriptor& descriptor : asset_registry())
+        if (descriptor.kind == kind) return &descriptor;
+    return nullptr;
+}
+
+}  // namespace covaria
