@@ -10,13 +10,14 @@ struct PlotAxis {
     std::string title;             ///< Unicode: "x (mm)"
     double low = 0.0, high = 0.0;  ///< low == high: from the data
     bool logarithmic = false;
-    std::vector<std::string> categories = {};  ///< not empty: a category axis
+    std::vector<std::string> categories = {};  ///< not empty: a category axis; the first is at 0
 };
 
 enum class SeriesKind {
     line,
     points,
-    bars,      ///< histogram or categories: x are cell centres, of equal width
+    bars,      ///< histogram or categories: x are cell centres, of equal width; horizontal bars: y are the
+               ///< centres
     heat_map,  ///< `z` row-major over categories of both axes
 };
 enum class SeriesRole { data, fit, reference, first_order, monte_carlo, emphasis };  ///< decides the colour
@@ -26,7 +27,7 @@ struct PlotSeries {
     SeriesKind kind = SeriesKind::line;
     SeriesRole role = SeriesRole::data;
     std::vector<double> x, y, z;
-    double bar_width = 0.0;  ///< in x units
+    double bar_width = 0.0;  ///< in x units (horizontal bars: y units)
 };
 
 /// A vertical (or horizontal) line with a label: mean, ends of an interval, a target.

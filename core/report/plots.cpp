@@ -1,13 +1,18 @@
-// The distribution charts: histogram, normal quantiles, convergence.
+// The distribution charts: histogram and normal quantiles.
 #include "core/report/plots.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/math/normal_quantile.h"
-#include "core/report/plot_parts.h"
+#include "core/report/number_format.h"
+#include "core/report/plots_parts.h"
 
 namespace covaria {
+
+using plot_parts::nothing_to_show;
+using plot_parts::PlottedOutput;
+
 namespace {
 
 constexpr int curve_points = 161;
@@ -50,47 +55,53 @@ CoverageInterval shown_range(const PlotSeries& bars) {
 }  // namespace
 
 PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output) {
-    const OutputResult& out = result.outputs[output];
-    PlotSpecification plot = plot_frame("histogram", out, "Distribution of " + plot_name(out.quantity));
-    if (!out.monte_carlo) return without_monte_carlo(std::move(plot));
-    const MonteCarloOutput& mc = *out.monte_carlo;
-    if (!(mc.standard_uncertainty > 0.0) || mc.histogram.counts.empty())
-        return without_spread(std::move(plot));
-    const Unit& unit = out.quantity.unit;
-    PlotSeries bars = density_bars(mc.histogram, unit);
+    const PlottedOutput plotted(result, output);
+    const MonteCarloOutput* mc = plotted.trials();
+    const std::string id = plotted.id("histogram");
+    if (!mc) return nothing_to_show(id, "Run Monte Carlo to see the distribution of " + plotted.label());
+    if (!(mc->standard_uncertainty > 0.0) || mc->histogram.counts.empty())
+        return nothing_to_show(id, plotted.label() + " has no uncertainty, so no distribution to show");
+    const FirstOrderOutput& first = plotted.output().first_order;
+    PlotSpecification plot;
+    plot.id = id;
+    plot.title = "Distribution of " + plotted.label();
+    PlotSeries bars = density_bars(mc->histogram, plotted.output().quantity.unit);
     const CoverageInterval range = shown_range(bars);
-    plot.x = {axis_title(out.quantity), range.low, range.high, false, {}};
-    plot.y = {"probability density (" + inverse_unit(unit) + ")", 0.0, 0.0, false, {}};
+    plot.x = {plotted.with_unit(plotted.symbol()), range.low, range.high, false, {}};
+    plot.y = {plotted.density_title(), 0.0, 0.0, false, {}};
     plot.series.push_back(std::move(bars));
-    plot.series.push_back(normal_curve("normal, Monte Carlo u", SeriesRole::fit, range, unit.from_si(mc.mean),
-                                       unit.interval_from_si(mc.standard_uncertainty)));
-    if (out.first_order.standard_uncertainty > 0.0)
+    plot.series.push_back(normal_curve("normal, Monte Carlo u", SeriesRole::fit, range,
+                                       plotted.value(mc->mean), plotted.interval(mc->standard_uncertainty)));
+    if (first.standard_uncertainty > 0.0)
         plot.series.push_back(normal_curve("normal, first order", SeriesRole::first_order, range,
-                                           unit.from_si(out.first_order.estimate),
-                                           unit.interval_from_si(out.first_order.standard_uncertainty)));
-    plot.marks.push_back({"mean", unit.from_si(mc.mean), false, SeriesRole::monte_carlo});
-    plot.bands.push_back({percent(result.coverage_probability) + " coverage interval",
-                          unit.from_si(mc.symmetric.low), unit.from_si(mc.symmetric.high),
+                                           plotted.value(first.estimate),
+                                           plotted.interval(first.standard_uncertainty)));
+    plot.marks.push_back({"mean", plotted.value(mc->mean), false, SeriesRole::monte_carlo});
+    plot.bands.push_back({format_significant(100.0 * result.coverage_probability, 4) + " % coverage interval",
+                          plotted.value(mc->symmetric.low), plotted.value(mc->symmetric.high),
                           SeriesRole::monte_carlo});
     return plot;
 }
 
 PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::size_t output) {
-    const OutputResult& out = result.outputs[output];
-    PlotSpecification plot = plot_frame("quantiles", out, "Normal quantiles of " + plot_name(out.quantity));
-    if (!out.monte_carlo) return without_monte_carlo(std::move(plot));
-    const MonteCarloOutput& mc = *out.monte_carlo;
-    if (!(mc.standard_uncertainty > 0.0) || mc.quantiles.empty()) return without_spread(std::move(plot));
-    const Unit& unit = out.quantity.unit;
+    const PlottedOutput plotted(result, output);
+    const MonteCarloOutput* mc = plotted.trials();
+    const std::string id = plotted.id("quantiles");
+    if (!mc) return nothing_to_show(id, "Run Monte Carlo to see the quantiles of " + plotted.label());
+    if (!(mc->standard_uncertainty > 0.0) || mc->quantiles.empty())
+        return nothing_to_show(id, plotted.label() + " has no uncertainty, so no quantiles to show");
     PlotSeries points{"Monte Carlo", SeriesKind::points, SeriesRole::data, {}, {}, {}, 0.0};
-    for (std::size_t i = 0; i < mc.quantiles.size(); ++i) {
-        points.x.push_back(normal_quantile((double(i) + 0.5) / double(mc.quantiles.size())));
-        points.y.push_back(unit.from_si(mc.quantiles[i]));
+    for (std::size_t i = 0; i < mc->quantiles.size(); ++i) {
+        points.x.push_back(normal_quantile((double(i) + 0.5) / double(mc->quantiles.size())));
+        points.y.push_back(plotted.value(mc->quantiles[i]));
     }
-    const double reach = points.x.back(), mean = unit.from_si(mc.mean),
-                 u = unit.interval_from_si(mc.standard_uncertainty);
+    const double reach = points.x.back(), mean = plotted.value(mc->mean),
+                 u = plotted.interval(mc->standard_uncertainty);
+    PlotSpecification plot;
+    plot.id = id;
+    plot.title = "Normal quantiles of " + plotted.label();
     plot.x = {"quantile of the standard normal distribution", -3.0, 3.0, false, {}};
-    plot.y = {axis_title(out.quantity), 0.0, 0.0, false, {}};
+    plot.y = {plotted.with_unit(plotted.symbol()), 0.0, 0.0, false, {}};
     plot.series.push_back({"normal distribution",
                            SeriesKind::line,
                            SeriesRole::fit,
@@ -99,37 +110,6 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
                            {},
                            0.0});
     plot.series.push_back(std::move(points));
-    return plot;
-}
-
-PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output) {
-    const OutputResult& out = result.outputs[output];
-    PlotSpecification plot =
-        plot_frame("convergence", out, "Convergence of u(" + plot_name(out.quantity) + ")");
-    if (!out.monte_carlo || result.convergence.empty()) return without_monte_carlo(std::move(plot));
-    const Unit& unit = out.quantity.unit;
-    PlotSeries u{"u after M trials", SeriesKind::line, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
-    PlotSeries low{"± 2 standard errors", SeriesKind::line, SeriesRole::reference, {}, {}, {}, 0.0},
-        high = low;
-    high.name.clear();
-    const double final_u = unit.interval_from_si(out.monte_carlo->standard_uncertainty);
-    const double kurtosis =
-        std::max(0.0, out.monte_carlo->kurtosis + 2.0);  // (beta_2 - 1) of gum_algorithms 3.6
-    for (const ConvergencePoint& point : result.convergence) {
-        const double trials = double(point.trials);
-        const double twice = 2.0 * final_u * std::sqrt(kurtosis / (4.0 * trials));
-        u.x.push_back(trials);
-        u.y.push_back(unit.interval_from_si(point.standard_uncertainty[output]));
-        low.x.push_back(trials);
-        low.y.push_back(final_u - twice);
-        high.x.push_back(trials);
-        high.y.push_back(final_u + twice);
-    }
-    plot.x = {"trials M", 0.0, 0.0, true, {}};
-    plot.y = {"u(" + plot_name(out.quantity) + ")" + in_unit_words(unit), 0.0, 0.0, false, {}};
-    plot.series = {low, high, u};
-    plot.marks.push_back({"first order", unit.interval_from_si(out.first_order.standard_uncertainty), true,
-                          SeriesRole::first_order});
     return plot;
 }
 

@@ -10,6 +10,8 @@
 
 namespace covaria {
 
+// Where there is nothing to show, the specification has no series and its title says what to do.
+
 /// Histogram with mean, coverage interval, fitted normal and first-order normal. Needs Monte Carlo.
 PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output);
 /// Quantiles against those of a normal distribution. Needs Monte Carlo.
@@ -21,5 +23,9 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
 PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group);
 /// Running u (and mean) against trials with two standard errors.
 PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output);
+
+/// The data shown as CSV (RFC 4180, full precision): x and y of every series side by side, each with its axis
+/// title; a heat map as a matrix with its categories.
+std::string plot_csv(const PlotSpecification& plot);
 
 }  // namespace covaria

@@ -10,7 +10,8 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t listed_one_by_one = 24;  // above it, quantities with equal components are collapsed
+constexpr std::size_t listed_one_by_one = 24;  // up to here every quantity has a row of its own
+constexpr std::size_t smallest_collapsed = 7;  // that many quantities with equal components share a row
 
 std::string type_text(EvaluationType type) {
     return type == EvaluationType::type_a ? "A" : "B";
@@ -18,7 +19,7 @@ std::string type_text(EvaluationType type) {
 
 /// What must agree for two quantities to share a row.
 std::string signature(const InputSet& inputs, const InputQuantity& quantity) {
-    std::string text = quantity.group + "\n" + quantity.unit.text() + "\n" +
+    std::string text = quantity.unit.text() + "\n" +
                        (quantity.combination == Combination::arithmetic ? "arithmetic" : "quadrature");
     for (const Share& share : quantity.shares) {
         const UncertaintyComponent& c = inputs.components[share.component];
@@ -33,24 +34,20 @@ using Members = std::vector<std::size_t>;
 
 /// Quantities in order of first appearance; one list per row of the table.
 std::vector<Members> rows_of(const InputSet& inputs) {
+    std::map<std::string, Members> alike;
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i)
+        alike[signature(inputs, inputs.quantities[i])].push_back(i);
     std::vector<Members> rows;
-    std::map<std::string, std::size_t> row_of;
-    const bool collapse = inputs.quantities.size() > listed_one_by_one;
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
-        const std::string key = collapse ? signature(inputs, inputs.quantities[i]) : std::to_string(i);
-        const auto [it, added] = row_of.try_emplace(key, rows.size());
-        if (added) rows.emplace_back();
-        rows[it->second].push_back(i);
+        const Members& members = alike[signature(inputs, inputs.quantities[i])];
+        const bool collapse =
+            inputs.quantities.size() > listed_one_by_one && members.size() >= smallest_collapsed;
+        if (!collapse)
+            rows.push_back({i});
+        else if (members.front() == i)
+            rows.push_back(members);
     }
     return rows;
-}
-
-/// Groups ("pose 1", "pose 2" ...) whose rows say the same are merged into one row as well.
-std::vector<Members> merged_over_groups(const InputSet& inputs, const std::vector<Members>& rows) {
-    if (rows.size() <= listed_one_by_one) return rows;
-    InputSet ungrouped = inputs;
-    for (InputQuantity& quantity : ungrouped.quantities) quantity.group.clear();
-    return rows_of(ungrouped);
 }
 
 std::string symbols_text(const InputSet& inputs, const Members& members) {
@@ -129,13 +126,12 @@ void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     table.text("Type");
     table.symbol("nu_i", 3);
     table.text("Origin");
-    const std::vector<Members> rows = merged_over_groups(inputs, rows_of(inputs));
+    const std::vector<Members> rows = rows_of(inputs);
     for (const Members& members : rows) add_quantity(table, inputs, members);
     if (rows.size() < inputs.quantities.size())
-        table.note(
-            std::to_string(inputs.quantities.size()) +
-            " input quantities; those with equal components share a row. The CSV table of inputs lists "
-            "every one with its estimate.");
+        table.note(std::to_string(inputs.quantities.size()) +
+                   " input quantities; many with equal components share a row. The CSV table of inputs lists "
+                   "every one with its estimate.");
     blocks.push_back(table.take());
     add_correlations(blocks, inputs);
 }

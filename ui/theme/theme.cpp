@@ -1,110 +1,111 @@
+// Colours of the window and of charts.
 #include "ui/theme/theme.h"
 
-#include <QApplication>
-#include <QFontDatabase>
-#include <QStyleFactory>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace covaria::ui {
 namespace {
 
-QColor mixed(const QColor& a, const QColor& b, double t) {
-    const auto channel = [t](int x, int y) { return int(std::lround(x + t * (y - x))); };
-    return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
+double linear(double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
 
-const QColor okabe_ito_orange(0xE6, 0x9F, 0x00), okabe_ito_sky(0x56, 0xB4, 0xE9),
-    okabe_ito_green(0x00, 0x9E, 0x73), okabe_ito_blue(0x00, 0x72, 0xB2),
-    okabe_ito_vermillion(0xD5, 0x5E, 0x00);
+double luminance(const QColor& colour) {
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+template <std::size_t n>
+QColor along(const std::array<QRgb, n>& points, double t) {
+    const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(n - 1);
+    const auto first = std::min(static_cast<std::size_t>(place), n - 2);
+    return mix(QColor(points[first]), QColor(points[first + 1]), place - static_cast<double>(first));
+}
+
+constexpr std::array<QRgb, 9> viridis = {0xff440154, 0xff472d7b, 0xff3b528b, 0xff2c728e, 0xff21918c,
+                                         0xff28ae80, 0xff5ec962, 0xffaddc30, 0xfffde725};
+constexpr std::array<QRgb, 7> diverging_light = {0xff005a8f, 0xff4a93c2, 0xffa9cde3, 0xfff4f4f3,
+                                                 0xfff3bf9c, 0xffdd7f47, 0xffb04a00};
+constexpr std::array<QRgb, 7> diverging_dark = {0xff6fc1f2, 0xff3f86b4, 0xff315871, 0xff2b3035,
+                                                0xff6f4a32, 0xffb9683a, 0xfff59a5c};
 
 }  // namespace
 
-const Theme& Theme::light() {
-    static const Theme theme(false);
-    return theme;
+QColor mix(const QColor& from, const QColor& to, double t) {
+    const auto channel = [t](float a, float b) { return static_cast<float>(a + t * (b - a)); };
+    return QColor::fromRgbF(channel(from.redF(), to.redF()), channel(from.greenF(), to.greenF()),
+                            channel(from.blueF(), to.blueF()));
 }
 
-const Theme& Theme::dark() {
-    static const Theme theme(true);
-    return theme;
+double contrast(const QColor& a, const QColor& b) {
+    const auto [darker, lighter] = std::minmax(luminance(a), luminance(b));
+    return (lighter + 0.05) / (darker + 0.05);
 }
 
-Theme::Theme(bool dark) : dark_(dark) {
-    window_ = dark ? QColor(0x2b, 0x2d, 0x30) : QColor(0xf3, 0xf4, 0xf5);
-    base_ = dark ? QColor(0x1f, 0x21, 0x23) : QColor(0xff, 0xff, 0xff);
-    text_ = dark ? QColor(0xe4, 0xe6, 0xe8) : QColor(0x1c, 0x1f, 0x23);
-    quiet_ = dark ? QColor(0x9b, 0xa1, 0xa8) : QColor(0x5d, 0x64, 0x6c);
-    line_ = dark ? QColor(0x45, 0x49, 0x4e) : QColor(0xd3, 0xd7, 0xdb);
-    accent_ = dark ? okabe_ito_sky : okabe_ito_blue;
+Theme Theme::light() {
+    Neutrals n;
+    n.ground = 0xffffff;
+    n.panel = 0xf3f4f5;
+    n.text = 0x1c1f23;
+    n.quiet = 0x5d646c;
+    n.disabled = 0x9aa1a8;
+    n.rule = 0x8b929a;
+    n.grid = 0xe6e8ea;
+    n.band = 0xf0f1f3;
+    n.accent = 0x1f5a8a;
+    n.on_accent = 0xffffff;
+    return {false, n};
 }
 
-QColor Theme::of(SeriesRole role) const {
+Theme Theme::dark() {
+    Neutrals n;
+    n.ground = 0x1e2125;
+    n.panel = 0x282c31;
+    n.text = 0xe6e9ec;
+    n.quiet = 0xa7aeb6;
+    n.disabled = 0x6d747c;
+    n.rule = 0x7c848d;
+    n.grid = 0x33383e;
+    n.band = 0x292e33;
+    n.accent = 0x6aaede;
+    n.on_accent = 0x10161b;
+    return {true, n};
+}
+
+QColor Theme::series(SeriesRole role) const {
     switch (role) {
         case SeriesRole::data:
-            return dark_ ? okabe_ito_sky : okabe_ito_blue;
-        case SeriesRole::fit:
-            return okabe_ito_vermillion;
-        case SeriesRole::reference:
-            return quiet_;
-        case SeriesRole::first_order:
-            return okabe_ito_orange;
         case SeriesRole::monte_carlo:
-            return dark_ ? okabe_ito_sky : okabe_ito_blue;
+            return dark_ ? 0x56b4e9 : 0x0072b2;
+        case SeriesRole::fit:
+            return dark_ ? 0xf0823a : 0xd55e00;
+        case SeriesRole::first_order:
+            return dark_ ? 0x2bc497 : 0x007f5c;
         case SeriesRole::emphasis:
-            return okabe_ito_green;
+            return dark_ ? 0xe6c14a : 0x8a3d6e;
+        case SeriesRole::reference:
+            return neutrals_.quiet;
     }
-    return text_;
+    return neutrals_.text;
+}
+
+QColor Theme::filling(SeriesRole role) const {
+    return mix(series(role), neutrals_.ground, dark_ ? 0.50 : 0.52);
+}
+
+QColor Theme::sequential(double t) const {
+    return along(viridis, t);
 }
 
 QColor Theme::diverging(double t) const {
-    const double strength = std::min(1.0, std::abs(t));
-    return mixed(base_, t < 0 ? okabe_ito_blue : okabe_ito_vermillion, 0.85 * strength);
+    return along(dark_ ? diverging_dark : diverging_light, 0.5 * (std::clamp(t, -1.0, 1.0) + 1.0));
 }
 
-QPalette Theme::palette() const {
-    QPalette palette;
-    palette.setColor(QPalette::Window, window_);
-    palette.setColor(QPalette::Base, base_);
-    palette.setColor(QPalette::AlternateBase, mixed(base_, window_, dark_ ? 0.5 : 0.6));
-    palette.setColor(QPalette::Button, dark_ ? mixed(window_, text_, 0.07) : mixed(window_, base_, 0.6));
-    for (QPalette::ColorRole role :
-         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
-        palette.setColor(role, text_);
-    palette.setColor(QPalette::ToolTipBase, base_);
-    palette.setColor(QPalette::PlaceholderText, quiet_);
-    palette.setColor(QPalette::Highlight, okabe_ito_blue);
-    palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::Link, accent_);
-    palette.setColor(QPalette::LinkVisited, accent_);
-    palette.setColor(QPalette::BrightText, okabe_ito_vermillion);
-    palette.setColor(QPalette::Light, mixed(window_, base_, 0.5));
-    palette.setColor(QPalette::Midlight, mixed(window_, line_, 0.3));
-    palette.setColor(QPalette::Mid, line_);
-    palette.setColor(QPalette::Dark, mixed(line_, text_, 0.2));
-    palette.setColor(QPalette::Shadow, dark_ ? QColor(0x10, 0x11, 0x12) : mixed(line_, text_, 0.4));
-    for (QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, mixed(quiet_, window_, 0.3));
-    return palette;
-}
-
-QFont application_font() {
-    const QStringList families = QFontDatabase::families();
-    QFont font;
-    for (const char* family : {"Inter", "Liberation Sans", "DejaVu Sans"})
-        if (families.contains(QLatin1String(family))) {
-            font = QFont(QLatin1String(family));
-            break;
-        }
-    font.setPointSizeF(9.0);
-    return font;
-}
-
-void apply_theme(QApplication& application, const Theme& theme) {
-    if (application.style()->name().compare(QStringLiteral("fusion"), Qt::CaseInsensitive) != 0)
-        application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    application.setPalette(theme.palette());
-    application.setFont(application_font());
+QColor Theme::text_on(const QColor& ground) {
+    const QColor black(0x14, 0x17, 0x1a), white(Qt::white);
+    return contrast(ground, black) >= contrast(ground, white) ? black : white;
 }
 
 }  // namespace covaria::ui

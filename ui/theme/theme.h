@@ -1,9 +1,7 @@
-// Colours and fonts of the program, light and dark: neutral greys, one accent, colour only for data.
+// Colours of the window and of charts, light and dark: neutral greys, one accent, colour for data only.
 #pragma once
 
 #include <QColor>
-#include <QFont>
-#include <QPalette>
 
 #include "core/report/plot_specification.h"
 
@@ -11,34 +9,51 @@ class QApplication;
 
 namespace covaria::ui {
 
-class Theme {
-public:
-    static const Theme& light();
-    static const Theme& dark();
-
-    bool is_dark() const { return dark_; }
-    QColor window() const { return window_; }  ///< ground of panes
-    QColor base() const { return base_; }      ///< ground of charts, tables, fields
-    QColor text() const { return text_; }
-    QColor quiet_text() const { return quiet_; }
-    QColor line() const { return line_; }  ///< grid lines, frames
-    QColor accent() const { return accent_; }
-    /// Okabe-Ito colours (Okabe & Ito 2008, "Color universal design"), lightened on dark ground where they
-    /// need it.
-    QColor of(SeriesRole role) const;
-    /// Diverging map for t in [-1, 1]: blue, ground, vermillion.
-    QColor diverging(double t) const;
-    QPalette palette() const;
-
-private:
-    explicit Theme(bool dark);
-    bool dark_;
-    QColor window_, base_, text_, quiet_, line_, accent_;
+/// Greys and accent of the window.
+struct Neutrals {
+    QColor ground;     ///< of charts, tables, text fields
+    QColor panel;      ///< of forms, docks, tool bars
+    QColor text;       ///< what is read first
+    QColor quiet;      ///< units, axis titles, notes
+    QColor disabled;   ///< text of what cannot be used
+    QColor rule;       ///< axes, borders
+    QColor grid;       ///< thin lines behind data
+    QColor band;       ///< a shaded range
+    QColor accent;     ///< selection, links, focus
+    QColor on_accent;  ///< text on the accent
 };
 
-/// The program's font: Inter, else Liberation Sans, else DejaVu Sans; figures of equal width.
-QFont application_font();
-/// Fusion style, palette and font for the whole program.
+class Theme {
+public:
+    static Theme light();
+    static Theme dark();
+
+    bool is_dark() const { return dark_; }
+    const Neutrals& neutrals() const { return neutrals_; }
+    /// Okabe and Ito's colours (Color Universal Design, 2008), on dark ground their lighter ones.
+    QColor series(SeriesRole role) const;
+    /// Filling of bars of that role: between the role's colour and the ground.
+    QColor filling(SeriesRole role) const;
+    /// Perceptually uniform magnitude, 0 <= t <= 1 (clamped): control points of viridis (S. van der Walt, N.
+    /// Smith, 2015, CC0), interpolated.
+    QColor sequential(double t) const;
+    /// Blue, neutral, vermilion for -1 <= t <= 1 (clamped); 0 is close to the ground.
+    QColor diverging(double t) const;
+    /// Black or white, whichever reads better on `ground` (relative luminance of WCAG 2.1).
+    static QColor text_on(const QColor& ground);
+
+private:
+    Theme(bool dark, Neutrals neutrals) : dark_(dark), neutrals_(std::move(neutrals)) {}
+    bool dark_;
+    Neutrals neutrals_;
+};
+
+/// Contrast ratio of two colours, 1 to 21 (WCAG 2.1).
+double contrast(const QColor& a, const QColor& b);
+/// Part of the way from one colour to another, 0 <= t <= 1.
+QColor mix(const QColor& from, const QColor& to, double t);
+
+/// Fusion style, palette and font for the whole application; may be called again to switch.
 void apply_theme(QApplication& application, const Theme& theme);
 
 }  // namespace covaria::ui

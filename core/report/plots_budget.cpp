@@ -1,0 +1,136 @@
+// What the uncertainty of an output comes from, and how outputs depend on each other.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/symbol.h"
+#include "core/report/plots.h"
+#include "core/report/plots_parts.h"
+#include "core/report/report_parts.h"
+#include "core/report/table_text.h"
+
+namespace covaria {
+namespace {
+
+using plot_parts::nothing_to_show;
+using plot_parts::PlottedOutput;
+
+/// "b₁ₓ" if that names the component among those shown, else "b₁ₓ, calibration"; the name alone where several
+/// quantities share the component.
+std::vector<std::string> component_labels(const UncertaintyBudget& budget,
+                                          const std::vector<BudgetRow>& rows) {
+    std::map<std::string, int> uses;
+    for (const BudgetRow& row : rows) ++uses[budget.components[row.component].quantity];
+    std::vector<std::string> labels;
+    for (const BudgetRow& row : rows) {
+        const BudgetComponent& component = budget.components[row.component];
+        const std::string& symbol = component.quantity;
+        if (symbol.empty() || symbol.find(',') != std::string::npos)
+            labels.push_back(component.name.empty() ? symbols_to_unicode(component.id) : component.name);
+        else if (uses[symbol] > 1 && !component.name.empty())
+            labels.push_back(symbol_to_unicode(symbol) + ", " + component.name);
+        else
+            labels.push_back(symbol_to_unicode(symbol));
+    }
+    return labels;
+}
+
+struct Bars {
+    std::vector<std::string> labels;
+    std::vector<double> share;  ///< in %
+    std::vector<double> alone;  ///< in %, one at a time; empty if not evaluated
+};
+
+Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t most) {
+    const std::vector<BudgetRow>& all = result.budget.rows[output];
+    const std::size_t shown = all.size() <= most ? all.size() : most - 1;
+    const std::vector<BudgetRow> rows(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown));
+    const double u = result.outputs[output].standard_uncertainty;
+    Bars bars;
+    bars.labels = component_labels(result.budget, rows);
+    for (const BudgetRow& row : rows) bars.share.push_back(100.0 * row.share);
+    const bool alone =
+        std::all_of(rows.begin(), rows.end(), [](const BudgetRow& r) { return r.one_at_a_time; });
+    for (std::size_t i = 0; alone && u > 0.0 && i < rows.size(); ++i)
+        bars.alone.push_back(100.0 * std::pow(*rows[i].one_at_a_time / u, 2));
+    if (shown < all.size()) {
+        double rest = 0.0;
+        for (std::size_t i = shown; i < all.size(); ++i) rest += 100.0 * all[i].share;
+        bars.labels.push_back(std::to_string(all.size() - shown) + " others");
+        bars.share.push_back(rest);
+    }
+    return bars;
+}
+
+std::vector<double> counted(std::size_t n) {
+    std::vector<double> positions;
+    for (std::size_t i = 0; i < n; ++i) positions.push_back(static_cast<double>(i));
+    return positions;
+}
+
+std::vector<std::size_t> outputs_to_correlate(const UncertaintyResult& result, const std::string& group) {
+    std::vector<std::size_t> all, measurands;
+    for (std::size_t i = 0; i < result.outputs.size(); ++i) {
+        if (!group.empty() && result.outputs[i].quantity.group != group) continue;
+        all.push_back(i);
+        if (report_parts::is_measurand(result.outputs[i])) measurands.push_back(i);
+    }
+    return measurands.empty() ? all : measurands;
+}
+
+}  // namespace
+
+PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t output, std::size_t rows) {
+    const PlottedOutput y(result, output);
+    const std::string id = y.id("contributions");
+    if (output >= result.budget.rows.size() || result.budget.rows[output].empty())
+        return nothing_to_show(id, "No input quantity with an uncertainty influences " + y.label() +
+                                       ": give its inputs components of uncertainty.");
+    Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2));
+    PlotSpecification plot;
+    plot.id = id;
+    plot.title = "Contributions to u(" + y.symbol() + ")" +
+                 (y.output().quantity.group.empty() ? "" : ", " + y.output().quantity.group);
+    plot.horizontal_bars = true;
+    plot.x.title = "share of the variance (%)";
+    plot.y.categories = bars.labels;
+    const std::string name = bars.alone.empty() ? "" : "first order";
+    plot.series.push_back(
+        {name, SeriesKind::bars, SeriesRole::data, bars.share, counted(bars.share.size()), {}, 0.72});
+    if (!bars.alone.empty())
+        plot.series.push_back({"one at a time, Monte Carlo",
+                               SeriesKind::points,
+                               SeriesRole::emphasis,
+                               bars.alone,
+                               counted(bars.alone.size()),
+                               {},
+                               0.0});
+    return plot;
+}
+
+PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group) {
+    const std::string id = "correlation" + (group.empty() ? "" : "-" + report_parts::file_name_part(group));
+    const std::vector<std::size_t> outputs = outputs_to_correlate(result, group);
+    if (outputs.size() < 2)
+        return nothing_to_show(id, "A single output quantity has nothing to be correlated with.");
+    const Eigen::MatrixXd correlation = correlation_of(result.covariance);
+    PlotSpecification plot;
+    plot.id = id;
+    plot.title = "Correlation coefficients" + (group.empty() ? "" : ", " + group);
+    for (const std::size_t i : outputs) {
+        const OutputQuantity& quantity = result.outputs[i].quantity;
+        plot.y.categories.push_back(group.empty() ? report_parts::output_label(quantity)
+                                                  : symbol_to_unicode(quantity.symbol));
+    }
+    plot.x.categories = plot.y.categories;
+    PlotSeries map{"correlation coefficient", SeriesKind::heat_map, SeriesRole::data, {}, {}, {}, 0.0};
+    for (const std::size_t i : outputs)
+        for (const std::size_t j : outputs)
+            map.z.push_back(correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    plot.series.push_back(std::move(map));
+    plot.z_low = -1.0;
+    plot.z_high = 1.0;
+    return plot;
+}
+
+}  // namespace covaria

@@ -1,0 +1,54 @@
+// How the standard uncertainty of an output settles as trials accumulate.
+#include <cmath>
+
+#include "core/report/plots.h"
+#include "core/report/plots_parts.h"
+
+namespace covaria {
+
+using plot_parts::nothing_to_show;
+using plot_parts::PlottedOutput;
+
+PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output) {
+    const PlottedOutput y(result, output);
+    const std::string id = y.id("convergence");
+    if (!y.trials() || result.convergence.empty())
+        return nothing_to_show(id, "Run Monte Carlo to see how u(" + y.label() + ") settles.");
+    const MonteCarloOutput& mc = *y.trials();
+    PlotSpecification plot;
+    plot.id = id;
+    plot.title = "u(" + y.symbol() + ")" +
+                 (y.output().quantity.group.empty() ? "" : ", " + y.output().quantity.group) +
+                 ", against the number of trials" + (result.stabilised ? "" : " (not stabilised)");
+    plot.x.title = "trials";
+    plot.x.logarithmic = true;
+    plot.y.title = y.with_unit("u(" + y.symbol() + ")");
+    const bool single = result.convergence.size() == 1;
+    PlotSeries running{"u(" + y.symbol() + ")",
+                       single ? SeriesKind::points : SeriesKind::line,
+                       SeriesRole::monte_carlo,
+                       {},
+                       {},
+                       {},
+                       0.0};
+    PlotSeries low{"± 2 standard errors", SeriesKind::line, SeriesRole::reference, {}, {}, {}, 0.0};
+    PlotSeries high = low;
+    high.name.clear();
+    // The standard error of u falls with the root of the number of trials.
+    const auto used = static_cast<double>(result.convergence.back().trials);
+    for (const ConvergencePoint& point : result.convergence) {
+        const auto trials = static_cast<double>(point.trials);
+        const double error = y.interval(mc.standard_error_of_uncertainty) * std::sqrt(used / trials);
+        const double u = y.interval(point.standard_uncertainty.at(output));
+        for (PlotSeries* series : {&running, &low, &high}) series->x.push_back(trials);
+        running.y.push_back(u);
+        low.y.push_back(std::max(0.0, u - 2.0 * error));
+        high.y.push_back(u + 2.0 * error);
+    }
+    plot.series = {std::move(low), std::move(high), std::move(running)};
+    plot.marks.push_back({"u = " + y.uncertainty_text(mc.standard_uncertainty),
+                          y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
+    return plot;
+}
+
+}  // namespace covaria

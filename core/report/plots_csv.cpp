@@ -1,0 +1,69 @@
+// The data of a chart as CSV: one block of columns per series, side by side; a heat map as a matrix.
+#include <algorithm>
+
+#include "core/report/number_format.h"
+#include "core/report/plots.h"
+
+namespace covaria {
+namespace {
+
+std::string field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string line(const std::vector<std::string>& fields) {
+    std::string out;
+    for (std::size_t i = 0; i < fields.size(); ++i) out += (i ? "," : "") + field(fields[i]);
+    return out + "\r\n";
+}
+
+std::string at(const std::vector<double>& values, std::size_t i) {
+    return i < values.size() ? format_exact(values[i]) : std::string();
+}
+
+std::string category(const PlotAxis& axis, const std::vector<double>& positions, std::size_t i) {
+    if (axis.categories.empty() || i >= positions.size()) return at(positions, i);
+    return axis.categories.at(static_cast<std::size_t>(positions[i]));
+}
+
+std::string matrix_csv(const PlotSpecification& plot, const PlotSeries& map) {
+    std::vector<std::string> head = {map.name};
+    head.insert(head.end(), plot.x.categories.begin(), plot.x.categories.end());
+    std::string out = line(head);
+    const std::size_t columns = plot.x.categories.size();
+    for (std::size_t row = 0; row < plot.y.categories.size(); ++row) {
+        std::vector<std::string> fields = {plot.y.categories[row]};
+        for (std::size_t i = 0; i < columns; ++i) fields.push_back(at(map.z, row * columns + i));
+        out += line(fields);
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string plot_csv(const PlotSpecification& plot) {
+    std::vector<std::string> head;
+    std::size_t rows = 0;
+    for (const PlotSeries& series : plot.series) {
+        if (series.kind == SeriesKind::heat_map) return matrix_csv(plot, series);
+        const std::string name = series.name.empty() ? "" : series.name + ": ";
+        head.push_back(name + plot.x.title);
+        head.push_back(name + plot.y.title);
+        rows = std::max({rows, series.x.size(), series.y.size()});
+    }
+    std::string out = head.empty() ? std::string() : line(head);
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::vector<std::string> fields;
+        for (const PlotSeries& series : plot.series) {
+            fields.push_back(category(plot.x, series.x, row));
+            fields.push_back(category(plot.y, series.y, row));
+        }
+        out += line(fields);
+    }
+    return out;
+}
+
+}  // namespace covaria

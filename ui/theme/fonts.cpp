@@ -1,0 +1,59 @@
+// Choice of fonts among those installed.
+#include "ui/theme/fonts.h"
+
+#include <QFontDatabase>
+#include <QFontMetricsF>
+#include <QStringList>
+#include <cmath>
+
+namespace covaria::ui {
+namespace {
+
+QStringList installed_of_ours() {
+    const QStringList installed = QFontDatabase::families();
+    QStringList ours;
+    for (const char* family : {"Inter", "Liberation Sans", "DejaVu Sans"})
+        if (installed.contains(QLatin1String(family))) ours << QLatin1String(family);
+    ours << QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
+    return ours;
+}
+
+bool has_tabular_figures(const QString& family) {
+    QFont font(family);
+    font.setPixelSize(100);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    const QFontMetricsF metrics(font);
+    const double width = metrics.horizontalAdvance(u'0');
+    for (char16_t digit = u'1'; digit <= u'9'; ++digit)
+        if (std::abs(metrics.horizontalAdvance(QChar(digit)) - width) > 0.5) return false;
+    return true;
+}
+
+}  // namespace
+
+QString text_family() {
+    static const QString family = installed_of_ours().constFirst();
+    return family;
+}
+
+QString figures_family() {
+    static const QString family = [] {
+        for (const QString& candidate : installed_of_ours())
+            if (has_tabular_figures(candidate)) return candidate;
+        return text_family();
+    }();
+    return family;
+}
+
+QFont application_font() {
+    QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+    font.setFamily(text_family());
+    return font;
+}
+
+QFont with_tabular_figures(QFont font) {
+    font.setFamily(figures_family());
+    return font;
+}
+
+}  // namespace covaria::ui
