@@ -90,21 +90,21 @@ UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law)
     return budget;
 }
 
-Result<void> add_one_at_a_time(UncertaintyBudget& budget, const TrialSource& source, const InputSet& inputs,
-                               const Correlations& correlations, std::uint64_t trials, RunMonitor& monitor) {
+Result<void> add_one_at_a_time(UncertaintyBudget& budget, const RunContext& context, const InputSet& inputs,
+                               const Correlations& correlations, std::uint64_t trials) {
     std::vector<char> contributes(inputs.components.size(), 0);
     for (const auto& rows : budget.rows)
         for (const BudgetRow& row : rows)
             if (row.share != 0.0) contributes[row.component] = 1;
     std::vector<std::vector<double>> u(inputs.components.size());
-    const WorkEnd end = run_each(inputs.components.size(), monitor, [&](std::uint64_t c) {
+    const WorkEnd end = run_each(inputs.components.size(), context.monitor, [&](std::uint64_t c) {
         if (contributes[c] == 0) return;
         const DrawPlan plan(inputs, correlations, static_cast<std::size_t>(c));
-        TrialSource alone = source;
+        TrialSource alone = context.source;
         alone.plan = &plan;
-        u[c] = uncertainties(alone, trials, monitor);
+        u[c] = uncertainties(alone, trials, context.monitor);
     });
-    if (end == WorkEnd::cancelled || monitor.stopped())
+    if (end == WorkEnd::cancelled || context.monitor.stopped())
         return fail(ErrorCode::cancelled, "the evaluation was stopped");
     for (std::size_t j = 0; j < budget.rows.size(); ++j)
         for (BudgetRow& row : budget.rows[j])

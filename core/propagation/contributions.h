@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/propagation/first_order.h"
-#include "core/propagation/run_monitor.h"
+#include "core/propagation/run_context.h"
 #include "core/propagation/trial_block_runner.h"
 #include "core/result/uncertainty_result.h"
 
@@ -17,7 +17,7 @@ UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law)
 
 /// Adds to each row u(y) by Monte Carlo with everything but the row's component held, from the first
 /// `trials` trials of the run's own draws. Error: cancelled.
-Result<void> add_one_at_a_time(UncertaintyBudget& budget, const TrialSource& source, const InputSet& inputs,
-                               const Correlations& correlations, std::uint64_t trials, RunMonitor& monitor);
+Result<void> add_one_at_a_time(UncertaintyBudget& budget, const RunContext& context, const InputSet& inputs,
+                               const Correlations& correlations, std::uint64_t trials);
 
 }  // namespace covaria::detail

@@ -115,8 +115,8 @@ struct Distances {
 using Columns = std::vector<std::vector<double>>;
 
 WorkEnd measure_trials(const std::vector<CoverageRegion>& regions,
-                       const std::vector<RegionDistances>& measures, const TrialSource& source,
-                       std::uint64_t trials, RunMonitor& monitor, std::array<Columns, 2>& distances) {
+                       const std::vector<RegionDistances>& measures, const RunContext& context,
+                       std::uint64_t trials, std::array<Columns, 2>& distances) {
     OrderedWork<Distances> work;
     work.units = (trials + block_trials - 1) / block_trials;
     work.make_partial = [&] {
@@ -124,20 +124,19 @@ WorkEnd measure_trials(const std::vector<CoverageRegion>& regions,
                          std::vector<double>(regions.size() * block_trials), 0};
     };
     work.make_worker = [&] {
-        return
-            [&, runner = std::make_shared<TrialBlockRunner>(source)](std::uint64_t block, Distances& part) {
-                const std::uint64_t first = block * block_trials;
-                runner->run(first, std::min<std::uint64_t>(block_trials, trials - first));
-                part.valid = runner->valid();
-                for (std::size_t i = 0; i < regions.size(); ++i) {
-                    double* place = part.ellipsoid.data() + i * block_trials;
-                    if (!regions[i].singular)
-                        measures[i].ellipsoid_squared(runner->output(0), part.valid, place);
-                    measures[i].rectangle(runner->output(0), part.valid,
-                                          part.rectangle.data() + i * block_trials);
-                }
-                return monitor.advance(0);
-            };
+        return [&, runner = std::make_shared<TrialBlockRunner>(context.source)](std::uint64_t block,
+                                                                                Distances& part) {
+            const std::uint64_t first = block * block_trials;
+            runner->run(first, std::min<std::uint64_t>(block_trials, trials - first));
+            part.valid = runner->valid();
+            for (std::size_t i = 0; i < regions.size(); ++i) {
+                double* place = part.ellipsoid.data() + i * block_trials;
+                if (!regions[i].singular) measures[i].ellipsoid_squared(runner->output(0), part.valid, place);
+                measures[i].rectangle(runner->output(0), part.valid,
+                                      part.rectangle.data() + i * block_trials);
+            }
+            return context.monitor.advance(0);
+        };
     };
     work.merge = [&](std::uint64_t, Distances& part) {
         for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -148,27 +147,28 @@ WorkEnd measure_trials(const std::vector<CoverageRegion>& regions,
         }
         return true;
     };
-    return run_in_order(work, monitor);
+    return run_in_order(work, context.monitor);
 }
 
 }  // namespace
 
-Result<void> fill_monte_carlo_factors(std::vector<CoverageRegion>& regions, const TrialSource& source,
+Result<void> fill_monte_carlo_factors(std::vector<CoverageRegion>& regions, const RunContext& context,
                                       const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance,
-                                      std::uint64_t trials, double probability, RunMonitor& monitor) {
+                                      std::uint64_t trials) {
     if (regions.empty()) return {};
     std::vector<RegionDistances> measures;
     for (const CoverageRegion& region : regions) measures.emplace_back(region.outputs, mean, covariance);
     std::array<Columns, 2> distances{Columns(regions.size()), Columns(regions.size())};
-    WorkEnd end = measure_trials(regions, measures, source, trials, monitor, distances);
+    WorkEnd end = measure_trials(regions, measures, context, std::min(trials, context.settings.region_trials),
+                                 distances);
     if (end != WorkEnd::cancelled)
-        end = run_each(regions.size(), monitor, [&](std::uint64_t i) {
+        end = run_each(regions.size(), context.monitor, [&](std::uint64_t i) {
             CoverageRegion& region = regions[i];
             if (distances[1][i].size() < 2) return;
             region.trials = distances[1][i].size();
-            region.rectangle_monte_carlo = factor_of(distances[1][i], probability);
+            region.rectangle_monte_carlo = factor_of(distances[1][i], context.probability);
             if (!region.singular)
-                region.ellipsoid_monte_carlo = std::sqrt(factor_of(distances[0][i], probability));
+                region.ellipsoid_monte_carlo = std::sqrt(factor_of(distances[0][i], context.probability));
         });
     if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
     return {};

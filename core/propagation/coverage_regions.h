@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/propagation/run_monitor.h"
-#include "core/propagation/settings.h"
+#include "core/propagation/run_context.h"
+
 #include "core/propagation/trial_block_runner.h"
 #include "core/result/uncertainty_result.h"
 
@@ -41,10 +41,10 @@ private:
 /// The q-th smallest distance (JCGM 102 7.7.2 f). Reorders them.
 double factor_of(std::vector<double>& distances, double probability);
 
-/// Fills in the Monte Carlo factors from the first min(trials, settings.region_trials) trials of the run,
+/// Fills in the Monte Carlo factors from the first min(trials, region_trials) trials of the run,
 /// regenerated, about the mean and with the covariance of the whole run. Error: cancelled.
-Result<void> fill_monte_carlo_factors(std::vector<CoverageRegion>& regions, const TrialSource& source,
+Result<void> fill_monte_carlo_factors(std::vector<CoverageRegion>& regions, const RunContext& context,
                                       const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance,
-                                      std::uint64_t trials, double probability, RunMonitor& monitor);
+                                      std::uint64_t trials);
 
 }  // namespace covaria::detail

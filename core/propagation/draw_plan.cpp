@@ -17,17 +17,18 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
     return i;
 }
 
+/// `members` is sorted.
 Eigen::MatrixXd correlation_matrix(const std::vector<std::size_t>& members,
-                                   const std::vector<std::size_t>& position,
                                    const std::vector<ComponentCorrelation>& correlations) {
     const auto n = static_cast<Eigen::Index>(members.size());
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
+    const auto position = [&members](std::size_t component) -> Eigen::Index {
+        const auto place = std::lower_bound(members.begin(), members.end(), component);
+        return place != members.end() && *place == component ? place - members.begin() : -1;
+    };
     for (const ComponentCorrelation& c : correlations) {
-        const auto a = static_cast<Eigen::Index>(position[c.first]);
-        const auto b = static_cast<Eigen::Index>(position[c.second]);
-        if (a < n && b < n && members[position[c.first]] == c.first &&
-            members[position[c.second]] == c.second)
-            matrix(a, b) = matrix(b, a) = c.coefficient;
+        const Eigen::Index a = position(c.first), b = position(c.second);
+        if (a >= 0 && b >= 0) matrix(a, b) = matrix(b, a) = c.coefficient;
     }
     return matrix;
 }
@@ -66,9 +67,21 @@ std::vector<std::vector<std::size_t>> correlated_sets(std::size_t components,
 DrawPlan::DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelation>& correlations,
                    std::optional<std::size_t> only) {
     const std::size_t n = inputs.components.size();
-    std::vector<ComponentDraw> draws(n);
-    std::vector<bool> random(n);
-    for (std::size_t c = 0; c < n; ++c) {
+    std::vector<ComponentDraw> draws = terms_of(inputs, only);
+    std::vector<bool> grouped(n, false);
+    for (const auto& set : correlated_sets(n, correlations)) {
+        for (std::size_t c : set) grouped[c] = true;
+        add_group(set, draws, correlations);
+    }
+    for (std::size_t c = 0; c < n; ++c)
+        if (!grouped[c] && !draws[c].terms.empty()) independent_.push_back(std::move(draws[c]));
+    mark_first_terms();
+}
+
+std::vector<ComponentDraw> DrawPlan::terms_of(const InputSet& inputs, std::optional<std::size_t> only) {
+    std::vector<ComponentDraw> draws(inputs.components.size());
+    std::vector<bool> random(draws.size());
+    for (std::size_t c = 0; c < draws.size(); ++c) {
         const UncertaintyComponent& component = inputs.components[c];
         draws[c] = {static_cast<std::uint32_t>(c), component.distribution, {}};
         random[c] =
@@ -84,37 +97,36 @@ DrawPlan::DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelatio
         }
         constant_.push_back(constant);
     }
-    std::vector<bool> grouped(n, false);
-    std::vector<std::size_t> position(n, n);
-    for (const auto& set : correlated_sets(n, correlations)) {
-        CorrelatedDraws group;
-        bool needed = false;
-        for (std::size_t k = 0; k < set.size(); ++k) {
-            grouped[set[k]] = true;
-            position[set[k]] = k;
-            needed = needed || !draws[set[k]].terms.empty();
-            group.members.push_back(draws[set[k]]);
-        }
-        if (!needed) continue;
-        group.factor = correlation_factor(correlation_matrix(set, position, correlations));
-        for (Eigen::Index k = 0; k < group.factor.cols(); ++k)
-            group.addresses.push_back(static_cast<std::uint32_t>(set[static_cast<std::size_t>(k)]));
-        latent_rows_ = std::max(latent_rows_, group.addresses.size());
-        correlated_.push_back(std::move(group));
-    }
-    for (std::size_t c = 0; c < n; ++c)
-        if (!grouped[c] && !draws[c].terms.empty()) independent_.push_back(std::move(draws[c]));
+    return draws;
+}
 
+void DrawPlan::add_group(const std::vector<std::size_t>& set, const std::vector<ComponentDraw>& draws,
+                         const std::vector<ComponentCorrelation>& correlations) {
+    CorrelatedDraws group;
+    bool needed = false;
+    for (std::size_t c : set) {
+        needed = needed || !draws[c].terms.empty();
+        group.members.push_back(draws[c]);
+    }
+    if (!needed) return;
+    group.factor = correlation_factor(correlation_matrix(set, correlations));
+    for (Eigen::Index k = 0; k < group.factor.cols(); ++k)
+        group.addresses.push_back(static_cast<std::uint32_t>(set[static_cast<std::size_t>(k)]));
+    latent_rows_ = std::max(latent_rows_, group.addresses.size());
+    correlated_.push_back(std::move(group));
+}
+
+void DrawPlan::mark_first_terms() {
     drawn_.assign(constant_.size(), false);
-    const auto mark_first = [this](ComponentDraw& draw) {
+    const auto mark = [this](ComponentDraw& draw) {
         for (DrawTerm& term : draw.terms) {
             term.first = !drawn_[term.quantity];
             drawn_[term.quantity] = true;
         }
     };
-    for (ComponentDraw& draw : independent_) mark_first(draw);
+    for (ComponentDraw& draw : independent_) mark(draw);
     for (CorrelatedDraws& group : correlated_)
-        for (ComponentDraw& draw : group.members) mark_first(draw);
+        for (ComponentDraw& draw : group.members) mark(draw);
 }
 
 void DrawPlan::add_terms(const ComponentDraw& component, const double* epsilon, std::size_t count,

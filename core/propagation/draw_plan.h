@@ -54,6 +54,11 @@ public:
               DrawWorkspace& workspace) const;
 
 private:
+    /// Where each component goes; fills in the constant parts.
+    std::vector<ComponentDraw> terms_of(const InputSet& inputs, std::optional<std::size_t> only);
+    void add_group(const std::vector<std::size_t>& set, const std::vector<ComponentDraw>& draws,
+                   const std::vector<ComponentCorrelation>& correlations);
+    void mark_first_terms();
     void add_terms(const ComponentDraw& component, const double* epsilon, std::size_t count,
                    TrialRows& inputs) const;
     void draw_group(const CorrelatedDraws& group, std::uint64_t seed, std::uint64_t first, std::size_t count,

@@ -44,6 +44,7 @@ public:
     Result<UncertaintyResult> run();
 
 private:
+    RunContext context() { return {source_, options_.coverage_probability, settings_, monitor_}; }
     Result<void> add_second_order();
     Result<void> add_monte_carlo();
     Result<MonteCarloRun> trials_of_run();
@@ -83,8 +84,8 @@ Result<UncertaintyResult> Evaluation::run() {
     if (options_.method != Method::first_order)
         if (auto ok = add_monte_carlo(); !ok) return fail(ok.error());
     if (options_.one_at_a_time_trials > 0)
-        if (auto ok = add_one_at_a_time(result_.budget, source_, inputs_, correlations_,
-                                        options_.one_at_a_time_trials, monitor_);
+        if (auto ok = add_one_at_a_time(result_.budget, context(), inputs_, correlations_,
+                                        options_.one_at_a_time_trials);
             !ok)
             return fail(ok.error());
     return std::move(result_);
@@ -128,14 +129,12 @@ std::unique_ptr<AdaptiveProcedure> Evaluation::adaptive_procedure() const {
 }
 
 Result<MonteCarloRun> Evaluation::trials_of_run() {
-    const double p = options_.coverage_probability;
     if (options_.method == Method::monte_carlo)
-        return run_monte_carlo(source_, {options_.trials, unit_trials}, p, settings_, monitor_, nullptr);
-    const std::uint64_t batch = AdaptiveProcedure::batch_trials(p);
+        return run_monte_carlo(context(), {options_.trials, unit_trials}, nullptr);
+    const std::uint64_t batch = AdaptiveProcedure::batch_trials(options_.coverage_probability);
     const auto procedure = adaptive_procedure();
     result_.adaptive = true;
-    auto run = run_monte_carlo(source_, {options_.maximum_trials / batch * batch, batch}, p, settings_,
-                               monitor_, procedure.get());
+    auto run = run_monte_carlo(context(), {options_.maximum_trials / batch * batch, batch}, procedure.get());
     if (run) result_.batches = run->units;
     result_.stabilised = procedure->stabilised();
     return run;
@@ -214,9 +213,7 @@ Result<void> Evaluation::add_regions() {
         region.singular = (first_order_known && is_singular(law_.covariance, region.outputs)) ||
                           is_singular(result_.covariance, region.outputs);
     }
-    const std::uint64_t trials = std::min(result_.trials, settings_.region_trials);
-    return fill_monte_carlo_factors(result_.regions, source_, mean, result_.covariance, trials,
-                                    options_.coverage_probability, monitor_);
+    return fill_monte_carlo_factors(result_.regions, context(), mean, result_.covariance, result_.trials);
 }
 
 }  // namespace

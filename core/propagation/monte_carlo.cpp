@@ -93,8 +93,12 @@ struct Partial {
 /// One thread of the main pass.
 class Worker {
 public:
-    Worker(const TrialSource& source, const Pilot& pilot, RunSize size, RunMonitor& monitor)
-        : runner_(source), scratch_(source.outputs()), pilot_(pilot), size_(size), monitor_(monitor) {}
+    Worker(const RunContext& context, const Pilot& pilot, RunSize size)
+        : runner_(context.source),
+          scratch_(context.source.outputs()),
+          pilot_(pilot),
+          size_(size),
+          monitor_(context.monitor) {}
 
     void summarise_with(std::unique_ptr<BatchSummariser> summariser) { summariser_ = std::move(summariser); }
 
@@ -131,21 +135,22 @@ void merge(MonteCarloRun& run, const UnitStatistics& part) {
 }
 
 /// Collects the tails of some outputs again, with the thresholds of `pilot` (one entry per such output).
-WorkEnd collect_again(const TrialSource& source, RunSize size, const std::vector<std::size_t>& outputs,
-                      const Pilot& pilot, RunMonitor& monitor, TailCollector& collector) {
+WorkEnd collect_again(const RunContext& context, RunSize size, const std::vector<std::size_t>& outputs,
+                      const Pilot& pilot, TailCollector& collector) {
     using Outside = std::vector<OutsideValues>;
     OrderedWork<Outside> work;
     work.units = (size.trials + size.per_unit - 1) / size.per_unit;
     work.make_partial = [&outputs] { return Outside(outputs.size()); };
     work.make_worker = [&] {
-        return [&, runner = std::make_shared<TrialBlockRunner>(source)](std::uint64_t unit, Outside& part) {
+        return [&, runner = std::make_shared<TrialBlockRunner>(context.source)](std::uint64_t unit,
+                                                                                Outside& part) {
             for (OutsideValues& o : part) o.clear();
             const std::uint64_t last = std::min((unit + 1) * size.per_unit, size.trials);
             for (std::uint64_t t = unit * size.per_unit; t < last; t += block_trials) {
                 runner->run(t, std::min<std::uint64_t>(block_trials, last - t));
                 for (std::size_t k = 0; k < outputs.size(); ++k)
                     part[k].add(pilot.outputs[k], runner->output(outputs[k]), runner->valid());
-                if (!monitor.advance(0)) return false;
+                if (!context.monitor.advance(0)) return false;
             }
             return true;
         };
@@ -154,21 +159,20 @@ WorkEnd collect_again(const TrialSource& source, RunSize size, const std::vector
         collector.add(part);
         return true;
     };
-    return run_in_order(work, monitor);
+    return run_in_order(work, context.monitor);
 }
 
 /// The pilot may have been unlucky: checks the tails, and regenerates the trials for those too short.
-WorkEnd complete_tails(const TrialSource& source, std::uint64_t per_unit, double probability,
-                       const EngineSettings& settings, RunMonitor& monitor, MonteCarloRun& run) {
-    const std::uint64_t needed = needed_tail(coverage_ranks(run.moments.count(), probability));
+WorkEnd complete_tails(const RunContext& context, std::uint64_t per_unit, MonteCarloRun& run) {
+    const std::uint64_t needed = needed_tail(coverage_ranks(run.moments.count(), context.probability));
     std::vector<std::size_t> lacking;
     for (std::size_t j = 0; j < run.tails.size(); ++j)
         if (std::min(run.tails[j].low.count(), run.tails[j].high.count()) < needed) lacking.push_back(j);
     if (lacking.empty()) return WorkEnd::complete;
     const Pilot wide = widened(run.pilot, lacking);
-    TailCollector collector(wide, settings.tail_bytes, static_cast<double>(run.trials));
+    TailCollector collector(wide, context.settings.tail_bytes, static_cast<double>(run.trials));
     const RunSize size{run.trials, per_unit};
-    const WorkEnd end = collect_again(source, size, lacking, wide, monitor, collector);
+    const WorkEnd end = collect_again(context, size, lacking, wide, collector);
     for (std::size_t k = 0; k < lacking.size(); ++k) run.tails[lacking[k]] = std::move(collector.tails()[k]);
     run.exact = run.exact && collector.exact();
     return end;
@@ -176,14 +180,12 @@ WorkEnd complete_tails(const TrialSource& source, std::uint64_t per_unit, double
 
 }  // namespace
 
-Result<MonteCarloRun> run_monte_carlo(const TrialSource& source, RunSize size, double probability,
-                                      const EngineSettings& settings, RunMonitor& monitor,
-                                      AdaptiveProcedure* adaptive) {
-    auto pilot = run_pilot(source, size.trials, probability, settings, monitor);
+Result<MonteCarloRun> run_monte_carlo(const RunContext& context, RunSize size, AdaptiveProcedure* adaptive) {
+    auto pilot = run_pilot(context, size.trials);
     if (!pilot) return fail(pilot.error());
     MonteCarloRun run{Moments(pilot->shift()), {}, {}, std::move(*pilot), 0, 0, true, {}};
-    run.cells.assign(source.outputs(), std::vector<std::uint64_t>(CellGrid::counters, 0));
-    TailCollector collector(run.pilot, settings.tail_bytes,
+    run.cells.assign(context.source.outputs(), std::vector<std::uint64_t>(CellGrid::counters, 0));
+    TailCollector collector(run.pilot, context.settings.tail_bytes,
                             adaptive ? 0.0 : static_cast<double>(size.trials));
     ConvergenceLog log;
 
@@ -191,8 +193,9 @@ Result<MonteCarloRun> run_monte_carlo(const TrialSource& source, RunSize size, d
     work.units = (size.trials + size.per_unit - 1) / size.per_unit;
     work.make_partial = [&run] { return Partial{UnitStatistics(run.pilot), {}}; };
     work.make_worker = [&] {
-        auto worker = std::make_shared<Worker>(source, run.pilot, size, monitor);
-        if (adaptive) worker->summarise_with(adaptive->make_summariser(source, run.pilot, settings));
+        auto worker = std::make_shared<Worker>(context, run.pilot, size);
+        if (adaptive)
+            worker->summarise_with(adaptive->make_summariser(context.source, run.pilot, context.settings));
         return [worker](std::uint64_t unit, Partial& partial) { return worker->run(unit, partial); };
     };
     work.merge = [&](std::uint64_t, Partial& partial) {
@@ -201,12 +204,12 @@ Result<MonteCarloRun> run_monte_carlo(const TrialSource& source, RunSize size, d
         log.note(run.trials, run.moments, run.convergence);
         return !(adaptive && adaptive->stable_after(partial.summary, run.moments));
     };
-    WorkEnd end = run_in_order(work, monitor);
+    WorkEnd end = run_in_order(work, context.monitor);
     ConvergenceLog::append(run.trials, run.moments, run.convergence);
     run.exact = collector.exact();
     run.tails = std::move(collector.tails());
     if (end != WorkEnd::cancelled && run.moments.count() > 0)
-        end = complete_tails(source, size.per_unit, probability, settings, monitor, run);
+        end = complete_tails(context, size.per_unit, run);
     if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
     return run;
 }

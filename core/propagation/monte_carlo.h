@@ -32,9 +32,7 @@ struct MonteCarloRun {
 };
 
 /// Error: cancelled; numeric when no trial has a value. `adaptive` null: exactly `size.trials` trials.
-Result<MonteCarloRun> run_monte_carlo(const TrialSource& source, RunSize size, double probability,
-                                      const EngineSettings& settings, RunMonitor& monitor,
-                                      AdaptiveProcedure* adaptive);
+Result<MonteCarloRun> run_monte_carlo(const RunContext& context, RunSize size, AdaptiveProcedure* adaptive);
 
 /// The statistics of each output. Finishes (sorts) the tails.
 Result<std::vector<MonteCarloOutput>> outputs_of(MonteCarloRun& run, double probability, RunMonitor& monitor);

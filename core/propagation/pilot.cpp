@@ -14,18 +14,18 @@ namespace {
 constexpr std::size_t enough_values = 1000;
 using Columns = std::vector<std::vector<double>>;  // values of each output
 
-WorkEnd append_trials(const TrialSource& source, std::uint64_t first, std::uint64_t count,
-                      RunMonitor& monitor, Columns& columns) {
+WorkEnd append_trials(const RunContext& context, std::uint64_t first, std::uint64_t count, Columns& columns) {
     OrderedWork<Columns> work;
     work.units = (count + block_trials - 1) / block_trials;
-    work.make_partial = [&source] { return Columns(source.outputs()); };
+    work.make_partial = [&context] { return Columns(context.source.outputs()); };
     work.make_worker = [&] {
-        return [&, runner = std::make_shared<TrialBlockRunner>(source)](std::uint64_t block, Columns& part) {
+        return [&, runner = std::make_shared<TrialBlockRunner>(context.source)](std::uint64_t block,
+                                                                                Columns& part) {
             const std::uint64_t begin = block * block_trials;
             runner->run(first + begin, std::min<std::uint64_t>(block_trials, count - begin));
             for (std::size_t j = 0; j < part.size(); ++j)
                 part[j].assign(runner->output(j), runner->output(j) + runner->valid());
-            return monitor.advance(0);
+            return context.monitor.advance(0);
         };
     };
     work.merge = [&columns](std::uint64_t, Columns& part) {
@@ -33,7 +33,7 @@ WorkEnd append_trials(const TrialSource& source, std::uint64_t first, std::uint6
             columns[j].insert(columns[j].end(), part[j].begin(), part[j].end());
         return true;
     };
-    return run_in_order(work, monitor);
+    return run_in_order(work, context.monitor);
 }
 
 /// Five standard uncertainties about the mean, or to the end of a bounded distribution. With heavy tails
@@ -83,13 +83,12 @@ Eigen::VectorXd Pilot::shift() const {
     return shift;
 }
 
-Result<Pilot> run_pilot(const TrialSource& source, std::uint64_t limit, double probability,
-                        const EngineSettings& settings, RunMonitor& monitor) {
-    Columns columns(source.outputs());
+Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit) {
+    Columns columns(context.source.outputs());
     for (std::uint64_t first = 0; first < limit && columns.front().size() < enough_values;
          first += unit_trials) {
         const std::uint64_t count = std::min(unit_trials, limit - first);
-        if (append_trials(source, first, count, monitor, columns) == WorkEnd::cancelled)
+        if (append_trials(context, first, count, columns) == WorkEnd::cancelled)
             return fail(ErrorCode::cancelled, "the evaluation was stopped");
     }
     const std::size_t n = columns.front().size();
@@ -99,10 +98,10 @@ Result<Pilot> run_pilot(const TrialSource& source, std::uint64_t limit, double p
                     "uncertainties of its inputs; check the standard uncertainties and the geometry");
     Pilot pilot;
     if (n >= enough_values) {
-        const double f = 1.0 - probability;
+        const double f = 1.0 - context.probability;
         const auto m = static_cast<double>(n);
         pilot.tail_fraction =
-            std::clamp(f + settings.tail_margin * (std::sqrt(f * (1 - f) / m) + 1 / m), 0.0, 1.0);
+            std::clamp(f + context.settings.tail_margin * (std::sqrt(f * (1 - f) / m) + 1 / m), 0.0, 1.0);
     }
     for (auto& column : columns) pilot.outputs.push_back(look_at(column, pilot.tail_fraction));
     return pilot;

@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/propagation/cell_counts.h"
-#include "core/propagation/run_monitor.h"
-#include "core/propagation/settings.h"
+#include "core/propagation/run_context.h"
+
 #include "core/propagation/tail.h"
 #include "core/propagation/trial_block_runner.h"
 
@@ -31,7 +31,6 @@ struct Pilot {
 
 /// Always the first 10,000 trials (more only if fewer than 1,000 of them have a value), whatever the number
 /// of threads. `limit`: trials of the run. Error: cancelled, or no trial has a value.
-Result<Pilot> run_pilot(const TrialSource& source, std::uint64_t limit, double probability,
-                        const EngineSettings& settings, RunMonitor& monitor);
+Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit);
 
 }  // namespace covaria::detail

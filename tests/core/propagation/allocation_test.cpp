@@ -40,8 +40,9 @@ TEST(HotLoop, DoesNotAllocate) {
     const detail::DrawPlan plan(inputs, inputs.correlations);
     const detail::TrialSource source{&model, &plan, 1, Eigen::VectorXd::Ones(60)};
     const RunControl control;
+    const detail::EngineSettings settings;
     detail::RunMonitor monitor(control, 0);
-    const auto pilot = detail::run_pilot(source, 100'000, 0.95, {}, monitor);
+    const auto pilot = detail::run_pilot({source, 0.95, settings, monitor}, 100'000);
     ASSERT_TRUE(pilot);
     detail::TrialBlockRunner runner(source);
     detail::TrialRows scratch(60);

@@ -1,0 +1,17 @@
+// What the passes over the trials of one evaluation share.
+#pragma once
+
+#include "core/propagation/run_monitor.h"
+#include "core/propagation/settings.h"
+#include "core/propagation/trial_block_runner.h"
+
+namespace covaria::detail {
+
+struct RunContext {
+    const TrialSource& source;
+    double probability;  ///< of coverage
+    const EngineSettings& settings;
+    RunMonitor& monitor;
+};
+
+}  // namespace covaria::detail
