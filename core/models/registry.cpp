@@ -1,0 +1,19 @@
+// The list of measurement models.
+#include "core/models/registry.h"
+
+#include "core/models/pose_from_points.h"
+
+namespace covaria {
+
+const std::vector<ModelDescriptor>& model_registry() {
+    static const std::vector<ModelDescriptor> models{pose_from_points_model()};
+    return models;
+}
+
+const ModelDescriptor* find_model(const std::string& id) {
+    for (const ModelDescriptor& descriptor : model_registry())
+        if (descriptor.id == id) return &descriptor;
+    return nullptr;
+}
+
+}  // namespace covaria
