@@ -84,7 +84,8 @@ using DistributionParameters =
 class Distribution {
 public:
     Distribution();  ///< the constant 0
-    /// Errors: not finite, negative width or scale, shape not positive, probabilities that do not sum to 1
+    /// Errors: not finite, negative width or scale, shape outside [0.001, 1e6], fewer than 0.2 degrees of
+    /// freedom, probabilities that do not sum to 1
     /// ...; the message names the parameter.
     static Result<Distribution> make(DistributionParameters parameters);
     /// For values known to be right (computed by the program); terminates otherwise.

@@ -24,8 +24,11 @@ public:
     Check& not_negative(const char* name, double value) {
         return finite(name, value).that(value >= 0.0, std::string("the ") + name + " must not be negative.");
     }
-    Check& positive(const char* name, double value) {
-        return finite(name, value).that(value > 0.0, std::string("the ") + name + " must be greater than 0.");
+    /// Outside, numbers of type double cannot hold the quantiles, or the distribution is normal for every
+    /// purpose.
+    Check& shape(const char* name, double value) {
+        return that(value >= 1e-3 && value <= 1e6,
+                    std::string("the ") + name + " must lie between 0.001 and 1000000.");
     }
     Check& limits(double low, double high) {
         return finite("lower limit", low)
@@ -50,8 +53,8 @@ std::string problem(const StudentT& t) {
     return Check()
         .finite("mean value", t.mean)
         .not_negative("scale", t.scale)
-        .that(t.degrees_of_freedom > 0.0,
-              "the degrees of freedom must be greater than 0 (they may be infinite).")
+        .that(t.degrees_of_freedom >= 0.2,
+              "the degrees of freedom must be at least 0.2 (they may be infinite).")
         .message();
 }
 
@@ -88,7 +91,7 @@ std::string problem(const Exponential& e) {
 }
 
 std::string problem(const Gamma& g) {
-    return Check().positive("shape", g.shape).not_negative("scale", g.scale).message();
+    return Check().shape("shape", g.shape).not_negative("scale", g.scale).message();
 }
 
 std::string problem(const TruncatedNormal& t) {
@@ -122,8 +125,8 @@ std::string problem(const Lognormal& l) {
 std::string problem(const Beta& b) {
     return Check()
         .limits(b.low, b.high)
-        .positive("parameter alpha", b.alpha)
-        .positive("parameter beta", b.beta)
+        .shape("parameter alpha", b.alpha)
+        .shape("parameter beta", b.beta)
         .message();
 }
 

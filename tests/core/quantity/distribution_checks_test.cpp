@@ -37,6 +37,9 @@ TEST(DistributionChecks, NameTheBadParameter) {
     expect_refused(Arcsine{2.0, 1.0}, "lower limit");
     expect_refused(Exponential{-1.0}, "mean value");
     expect_refused(Gamma{0.0, 1.0}, "shape");
+    expect_refused(Gamma{1e9, 1.0}, "shape");
+    expect_refused(Gamma{nan_value, 1.0}, "shape");
+    expect_refused(StudentT{0.0, 1.0, 0.19}, "degrees of freedom");
     expect_refused(Gamma{1.0, -1.0}, "scale");
     expect_refused(TruncatedNormal{0.0, 1.0, 2.0, 1.0}, "lower limit");
     expect_refused(TruncatedNormal{0.0, 1.0, nan_value, 1.0}, "lower limit");
@@ -52,6 +55,23 @@ TEST(DistributionChecks, NameTheBadParameter) {
     expect_refused(Discrete{{1.0, 2.0}, {0.5, 0.4}}, "sum to 1");
     expect_refused(Discrete{{1.0, 2.0}, {1.5, -0.5}}, "must not be negative");
     expect_refused(Discrete{{1.0, nan_value}, {0.5, 0.5}}, "values");
+}
+
+TEST(DistributionChecks, TheLimitsOfTheShapesCanBeComputed) {
+    std::vector<DistributionParameters> extremes{StudentT{0.0, 1.0, 0.2}, StudentT{0.0, 1.0, 1e300},
+                                                 Gamma{1e-3, 1.0}, Gamma{1e6, 1.0}};
+    for (const double a : {1e-3, 1.0, 1e6})
+        for (const double b : {1e-3, 1.0, 1e6}) extremes.push_back(Beta{0.0, 1.0, a, b});
+    for (const DistributionParameters& parameters : extremes) {
+        const Distribution distribution = Distribution::of(parameters);
+        double last = -infinity;
+        for (const double p : {0x1p-53, 1e-9, 0.01, 0.3, 0.5, 0.8, 0.999, 1.0 - 1e-9, 1.0 - 0x1p-53}) {
+            const double x = distribution.quantile(p);
+            EXPECT_TRUE(std::isfinite(x)) << described(distribution) << " at " << p;
+            EXPECT_GE(x, last - 1e-10 * std::abs(last)) << described(distribution) << " at " << p;
+            last = x;
+        }
+    }
 }
 
 TEST(DistributionChecksDeathTest, OfTerminatesOnABadParameter) {
