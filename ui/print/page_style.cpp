@@ -95,6 +95,8 @@ QFont PageStyle::font(TextRole role) const {
     QFont font(text_family_);
     font.setPointSizeF(spec.size);
     font.setWeight(spec.weight);
+    // Inter swaps marks beside figures and capitals for glyphs that PDF readers cannot map back to text.
+    font.setStyleStrategy(QFont::PreferNoShaping);
     font.setHintingPreference(QFont::PreferNoHinting);
     return font;
 }

@@ -12,6 +12,8 @@
 namespace covaria::ui {
 namespace {
 
+constexpr std::size_t largest_whole_group = 8;  // rows under a sub-head that a page break does not part
+
 QString html_of(const std::string& text) {
     return QString::fromStdString(text);
 }
@@ -31,7 +33,7 @@ struct Column {
 class TableLayout {
 public:
     TableLayout(const TableBlock& block, const PageStyle& style, double width)
-        : block_(block), style_(style), available_(width), gap_(style.mm(3.2)), pad_(style.points(1.6)) {
+        : block_(block), style_(style), available_(width), pad_(style.points(1.6)) {
         make_cells();
         place_columns();
     }
@@ -99,9 +101,10 @@ private:
         for (std::size_t c = 0; c < count(); ++c) wishes.push_back(wish_of(c));
         double wanted = 0.0;
         for (const ColumnWish& wish : wishes) wanted += wish.natural;
-        const double gaps = static_cast<double>(count() - 1);
-        if (wanted + gap_ * gaps > available_) gap_ = style_.mm(2.2);
-        const std::vector<double> widths = share_width(wishes, available_ - gap_ * gaps);
+        const double gaps = std::max(1.0, static_cast<double>(count() - 1));
+        gap_ = std::clamp((available_ - wanted) / gaps, style_.mm(2.2), style_.mm(7.5));
+        const std::vector<double> widths =
+            share_width(wishes, available_ - gap_ * static_cast<double>(count() - 1));
         double x = 0.0;
         for (std::size_t c = 0; c < count(); ++c) {
             columns_[c].x = x;
@@ -151,7 +154,6 @@ private:
     FlowItem row_item(std::size_t r, const std::shared_ptr<const RepeatedHead>& head) const {
         const bool subhead = is_subhead(block_, r);
         const bool last = r + 1 == cells_.size();
-        const bool at_ends = r == 0 || r + 2 == cells_.size();  // no single row is left behind or sent on
         const double height = row_height(r);
         const double line = style_.points(last ? 0.8 : 0.4);
         const auto paint = [cells = cells_[r], columns = columns_, subhead, last, height, line, pad = pad_,
@@ -167,9 +169,20 @@ private:
                 painter.fillRect(QRectF(at.x(), at.y() + height - line, width, line),
                                  last ? PageStyle::ink() : PageStyle::rule());
         };
-        const bool notes_follow = last && !block_.table.notes.empty();
-        return {height, subhead && r > 0 ? style_.points(2.0) : 0.0,
-                (at_ends && !last) || subhead || notes_follow, paint, head};
+        return {height, subhead && r > 0 ? style_.points(2.0) : 0.0, keeps_with_next(r), paint, head};
+    }
+
+    /// No single row is left behind or sent on, small groups under a sub-head stay whole, notes stay with the
+    /// table.
+    bool keeps_with_next(std::size_t r) const {
+        const std::size_t rows = cells_.size();
+        if (r + 1 == rows) return !block_.table.notes.empty();
+        if (is_subhead(block_, r) || r == 0 || r + 2 == rows) return true;
+        if (is_subhead(block_, r + 1)) return false;
+        std::size_t first = r, last = r;
+        while (first > 0 && !is_subhead(block_, first)) --first;
+        while (last + 1 < rows && !is_subhead(block_, last + 1)) ++last;
+        return is_subhead(block_, first) && last - first <= largest_whole_group;
     }
 
     /// Of the first line of a text cell: numbers stand on the same line.
@@ -190,7 +203,7 @@ private:
 
     const TableBlock& block_;
     const PageStyle& style_;
-    double available_, gap_, pad_, width_ = 0.0;
+    double available_, pad_, gap_ = 0.0, width_ = 0.0;
     std::vector<Column> columns_;
     std::vector<RichText> heads_;
     std::vector<std::vector<Cell>> cells_;
