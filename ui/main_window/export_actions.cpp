@@ -3,19 +3,14 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
-#include <QPainter>
-#include <QTimer>
 
 #include "core/project/project_file.h"
-#include "ui/charts/chart_painter.h"
 #include "ui/document/strings.h"
 #include "ui/export/scene_pictures.h"
-#include "ui/theme/theme.h"
+#include "ui/pages/current_results.h"
 
 namespace covaria::ui {
 namespace {
-
-constexpr QSizeF recorded_plot_size(640, 400);
 
 const char* ending_of(ReportFormat format) {
     switch (format) {
@@ -41,26 +36,19 @@ QString filter_of(ReportFormat format) {
     return {};
 }
 
+/// What went wrong, or nothing. For worker threads.
+QString write_report(const RecordedReport& report, const ReportTarget& target) {
+    ScenePictures scenes(report.analyses);
+    FigurePainters painters;
+    painters.paint_plot = [&](QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
+        report.play(painter, area, plot);
+    };
+    painters.render_scene = [&](const SceneBlock& block, QSize size) { return scenes.render(block, size); };
+    const auto written = export_report(report.document, target, painters);
+    return written ? QString() : to_qt(written.error().message);
+}
+
 }  // namespace
-
-struct ExportActions::Job {
-    QString file;
-    ReportFormat format;
-    std::vector<EvaluatedAnalysis> analyses;
-    ReportDocument document;
-    std::size_t next_block = 0;
-    std::map<std::string, QPicture> plots;
-
-    void play(QPainter& painter, const QRectF& area, const PlotSpecification& plot) const {
-        const auto found = plots.find(plot.id);
-        if (found == plots.end()) return;
-        painter.save();
-        painter.translate(area.topLeft());
-        painter.scale(area.width() / recorded_plot_size.width(), area.height() / recorded_plot_size.height());
-        painter.drawPicture(0, 0, found->second);
-        painter.restore();
-    }
-};
 
 ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs& dialogs, QObject* parent)
     : QObject(parent),
@@ -80,22 +68,13 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
     return menu;
 }
 
-std::vector<EvaluatedAnalysis> ExportActions::evaluated() const {
-    std::vector<EvaluatedAnalysis> all;
-    for (const AnalysisEntry& analysis : document_.project().analyses) {
-        const AnalysisStatus& status = runner_.status(to_qt(analysis.id));
-        if (status.is_current()) all.push_back({status.result_of, status.result, status.warnings});
-    }
-    return all;
-}
-
 QString ExportActions::suggested(const QString& ending) const {
     const QString folder = document_.file().isEmpty() ? QDir::homePath() : QFileInfo(document_.file()).path();
     return QDir(folder).filePath(QFileInfo(document_.display_name()).completeBaseName() + ending);
 }
 
 void ExportActions::ask_report(ReportFormat format) {
-    if (evaluated().empty()) {
+    if (current_results(document_.project(), runner_).empty()) {
         dialogs_.show_message(tr("Nothing to report yet"),
                               tr("No analysis is up to date. Run one first (F5)."));
         return;
@@ -106,7 +85,7 @@ void ExportActions::ask_report(ReportFormat format) {
 }
 
 void ExportActions::ask_tables() {
-    if (evaluated().empty()) {
+    if (current_results(document_.project(), runner_).empty()) {
         dialogs_.show_message(tr("No results yet"), tr("No analysis is up to date. Run one first (F5)."));
         return;
     }
@@ -118,74 +97,38 @@ void ExportActions::ask_tables() {
 }
 
 void ExportActions::export_report_to(const QString& file, ReportFormat format) {
-    if (busy_) {
+    if (is_busy()) {
         emit message(tr("A report is being written; wait until it is finished"));
         return;
     }
-    busy_ = true;
     emit message(tr("Writing %1 …").arg(QFileInfo(file).fileName()));
-    auto job = std::make_shared<Job>();
-    job->file = file;
-    job->format = format;
-    job->analyses = evaluated();
-    jobs_.push([this, job, project = document_.snapshot()]() -> JobQueue::Delivery {
-        Problems ignored;  // those of assets are in the problems list; unusable assets are not in the report
-        const AssetLibrary assets = make_assets(*project, ignored);
-        job->document = build_report(*project, assets, job->analyses);
-        return [this, job] { record_next_plot(job); };
-    });
-}
-
-void ExportActions::record_next_plot(const std::shared_ptr<Job>& job) {
-    while (job->next_block < job->document.blocks.size()) {
-        const auto* block = std::get_if<PlotBlock>(&job->document.blocks[job->next_block++]);
-        if (!block) continue;
-        QPainter painter(&job->plots[block->plot.id]);
-        paint_plot(painter, QRectF(QPointF(), recorded_plot_size), block->plot, Theme::light());
-        painter.end();
-        QTimer::singleShot(0, this, [this, job] { record_next_plot(job); });
-        return;
-    }
-    write_in_worker(job);
-}
-
-void ExportActions::write_in_worker(const std::shared_ptr<Job>& job) {
-    jobs_.push([this, job]() -> JobQueue::Delivery {
-        ScenePictures scenes(job->analyses);
-        FigurePainters painters;
-        painters.paint_plot = [&](QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
-            job->play(painter, area, plot);
-        };
-        painters.render_scene = [&](const SceneBlock& block, QSize size) {
-            return scenes.render(block, size);
-        };
-        ReportTarget target;
-        target.folder = to_path(QFileInfo(job->file).path());
-        target.name = to_std(QFileInfo(job->file).completeBaseName());
-        target.formats = {job->format};
-        const auto written = export_report(job->document, target, painters);
-        const QString problem = written ? QString() : to_qt(written.error().message);
-        return [this, file = job->file, problem] { finish(file, problem); };
-    });
+    ReportTarget target;
+    target.folder = to_path(QFileInfo(file).path());
+    target.name = to_std(QFileInfo(file).completeBaseName());
+    target.formats = {format};
+    recorder_.record(document_.snapshot(), current_results(document_.project(), runner_),
+                     [this, file, target](const RecordedReport& report) -> JobQueue::Delivery {
+                         const QString problem = write_report(report, target);
+                         return [this, file, problem] { finish(file, problem); };
+                     });
 }
 
 void ExportActions::export_results_to(const QString& folder) {
-    jobs_.push(
-        [this, folder, analyses = evaluated(), project = document_.snapshot()]() -> JobQueue::Delivery {
-            const std::filesystem::path place = to_path(folder);
-            auto written = write_file_atomically(place / "results.json", results_json(*project, analyses));
-            for (const EvaluatedAnalysis& one : analyses)
-                for (const DataTable& table : result_tables(one))
-                    if (written)
-                        written = write_file_atomically(place / (one.analysis->id + "-" + table.id + ".csv"),
-                                                        to_csv(table));
-            const QString problem = written ? QString() : to_qt(written.error().message);
-            return [this, folder, problem] { finish(folder, problem); };
-        });
+    jobs_.push([this, folder, analyses = current_results(document_.project(), runner_),
+                project = document_.snapshot()]() -> JobQueue::Delivery {
+        const std::filesystem::path place = to_path(folder);
+        auto written = write_file_atomically(place / "results.json", results_json(*project, analyses));
+        for (const EvaluatedAnalysis& one : analyses)
+            for (const DataTable& table : result_tables(one))
+                if (written)
+                    written = write_file_atomically(place / (one.analysis->id + "-" + table.id + ".csv"),
+                                                    to_csv(table));
+        const QString problem = written ? QString() : to_qt(written.error().message);
+        return [this, folder, problem] { finish(folder, problem); };
+    });
 }
 
 void ExportActions::finish(const QString& file, const QString& problem) {
-    busy_ = false;
     if (problem.isEmpty())
         emit message(tr("Wrote %1").arg(QDir::toNativeSeparators(file)));
     else

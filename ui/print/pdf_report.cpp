@@ -8,9 +8,7 @@
 #include <algorithm>
 
 #include "core/project/project_file.h"
-#include "core/report/table_text.h"
-#include "ui/print/report_layout.h"
-#include "ui/print/rich_text.h"
+#include "ui/print/report_pages.h"
 
 namespace covaria::ui {
 namespace {
@@ -39,41 +37,6 @@ void set_up(QPdfWriter& writer, const ReportDocument& document, PaperSize paper)
     writer.setCreator("Covaria " COVARIA_VERSION);
 }
 
-/// Running head (project on the left, page of pages on the right) and foot of a page.
-class PageFrame {
-public:
-    PageFrame(const ReportDocument& document, const PdfOptions& options, const PageStyle& style)
-        : document_(document), options_(options), style_(style) {}
-
-    void paint(QPainter& painter, int page, int pages) const {
-        const QRectF area = style_.text_area();
-        const double top = style_.mm(13.0);
-        const QString number = QString("Page %1 of %2").arg(page + 1).arg(pages);
-        put(painter, number, QRectF(area.left(), top, area.width(), 0.0), Qt::AlignRight);
-        if (page > 0) {
-            const auto head = QString::fromStdString(escape_html(document_.running_head));
-            put(painter, head, QRectF(area.left(), top, area.width() - style_.mm(30.0), 0.0), Qt::AlignLeft);
-            painter.fillRect(QRectF(area.left(), top + style_.mm(5.0), area.width(), style_.points(0.4)),
-                             PageStyle::rule());
-        }
-        const auto foot = QString::fromStdString(escape_html(options_.foot));
-        put(painter, foot, QRectF(area.left(), area.bottom() + style_.mm(6.0), area.width(), 0.0),
-            Qt::AlignLeft);
-    }
-
-private:
-    void put(QPainter& painter, const QString& html, const QRectF& where, Qt::Alignment align) const {
-        if (html.isEmpty()) return;
-        RichText text(style_, TextRole::running, html, align);
-        text.set_width(where.width());
-        text.paint(painter, where.topLeft(), PageStyle::quiet());
-    }
-
-    const ReportDocument& document_;
-    const PdfOptions& options_;
-    const PageStyle& style_;
-};
-
 }  // namespace
 
 Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& options) {
@@ -82,19 +45,12 @@ Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& 
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
     set_up(writer, document, options.paper);
-    const PageStyle style(&writer, options.paper);
-    const FigurePainters figures{options.paint_plot, options.render_scene};
-    const FlowedPages pages = flow(lay_out(document, style, figures), style.text_area().height());
-    const PageFrame frame(document, options, style);
+    const ReportPages pages(document, options, &writer);
     QPainter painter;
     if (!painter.begin(&writer)) return fail(ErrorCode::io, "the PDF of the report could not be begun");
-    int page = -1;
-    for (const PlacedItem& item : pages.items) {
-        for (; page < item.page; ++page) {
-            if (page >= 0) writer.newPage();
-            frame.paint(painter, page + 1, pages.pages);
-        }
-        item.paint(painter, style.text_area().topLeft() + QPointF(0.0, item.y));
+    for (int page = 0; page < pages.count(); ++page) {
+        if (page > 0) writer.newPage();
+        pages.paint(page, painter);
     }
     if (!painter.end()) return fail(ErrorCode::io, "the PDF of the report could not be finished");
     return buffer.data().toStdString();

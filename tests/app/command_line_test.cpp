@@ -1,0 +1,156 @@
+// The contract of the command line: what scripts rely on.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string stewart = shipped_project("stewart-platform.covaria").string();
+
+json results_of(const fs::path& folder) {
+    return json::parse(read_text(folder / "results.json"));
+}
+
+TEST(CommandLine, HelpNamesEverySubcommand) {
+    const Outcome help = run_program({"--help"});
+    EXPECT_EQ(help.status, 0);
+    for (const char* word : {"run", "report", "render", "validate", "describe", "convert", "Exit status"})
+        EXPECT_NE(help.out.find(word), std::string::npos) << word;
+}
+
+TEST(CommandLine, WrongUsageIsStatusTwo) {
+    EXPECT_EQ(run_program({"run"}).status, 2);
+    EXPECT_EQ(run_program({"frobnicate"}).status, 2);
+    EXPECT_EQ(run_program({"run", stewart, "--trials", "-5"}).status, 2);
+    EXPECT_EQ(run_program({"run", stewart, "--trials", "1000", "--adaptive"}).status, 2);
+}
+
+TEST(CommandLine, RunWritesResultsAndTables) {
+    const fs::path folder = fresh_folder("run");
+    const Outcome run = run_program({"run", stewart, "--trials", "20000", "--out", folder.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json results = results_of(folder);
+    EXPECT_EQ(results.at("format"), "covaria-results");
+    EXPECT_EQ(results.at("schemaVersion"), 1);
+    ASSERT_EQ(results.at("analyses").size(), 2u);
+    const json& analysis = results["analyses"][0];
+    EXPECT_EQ(analysis.at("trials"), 20000);
+    EXPECT_EQ(analysis.at("failedTrials"), 0);
+    ASSERT_EQ(analysis.at("outputs").size(), 78u);
+    const json& output = analysis["outputs"][0];
+    for (const char* key :
+         {"symbol", "group", "unit", "role", "estimate", "mean", "standardUncertainty", "expandedUncertainty",
+          "coverageFactor", "interval", "shortestInterval", "skewness", "kurtosis", "firstOrder"})
+        EXPECT_TRUE(output.contains(key)) << key;
+    EXPECT_EQ(analysis.at("covariance").size(), 78u);
+    for (const char* table : {"results", "budget", "covariance"}) {
+        const fs::path file = folder / (analysis.at("id").get<std::string>() + "-" + table + ".csv");
+        EXPECT_TRUE(fs::exists(file)) << file;
+    }
+}
+
+TEST(CommandLine, ResultsAreTheSameBytesForAnyNumberOfThreads) {
+    std::string first;
+    for (const char* threads : {"1", "2", "7"}) {
+        const fs::path folder = fresh_folder(std::string("threads-") + threads);
+        ASSERT_EQ(
+            run_program({"run", stewart, "--trials", "50000", "--threads", threads, "--out", folder.string()})
+                .status,
+            0);
+        const std::string bytes = read_text(folder / "results.json");
+        if (first.empty()) first = bytes;
+        EXPECT_EQ(bytes, first) << threads << " threads";
+    }
+}
+
+TEST(CommandLine, SeedAndAnalysisAreHonoured) {
+    const fs::path folder = fresh_folder("seed");
+    const json all = json::parse(read_text(stewart));
+    const std::string id = all.at("analyses")[1].at("id");
+    const Outcome run = run_program(
+        {"run", stewart, "--analysis", id, "--trials", "5000", "--seed", "42", "--out", folder.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json results = results_of(folder);
+    ASSERT_EQ(results.at("analyses").size(), 1u);
+    EXPECT_EQ(results["analyses"][0].at("id"), id);
+    const json seed = results["analyses"][0].at("seed");
+    EXPECT_TRUE(seed == "42" || seed == 42);
+    const Outcome unknown = run_program({"run", stewart, "--analysis", "nothing", "--out", folder.string()});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find(id), std::string::npos)
+        << "the message names the analyses there are: " << unknown.err;
+}
+
+TEST(CommandLine, InterruptedRunSaysSoAndLeavesNoResults) {
+    const fs::path folder = fresh_folder("interrupt");
+    const Outcome run =
+        run_program({"run", stewart, "--trials", "2000000000", "--out", folder.string()}, 1500);
+    EXPECT_EQ(run.status, 130) << run.err;
+    EXPECT_FALSE(fs::exists(folder / "results.json"));
+    EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;
+}
+
+TEST(CommandLine, DescribeListsModelsAndTheirFields) {
+    const Outcome list = run_program({"describe"});
+    EXPECT_EQ(list.status, 0);
+    EXPECT_NE(list.out.find("pose-from-points"), std::string::npos);
+    const Outcome pose = run_program({"describe", "pose-from-points"});
+    EXPECT_EQ(pose.status, 0);
+    EXPECT_NE(pose.out.find("base_points (table"), std::string::npos);
+    EXPECT_NE(pose.out.find("[mm]"), std::string::npos);
+    EXPECT_EQ(run_program({"describe", "nothing"}).status, 1);
+}
+
+TEST(CommandLine, ConvertGivesTheSameBytesForACanonicalFile) {
+    const fs::path folder = fresh_folder("convert");
+    for (const auto& entry : fs::directory_iterator(fs::path(stewart).parent_path()))
+        if (entry.path().extension() == ".csv" || entry.path().extension() == ".covaria")
+            fs::copy_file(entry.path(), folder / entry.path().filename());
+    const std::string copy = (folder / "stewart-platform.covaria").string();
+    ASSERT_EQ(run_program({"convert", copy, (folder / "again.covaria").string()}).status, 0);
+    EXPECT_EQ(read_text(folder / "again.covaria"), read_text(stewart));
+    const Outcome embedded =
+        run_program({"convert", copy, (folder / "sub-embedded.covaria").string(), "--embed"});
+    ASSERT_EQ(embedded.status, 0) << embedded.err;
+    EXPECT_EQ(read_text(folder / "sub-embedded.covaria").find(".csv\""), std::string::npos);
+}
+
+TEST(CommandLine, RenderDrawsAPicture) {
+    const fs::path folder = fresh_folder("render");
+    const std::string file = (folder / "pose.png").string();
+    const Outcome run = run_program({"render", stewart, "--trials", "20000", "--group", "pose 7", "--view",
+                                     "front", "--width", "640", "--height", "400", "-o", file});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::string bytes = read_text(file);
+    EXPECT_EQ(bytes.substr(1, 3), "PNG");
+    EXPECT_GT(bytes.size(), 5000u);
+    const Outcome unknown =
+        run_program({"render", stewart, "--trials", "2000", "--group", "pose 99", "-o", file});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("pose 13"), std::string::npos)
+        << "the message names the groups there are: " << unknown.err;
+}
+
+TEST(CommandLine, ReportWritesAllFormatsAndTheirFigures) {
+    const fs::path folder = fresh_folder("report");
+    const Outcome run = run_program({"report", stewart, "--trials", "20000", "--out", folder.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(read_text(folder / "report.pdf").substr(0, 5), "%PDF-");
+    const std::string html = read_text(folder / "report.html");
+    EXPECT_NE(html.find("<table"), std::string::npos);
+    std::size_t figures = 0;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (entry.path().extension() != ".svg" && entry.path().extension() != ".png") continue;
+        ++figures;
+        EXPECT_NE(html.find(name), std::string::npos) << name << " is not shown in the page";
+    }
+    EXPECT_GE(figures, 5u);
+}
+
+}  // namespace

@@ -1,0 +1,22 @@
+// Runs the program as a child process.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+struct Outcome {
+    int status = -1;  ///< exit status; 128 + n for signal n
+    std::string out;
+    std::string err;
+};
+
+/// Waits for the end. `signal_after_ms` > 0 sends SIGINT after so many milliseconds.
+Outcome run_program(const std::vector<std::string>& arguments, int signal_after_ms = 0);
+
+/// A fresh folder under the build tree, emptied at construction.
+std::filesystem::path fresh_folder(const std::string& name);
+std::string read_text(const std::filesystem::path& file);
+void write_text(const std::filesystem::path& file, const std::string& text);
+/// projects/NAME of the source tree.
+std::filesystem::path shipped_project(const std::string& name);

@@ -1,0 +1,16 @@
+#include "ui/pages/current_results.h"
+
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+std::vector<EvaluatedAnalysis> current_results(const Project& project, const AnalysisRunner& runner) {
+    std::vector<EvaluatedAnalysis> current;
+    for (const AnalysisEntry& analysis : project.analyses) {
+        const AnalysisStatus& status = runner.status(to_qt(analysis.id));
+        if (status.is_current()) current.push_back({status.result_of, status.result, status.warnings});
+    }
+    return current;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,90 @@
+#include "ui/print/report_pages.h"
+
+#include <cmath>
+
+#include "core/report/table_text.h"
+#include "ui/print/report_layout.h"
+#include "ui/print/rich_text.h"
+
+namespace covaria::ui {
+namespace {
+
+constexpr double millimetres_per_inch = 25.4;
+
+/// Running head (project on the left, page of pages on the right) and foot of a page.
+class PageFrame {
+public:
+    PageFrame(const ReportDocument& document, const std::string& foot, const PageStyle& style)
+        : document_(document), foot_(foot), style_(style) {}
+
+    void paint(QPainter& painter, int page, int pages) const {
+        const QRectF area = style_.text_area();
+        const double top = style_.mm(13.0);
+        const QString number = QString("Page %1 of %2").arg(page + 1).arg(pages);
+        put(painter, number, QRectF(area.left(), top, area.width(), 0.0), Qt::AlignRight);
+        if (page > 0) {
+            const auto head = QString::fromStdString(escape_html(document_.running_head));
+            put(painter, head, QRectF(area.left(), top, area.width() - style_.mm(30.0), 0.0), Qt::AlignLeft);
+            painter.fillRect(QRectF(area.left(), top + style_.mm(5.0), area.width(), style_.points(0.4)),
+                             PageStyle::rule());
+        }
+        const auto foot = QString::fromStdString(escape_html(foot_));
+        put(painter, foot, QRectF(area.left(), area.bottom() + style_.mm(6.0), area.width(), 0.0),
+            Qt::AlignLeft);
+    }
+
+private:
+    void put(QPainter& painter, const QString& html, const QRectF& where, Qt::Alignment align) const {
+        if (html.isEmpty()) return;
+        RichText text(style_, TextRole::running, html, align);
+        text.set_width(where.width());
+        text.paint(painter, where.topLeft(), PageStyle::quiet());
+    }
+
+    const ReportDocument& document_;
+    const std::string& foot_;
+    const PageStyle& style_;
+};
+
+QImage blank_page(QSize size, int dots_per_inch) {
+    QImage image(size, QImage::Format_RGB32);
+    const int dots_per_metre = int(std::lround(dots_per_inch * 1000.0 / millimetres_per_inch));
+    image.setDotsPerMeterX(dots_per_metre);
+    image.setDotsPerMeterY(dots_per_metre);
+    image.fill(Qt::white);
+    return image;
+}
+
+}  // namespace
+
+ReportPages::ReportPages(const ReportDocument& document, const PdfOptions& options, QPaintDevice* device)
+    : document_(document),
+      options_(options),
+      style_(device, options.paper),
+      pages_(flow(lay_out(document, style_, {options.paint_plot, options.render_scene}),
+                  style_.text_area().height())) {}
+
+void ReportPages::paint(int page, QPainter& painter) const {
+    PageFrame(document_, options_.foot, style_).paint(painter, page, pages_.pages);
+    for (const PlacedItem& item : pages_.items)
+        if (item.page == page) item.paint(painter, style_.text_area().topLeft() + QPointF(0.0, item.y));
+}
+
+std::vector<QImage> page_images(const ReportDocument& document, const PdfOptions& options,
+                                int dots_per_inch) {
+    QImage measure = blank_page(QSize(1, 1), dots_per_inch);
+    const ReportPages pages(document, options, &measure);
+    const QSize size = PageStyle(&measure, options.paper).sheet().size().toSize();
+    std::vector<QImage> images;
+    for (int page = 0; page < pages.count(); ++page) {
+        QImage image = blank_page(size, dots_per_inch);
+        QPainter painter(&image);
+        painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing |
+                               QPainter::SmoothPixmapTransform);
+        pages.paint(page, painter);
+        images.push_back(std::move(image));
+    }
+    return images;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,31 @@
+// A report laid out on pages for one paint device: a PDF, or images for the preview on the screen.
+#pragma once
+
+#include <QImage>
+#include <QPainter>
+#include <vector>
+
+#include "ui/print/flow.h"
+#include "ui/print/pdf_report.h"
+
+namespace covaria::ui {
+
+class ReportPages {
+public:
+    /// `document` and `options` must outlive the pages; `device` gives the resolution.
+    ReportPages(const ReportDocument& document, const PdfOptions& options, QPaintDevice* device);
+
+    int count() const { return pages_.pages; }
+    void paint(int page, QPainter& painter) const;
+
+private:
+    const ReportDocument& document_;
+    const PdfOptions& options_;
+    PageStyle style_;
+    FlowedPages pages_;
+};
+
+/// The pages as they are printed, on white, at `dots_per_inch`.
+std::vector<QImage> page_images(const ReportDocument& document, const PdfOptions& options, int dots_per_inch);
+
+}  // namespace covaria::ui
