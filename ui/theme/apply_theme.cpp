@@ -1,6 +1,7 @@
 // The theme as style, palette and font of the application.
 #include <QApplication>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QToolTip>
 

@@ -1,0 +1,90 @@
+// Charts as pictures.
+#include "ui/charts/chart_painter.h"
+
+#include <QBuffer>
+#include <QGraphicsScene>
+#include <QPaintEngine>
+#include <QPainter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+#include "ui/charts/plot_chart.h"
+
+namespace covaria::ui {
+namespace {
+
+/// Device units per 1/96 inch.
+double units_of(const QPainter& painter) {
+    const auto type = painter.paintEngine()->type();
+    if (type == QPaintEngine::SVG || type == QPaintEngine::Picture) return 1.0;
+    return painter.device()->logicalDpiX() / 96.0;
+}
+
+Result<void> save(const std::string& file, const QByteArray& bytes) {
+    QSaveFile target(QString::fromStdString(file));
+    if (target.open(QIODevice::WriteOnly) && target.write(bytes) == bytes.size() && target.commit())
+        return {};
+    return fail(ErrorCode::io, "cannot write " + file + ": " + target.errorString().toStdString());
+}
+
+}  // namespace
+
+QChart* make_chart(const PlotSpecification& plot, const Theme& theme) {
+    return new PlotChart(plot, theme);
+}
+
+void paint_plot(QPainter& painter, const QRectF& area, const PlotSpecification& plot, const Theme& theme) {
+    paint_plot(painter, area, plot, theme, whole_view(plot));
+}
+
+void paint_plot(QPainter& painter, const QRectF& area, const PlotSpecification& plot, const Theme& theme,
+                const PlotView& view) {
+    const QSizeF size = area.size() / units_of(painter);
+    QGraphicsScene scene;
+    auto* chart = new PlotChart(plot, theme);
+    scene.addItem(chart);
+    chart->resize(size);
+    chart->set_view(view);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    scene.render(&painter, area, QRectF(QPointF(), size), Qt::IgnoreAspectRatio);
+    painter.restore();
+}
+
+QImage plot_image(const PlotSpecification& plot, const Theme& theme, QSize size, double pixel_ratio) {
+    QImage image(size * pixel_ratio, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(pixel_ratio);
+    image.fill(theme.neutrals().ground);
+    QPainter painter(&image);
+    paint_plot(painter, QRectF(QPointF(), QSizeF(size)), plot, theme);
+    return image;
+}
+
+Result<void> write_svg(const std::string& file, const PlotSpecification& plot, const Theme& theme,
+                       QSize size) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(size);
+    generator.setViewBox(QRect(QPoint(), size));
+    generator.setTitle(QString::fromStdString(plot.title));
+    QPainter painter(&generator);
+    paint_plot(painter, QRectF(QPointF(), QSizeF(size)), plot, theme);
+    painter.end();
+    return save(file, bytes);
+}
+
+Result<void> write_png(const std::string& file, const PlotSpecification& plot, const Theme& theme, QSize size,
+                       double pixel_ratio) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!plot_image(plot, theme, size, pixel_ratio).save(&buffer, "PNG"))
+        return fail(ErrorCode::io, "cannot make a picture of " + std::to_string(size.width()) + " x " +
+                                       std::to_string(size.height()) + " for " + file);
+    return save(file, bytes);
+}
+
+}  // namespace covaria::ui

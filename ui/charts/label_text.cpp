@@ -1,0 +1,93 @@
+// Text of charts with real subscripts.
+#include "ui/charts/label_text.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+namespace covaria::ui {
+namespace {
+
+constexpr double small_size = 0.74, lowering = 0.16;  // of the font's size
+
+const QString& unicode_subscripts() {
+    static const QString letters = QStringLiteral("₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ");
+    return letters;
+}
+
+QChar plain(QChar subscript) {
+    static const QString letters = QStringLiteral("0123456789+−=()aehijklmnoprstuvxβγρφχ");
+    const auto index = unicode_subscripts().indexOf(subscript);
+    return index < 0 ? subscript : letters[index];
+}
+
+bool starts_subscript(const QString& text, qsizetype i) {
+    return text[i] == u'_' && i > 0 && i + 1 < text.size() && text[i - 1].isLetter() &&
+           text[i + 1].isLetterOrNumber();
+}
+
+}  // namespace
+
+LabelText::LabelText(const QString& text, const QFont& font) : font_(font), small_(font) {
+    small_.setPixelSize(std::max(1, qRound(small_size * font.pixelSize())));
+    QString run;
+    bool lowered = false, after_underscore = false;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        if (starts_subscript(text, i)) {
+            append(run, lowered);
+            run.clear();
+            lowered = after_underscore = true;
+            continue;
+        }
+        const bool is_subscript = unicode_subscripts().contains(text[i]);
+        if (after_underscore && !text[i].isLetterOrNumber()) after_underscore = false;
+        const bool now = is_subscript || after_underscore;
+        if (now != lowered) {
+            append(run, lowered);
+            run.clear();
+            lowered = now;
+        }
+        run += is_subscript ? plain(text[i]) : text[i];
+    }
+    append(run, lowered);
+}
+
+void LabelText::append(const QString& text, bool lowered) {
+    if (text.isEmpty()) return;
+    const double width = QFontMetricsF(lowered ? small_ : font_).horizontalAdvance(text);
+    runs_.push_back({text, lowered, width});
+    width_ += width;
+}
+
+double LabelText::height() const {
+    return QFontMetricsF(font_).height();
+}
+
+void LabelText::draw(QPainter& painter, QPointF top_left) const {
+    QPointF baseline = top_left + QPointF(0.0, QFontMetricsF(font_).ascent());
+    for (const Run& run : runs_) {
+        painter.setFont(run.lowered ? small_ : font_);
+        painter.drawText(baseline + QPointF(0.0, run.lowered ? lowering * font_.pixelSize() : 0.0), run.text);
+        baseline.rx() += run.width;
+    }
+}
+
+QString shortened(const QString& text, const QFont& font, double width) {
+    if (LabelText(text, font).width() <= width) return text;
+    return QFontMetricsF(font).elidedText(text, Qt::ElideMiddle, width);
+}
+
+QStringList wrapped(const QString& text, const QFont& font, double width) {
+    QStringList lines;
+    for (const QString& word : text.split(u' ')) {
+        const QString longer = lines.isEmpty() ? word : lines.constLast() + u' ' + word;
+        if (lines.isEmpty())
+            lines << word;
+        else if (LabelText(longer, font).width() <= width)
+            lines.last() = longer;
+        else
+            lines << word;
+    }
+    return lines;
+}
+
+}  // namespace covaria::ui
