@@ -45,22 +45,22 @@ struct HtmlWriter {
             element("h" + std::to_string(std::min(heading.level + 1, 6)), escape_html(heading.text)) + "\n";
     }
     void operator()(const ParagraphBlock& paragraph) {
-        out += element("p", escape_html(paragraph.text), paragraph.note ? "note" : "") + "\n";
+        out += element("p", text_to_html(paragraph.text), paragraph.note ? "note" : "") + "\n";
     }
     void operator()(const ListBlock& list) {
         out += "<ul>\n";
-        for (const std::string& item : list.items) out += element("li", escape_html(item)) + "\n";
+        for (const std::string& item : list.items) out += element("li", text_to_html(item)) + "\n";
         out += "</ul>\n";
     }
     void operator()(const FactsBlock& facts) {
         out += "<dl>\n";
         for (const auto& [key, value] : facts.facts)
-            out += element("dt", escape_html(key)) + element("dd", escape_html(value)) + "\n";
+            out += element("dt", escape_html(key)) + element("dd", text_to_html(value)) + "\n";
         out += "</dl>\n";
     }
     void operator()(const EquationBlock& equation) {
         out += element("p",
-                       element("span", escape_html(equation.text), "formula") +
+                       element("span", equation_to_html(equation.text), "formula") +
                            element("span", escape_html(equation.source), "source"),
                        "equation") +
                "\n";
@@ -76,7 +76,7 @@ struct HtmlWriter {
         const std::vector<int> widest = widest_decimals(block);
         for (std::size_t r = 0; r < table.rows.size(); ++r) row(block, r, widest);
         out += "</tbody></table>\n";
-        for (const std::string& note : table.notes) out += element("p", escape_html(note), "note") + "\n";
+        for (const std::string& note : table.notes) out += element("p", text_to_html(note), "note") + "\n";
         out += "</div>\n";
     }
     void operator()(const PlotBlock& plot) { figure(plot.plot.id + ".svg", plot.caption); }

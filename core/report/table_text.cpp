@@ -30,6 +30,17 @@ std::string by_identifier(std::string_view text, Convert convert, Rest rest) {
     return out;
 }
 
+bool is_letter(std::string_view word) {
+    return word.size() == 1 || symbol_to_unicode(word) != word;
+}
+
+/// "u_by", "alpha_7", but not "file_name": a letter with subscripts.
+bool is_subscripted_letter(std::string_view identifier) {
+    const std::size_t end = identifier.find_first_of("_^");
+    return end != std::string_view::npos && end + 1 < identifier.size() &&
+           is_letter(identifier.substr(0, end));
+}
+
 std::string unit_suffix(const TableColumn& column) {
     return column.unit.text() == "1" ? "" : " (" + column.unit.display() + ")";
 }
@@ -107,7 +118,7 @@ std::string cell_html(const TableBlock& block, std::size_t row, std::size_t colu
     if (style_of(block, column).symbol && !is_subhead(block, row)) return symbols_to_html(text);
     const auto& cells = block.table.rows[row];
     const bool number = column < cells.size() && shown_number(cells[column], block.table.columns[column]);
-    return escape_html(number ? with_true_minus(text) : text);
+    return number ? escape_html(with_true_minus(text)) : text_to_html(text);
 }
 
 std::string symbols_to_html(std::string_view text) {
@@ -120,6 +131,24 @@ std::string symbols_to_unicode(std::string_view text) {
     return by_identifier(
         text, [](std::string_view symbol) { return symbol_to_unicode(symbol); },
         [](std::string_view rest) { return std::string(rest); });
+}
+
+std::string text_to_html(std::string_view text) {
+    return by_identifier(
+        text,
+        [](std::string_view word) {
+            return is_subscripted_letter(word) ? symbol_to_html(word) : escape_html(word);
+        },
+        [](std::string_view rest) { return escape_html(rest); });
+}
+
+std::string equation_to_html(std::string_view text) {
+    return by_identifier(
+        text,
+        [](std::string_view word) {
+            return is_letter(word) || is_subscripted_letter(word) ? symbol_to_html(word) : escape_html(word);
+        },
+        [](std::string_view rest) { return escape_html(rest); });
 }
 
 std::string escape_html(std::string_view text) {

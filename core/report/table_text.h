@@ -28,6 +28,10 @@ std::string cell_html(const TableBlock& block, std::size_t row, std::size_t colu
 /// Symbols among other marks ("b_1x, b_2x … b_9z"), each set as a symbol.
 std::string symbols_to_html(std::string_view text);
 std::string symbols_to_unicode(std::string_view text);
+/// Running text as HTML, escaped; symbols with subscripts ("u_by", "alpha_7") set as symbols.
+std::string text_to_html(std::string_view text);
+/// The same for an equation, where single letters and names of Greek letters are symbols as well.
+std::string equation_to_html(std::string_view text);
 std::string escape_html(std::string_view text);
 /// Whether a title is better set as a symbol: "u_x", "x", but not "point".
 bool looks_like_symbol(std::string_view title);

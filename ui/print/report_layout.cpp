@@ -14,6 +14,10 @@ QString escaped(const std::string& text) {
     return QString::fromStdString(escape_html(text));
 }
 
+QString html_of(const std::string& text) {
+    return QString::fromStdString(text_to_html(text));
+}
+
 class ReportLayout {
 public:
     ReportLayout(const PageStyle& style, const FigurePainters& figures)
@@ -62,14 +66,14 @@ public:
 
     void operator()(const ParagraphBlock& paragraph) {
         const TextRole role = paragraph.note ? TextRole::note : TextRole::body;
-        add_text(role, escaped(paragraph.text), 0.0, paragraph.note ? PageStyle::quiet() : PageStyle::ink());
+        add_text(role, html_of(paragraph.text), 0.0, paragraph.note ? PageStyle::quiet() : PageStyle::ink());
     }
 
     void operator()(const ListBlock& list) {
         const double indent = style_.mm(4.0);
         for (const std::string& item : list.items) {
             RichText mark(style_, TextRole::body, "–");
-            RichText text(style_, TextRole::body, escaped(item));
+            RichText text(style_, TextRole::body, html_of(item));
             text.set_width(width_ - indent);
             items.push_back({text.height(),
                              style_.mm(1.0),
@@ -96,7 +100,7 @@ public:
         RichText source(style_, TextRole::note, escaped(equation.source), Qt::AlignRight);
         const double source_width = std::min(source.natural_width(), 0.34 * width_);
         source.set_width(source_width);
-        RichText text(style_, TextRole::body, escaped(equation.text));
+        RichText text(style_, TextRole::body, QString::fromStdString(equation_to_html(equation.text)));
         text.set_width(width_ - indent - gap - source_width);
         const double drop = text.first_baseline() - source.first_baseline();
         items.push_back({std::max(text.height(), source.height() + drop),
@@ -136,7 +140,7 @@ private:
         RichText key(style_, TextRole::body, escaped(name));
         key.set_width(key_width);
         const double x = key_width + style_.mm(5.0);
-        RichText text(style_, TextRole::body, escaped(value));
+        RichText text(style_, TextRole::body, html_of(value));
         text.set_width(width_ - x);
         items.push_back({std::max(key.height(), text.height()),
                          style_.mm(0.9),

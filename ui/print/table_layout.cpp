@@ -190,7 +190,7 @@ private:
 
     void append_notes(std::vector<FlowItem>& items) const {
         for (const std::string& note : block_.table.notes) {
-            RichText text(style_, TextRole::note, html_of(escape_html(note)));
+            RichText text(style_, TextRole::note, html_of(text_to_html(note)));
             text.set_width(available_);
             items.push_back(
                 {text.height(),
