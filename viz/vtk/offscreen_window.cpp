@@ -2,7 +2,7 @@
 #include "viz/vtk/offscreen_window.h"
 
 #include <vtkCallbackCommand.h>
-#include <vtkOpenGLState.h>
+#include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -63,8 +63,7 @@ Result<void> OffscreenWindow::open(vtkRenderer* renderer) {
     window_->SetSize(16, 16);
     window_->SetReadyForRendering(true);
     window_->OpenGLInit();
-    int side = 0;
-    window_->GetState()->vtkglGetIntegerv(0x0D33 /* GL_MAX_TEXTURE_SIZE */, &side);
+    const int side = vtkTextureObject::GetMaximumTextureSize(window_);
     if (side > 0) largest_side_ = side;
     return {};
 }

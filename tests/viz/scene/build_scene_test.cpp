@@ -1,0 +1,227 @@
+// Scenes of a known layout: what is in them, at which magnification, and what is left out.
+#include "viz/scene/build_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "tests/viz/stewart_scene.h"
+#include "viz/scene/dump_scene.h"
+
+namespace covaria {
+namespace {
+
+const SceneEllipsoid* ellipsoid_of(const Scene& scene, const std::string& id) {
+    for (const SceneEllipsoid& e : scene.ellipsoids)
+        if (e.item.id == id) return &e;
+    return nullptr;
+}
+
+TEST(BuildScene, TextOfTheStewartPlatformIsTheReviewedOne) {
+    const auto setup = test::stewart_setup(400);
+    const std::string text = dump_scene(build_scene(setup.source(), {}));
+    const std::string file = COVARIA_SOURCE_DIR "/tests/viz/baselines/stewart_scene.txt";
+    std::ifstream in(file);
+    std::ostringstream expected;
+    expected << in.rdbuf();
+    if (text != expected.str()) std::ofstream(COVARIA_BINARY_DIR "/stewart_scene.txt") << text;
+    EXPECT_EQ(text, expected.str()) << "new text in " COVARIA_BINARY_DIR "/stewart_scene.txt";
+}
+
+TEST(BuildScene, TakesTheGroupAndWhatBelongsToAll) {
+    const auto setup = test::stewart_setup(0);
+    SceneOptions options;
+    options.group = "pose 4";
+    const Scene scene = build_scene(setup.source(), options);
+    EXPECT_EQ(scene.group, "pose 4");
+    EXPECT_NE(find_item(scene, "point:b1"), nullptr);
+    EXPECT_NE(find_item(scene, "point:elsewhere"), nullptr);
+    EXPECT_EQ(find_item(scene, "point:p1"), nullptr);
+    EXPECT_EQ(build_scene(setup.source(), {}).group, "pose 3") << "the first group of the result";
+}
+
+TEST(BuildScene, EllipsoidHoldsTheProbability) {
+    const auto setup = test::stewart_setup(0);
+    SceneOptions options;
+    options.magnification = 1.0;
+    const Scene scene = build_scene(setup.source(), options);
+    const SceneEllipsoid* nest = ellipsoid_of(scene, "point:p1");
+    ASSERT_NE(nest, nullptr);
+    const double k =
+        2.7954834829151074;  // square root of the 0.95 quantile of chi-squared, 3 dof (7.8147279)
+    EXPECT_NEAR(nest->coverage_factor, k, 1e-9);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(nest->axes.col(i).norm(), k * 236e-6, 1e-12);
+    EXPECT_EQ(nest->role, Role::input);
+    EXPECT_EQ(ellipsoid_of(scene, "point:platform origin")->role, Role::output);
+}
+
+TEST(BuildScene, EllipsoidIsTurnedWithTheAxesOfItsQuantities) {
+    auto setup = test::stewart_setup(0);
+    Eigen::Matrix3d R;
+    R << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    setup.layout.points[0].R_WQ = R;  // b1: its y (u = 0.110 mm, the longest) now lies along -x of W
+    const Scene scene = build_scene(setup.source(), {});
+    const SceneEllipsoid* b1 = ellipsoid_of(scene, "point:b1");
+    ASSERT_NE(b1, nullptr);
+    EXPECT_NEAR(std::abs(b1->axes.col(0).normalized().x()), 1.0, 1e-12);
+    EXPECT_NEAR((*b1->item.u)[1], 110e-6, 1e-15) << "u stays along the axes of the quantities";
+}
+
+TEST(BuildScene, ComponentSharedByTwoCoordinatesTiltsTheEllipsoid) {
+    auto setup = test::stewart_setup(0);
+    auto& quantities = setup.result.inputs.quantities;
+    quantities[0].shares = {{0, 1.0}};
+    quantities[1].shares = {{0, 1.0}};  // y moves with x
+    const Scene scene = build_scene(setup.source(), {});
+    const SceneEllipsoid* b1 = ellipsoid_of(scene, "point:b1");
+    ASSERT_NE(b1, nullptr);
+    EXPECT_EQ(b1->rank, 2);
+    const double k = 2.447746830680816;  // square root of the 0.95 quantile of chi-squared, 2 dof (5.9914645)
+    EXPECT_NEAR(b1->coverage_factor, k, 1e-9);
+    EXPECT_NEAR(b1->axes.col(2).norm(), 0.0, 0.0);
+    const Eigen::Vector3d diagonal = k * 66e-6 * scene.magnification * Eigen::Vector3d(1, 1, 0);
+    const double nearest = std::min((b1->axes.col(0) - diagonal).norm(), (b1->axes.col(1) - diagonal).norm());
+    EXPECT_NEAR(nearest, 0.0, 1e-12);
+}
+
+TEST(BuildScene, ArithmeticComponentsAddLinearly) {
+    auto setup = test::stewart_setup(0);
+    auto& x = setup.result.inputs.quantities[0];
+    x.shares = {{0, 1.0}, {1, 1.0}};
+    x.combination = Combination::arithmetic;
+    setup.result.inputs.quantities[1].shares.clear();
+    const Scene scene = build_scene(setup.source(), {});
+    EXPECT_NEAR(find_item(scene, "point:b1")->u->x(), 66e-6 + 110e-6, 1e-15);
+}
+
+TEST(BuildScene, HeldComponentsContributeNothing) {
+    auto setup = test::stewart_setup(0);
+    for (UncertaintyComponent& component : setup.result.inputs.components) component.held = true;
+    const Scene scene = build_scene(setup.source(), {});
+    EXPECT_EQ(scene.ellipsoids.size(), 1u) << "only that of the output is left";
+}
+
+class AutomaticMagnification : public testing::TestWithParam<double> {};
+
+TEST_P(AutomaticMagnification, IsRoundAndShowsTheLargestEllipsoidAtEightPercent) {
+    const auto setup = test::stewart_setup(0, GetParam());
+    const Scene scene = build_scene(setup.source(), {});
+    const double decade = std::pow(10.0, std::floor(std::log10(scene.magnification) + 1e-9));
+    const double digit = scene.magnification / decade;
+    EXPECT_TRUE(std::abs(digit - 1) < 1e-9 || std::abs(digit - 2) < 1e-9 || std::abs(digit - 5) < 1e-9)
+        << digit;
+    double largest = 0.0;
+    for (const SceneEllipsoid& e : scene.ellipsoids) largest = std::max(largest, e.axes.col(0).norm());
+    EXPECT_GT(largest, 0.08 / 1.6 * scene.size);
+    EXPECT_LT(largest, 0.08 * 1.6 * scene.size);
+}
+INSTANTIATE_TEST_SUITE_P(Scales, AutomaticMagnification,
+                         testing::Values(1e-6, 0.03, 0.7, 1.0, 2.0, 4.0, 9.0, 3e3));
+
+TEST(BuildScene, CaptionSaysMagnificationAndProbability) {
+    const auto setup = test::stewart_setup(100);
+    SceneOptions options;
+    options.magnification = 2000;
+    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 2000, ellipsoids p = 95 %");
+    options.probability = 0.9973;
+    options.magnification = 25000;
+    EXPECT_EQ(build_scene(setup.source(), options).caption,
+              "uncertainty × 25\u2009000, ellipsoids p = 99.73 %");
+    options.ellipsoids = false;
+    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 25\u2009000");
+    options.clouds = false;
+    EXPECT_EQ(build_scene(setup.source(), options).caption, "");
+}
+
+TEST(BuildScene, CloudIsMagnifiedAboutTheEstimate) {
+    auto setup = test::stewart_setup(5);
+    setup.output_trials.col(1) << 1e-3, -2e-3, 1.175 + 3e-3;
+    setup.output_trials(0, 3) = std::nan("");
+    SceneOptions options;
+    options.magnification = 100;
+    const Scene scene = build_scene(setup.source(), options);
+    const SceneCloud& cloud = scene.clouds.back();
+    EXPECT_EQ(cloud.item.id, "point:platform origin");
+    EXPECT_EQ(cloud.size(), 4u) << "the trial without a value is left out";
+    EXPECT_NEAR(cloud.offsets[3], 0.1f, 1e-6f);
+    EXPECT_NEAR(cloud.offsets[4], -0.2f, 1e-6f);
+    EXPECT_NEAR(cloud.offsets[5], 0.3f, 1e-6f);
+}
+
+TEST(BuildScene, CloudsAreThinnedToTheLimit) {
+    const auto setup = test::stewart_setup(1000);
+    SceneOptions options;
+    options.cloud_limit = 300;
+    for (const SceneCloud& cloud : build_scene(setup.source(), options).clouds) EXPECT_EQ(cloud.size(), 300u);
+}
+
+TEST(BuildScene, WallHistogramsCountTheCloud) {
+    const auto setup = test::stewart_setup(5000);
+    const Scene scene = build_scene(setup.source(), {});
+    ASSERT_EQ(scene.wall_histograms.size(), 3u);
+    for (const SceneWallHistogram& h : scene.wall_histograms) {
+        EXPECT_EQ(h.cloud, "point:platform origin");
+        EXPECT_EQ(*std::max_element(h.bars.begin(), h.bars.end()), 1.0);
+        EXPECT_GT(h.bars[h.bars.size() / 2], 0.7) << "most trials are near the estimate";
+        EXPECT_LT(h.bars.front(), 0.1);
+        EXPECT_NE(h.axis, h.normal);
+        EXPECT_NE(h.axis, h.height);
+    }
+    SceneOptions options;
+    options.histograms_of = "p2";
+    EXPECT_EQ(build_scene(setup.source(), options).wall_histograms.front().cloud, "point:p2");
+}
+
+TEST(BuildScene, NoUncertaintyNoResultNoLayout) {
+    const auto exact = test::stewart_setup(200, 0.0);
+    const Scene without = build_scene(exact.source(), {});
+    EXPECT_TRUE(without.ellipsoids.empty());
+    EXPECT_TRUE(without.clouds.empty());
+    EXPECT_TRUE(without.caption.empty());
+    EXPECT_EQ(without.points.size(), 7u);
+
+    SceneSource layout_only = exact.source();
+    layout_only.result = nullptr;
+    EXPECT_EQ(build_scene(layout_only, {}).group, "pose 3");
+    EXPECT_FALSE(find_item(build_scene(layout_only, {}), "point:b1")->u.has_value());
+
+    EXPECT_EQ(build_scene({}, {}).size, 0.0);
+    const Layout nothing;
+    EXPECT_FALSE(build_scene({&nothing, nullptr, nullptr, nullptr, ""}, {}).axes.has_value());
+}
+
+TEST(BuildScene, IndicesOutOfRangeAndInfiniteUncertaintyAreLeftOut) {
+    auto setup = test::stewart_setup(0);
+    setup.layout.points[0].inputs = {{0, 1, 999}};
+    setup.result.covariance(0, 0) = std::numeric_limits<double>::infinity();
+    const Scene scene = build_scene(setup.source(), {});
+    EXPECT_EQ(ellipsoid_of(scene, "point:b1"), nullptr);
+    EXPECT_EQ(ellipsoid_of(scene, "point:platform origin"), nullptr);
+    EXPECT_EQ(scene.ellipsoids.size(), 5u);
+}
+
+TEST(BuildScene, EqualNamesGetDifferentIds) {
+    Layout layout;
+    layout.points = {{"T", PointKind::target, {0, 0, 0}}, {"T", PointKind::target, {1, 0, 0}}};
+    const Scene scene = build_scene({&layout, nullptr, nullptr, nullptr, ""}, {});
+    EXPECT_NE(find_item(scene, "point:T"), nullptr);
+    EXPECT_NE(find_item(scene, "point:T#2"), nullptr);
+}
+
+TEST(BuildScene, PlateHasRoundCornersAroundItsPoints) {
+    const auto setup = test::stewart_setup(0);
+    const Scene scene = build_scene(setup.source(), {});
+    const SceneBody& plate = scene.bodies.front();
+    double farthest = 0.0;
+    for (const Eigen::Vector3d& corner : plate.outline)
+        farthest = std::max(farthest, corner.head<2>().norm());
+    const double radius_of_points = Eigen::Vector2d(0.344, 0.196).norm();
+    EXPECT_GT(farthest, radius_of_points);
+    EXPECT_LT(farthest, radius_of_points + 0.06);
+    EXPECT_TRUE(plate.normal.isApprox(Eigen::Vector3d::UnitZ()));
+}
+
+}  // namespace
+}  // namespace covaria

@@ -1,0 +1,156 @@
+// Camera: projection and its inverse, views, orbit, pan, zoom; picking; placement of labels; round numbers.
+#include "viz/scene/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/viz/stewart_scene.h"
+#include "viz/scene/label_placement.h"
+#include "viz/scene/pick.h"
+#include "viz/scene/round_numbers.h"
+
+namespace covaria {
+namespace {
+
+constexpr PictureSize size{1280, 800};
+
+Scene stewart() {
+    const auto setup = test::stewart_setup(200);
+    return build_scene(setup.source(), {});
+}
+Camera iso() {
+    return view_of(bounds_of(stewart()), StandardView::iso, size);
+}
+const auto everything = [](Layer) { return true; };
+
+TEST(Camera, WorldAtIsTheInverseOfProject) {
+    const Eigen::Vector3d p(0.2, -0.3, 0.9);
+    const Camera camera = iso();
+    const Eigen::Vector3d back = world_at(camera, size, project(camera, size, p), p);
+    EXPECT_LT((back - p).norm(), 1e-12);
+}
+
+TEST(Camera, StandardViewsShowTheirAxes) {
+    const SceneBounds bounds = bounds_of(stewart());
+    struct Expected {
+        StandardView view;
+        Eigen::Vector3d right, up;
+    };
+    const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                          z = Eigen::Vector3d::UnitZ();
+    for (const Expected& e : {Expected{StandardView::top, x, y}, Expected{StandardView::front, x, z},
+                              Expected{StandardView::right, y, z}}) {
+        const Camera camera = view_of(bounds, e.view, size);
+        EXPECT_TRUE(camera.right().isApprox(e.right));
+        EXPECT_TRUE(camera.up.isApprox(e.up));
+    }
+    EXPECT_EQ(standard_view_from("top"), StandardView::top);
+    EXPECT_EQ(standard_view_from("behind"), std::nullopt);
+}
+
+TEST(Camera, EverythingIsInThePicture) {
+    const SceneBounds b = bounds_of(stewart());
+    for (StandardView view : {StandardView::iso, StandardView::top, StandardView::front, StandardView::right})
+        for (PictureSize s : {PictureSize{1280, 800}, PictureSize{400, 300}, PictureSize{300, 900}}) {
+            const Camera camera = view_of(b, view, s);
+            for (int i = 0; i < 8; ++i) {
+                const Eigen::Vector3d corner(i & 1 ? b.high.x() : b.low.x(), i & 2 ? b.high.y() : b.low.y(),
+                                             i & 4 ? b.high.z() : b.low.z());
+                const Pixel at = project(camera, s, corner);
+                EXPECT_TRUE(at.x > 0 && at.x < s.width && at.y > 0 && at.y < s.height);
+            }
+        }
+}
+
+TEST(Camera, OrbitKeepsTheFrameOrthogonalAndZUpright) {
+    Camera camera = iso();
+    for (int i = 0; i < 200; ++i) camera = orbited(camera, size, 13.0, i < 100 ? 17.0 : -29.0);
+    EXPECT_NEAR(camera.direction.norm(), 1.0, 1e-12);
+    EXPECT_NEAR(camera.direction.dot(camera.up), 0.0, 1e-12);
+    EXPECT_NEAR(camera.right().z(), 0.0, 1e-9) << "the horizon stays level";
+    EXPECT_GE(camera.up.z(), -1e-9);
+    EXPECT_TRUE(orbited(iso(), size, size.width, 0).direction.isApprox(iso().direction, 1e-9))
+        << "a full turn";
+}
+
+TEST(Camera, DragToTheRightTurnsTheNearSideToTheRight) {
+    const Camera before = iso();
+    const Eigen::Vector3d near = before.focal_point - 0.3 * before.direction;
+    const Pixel a = project(before, size, near), b = project(orbited(before, size, 20, 0), size, near);
+    EXPECT_GT(b.x, a.x);
+    const Pixel c = project(orbited(before, size, 0, 20), size, near);
+    EXPECT_GT(c.y, a.y);
+}
+
+TEST(Camera, PanMovesWithThePointerAndZoomScales) {
+    const Camera camera = iso();
+    const Eigen::Vector3d p(0.1, 0.2, 0.3);
+    const Pixel a = project(camera, size, p), b = project(panned(camera, size, 30, -12), size, p);
+    EXPECT_NEAR(b.x - a.x, 30, 1e-9);
+    EXPECT_NEAR(b.y - a.y, -12, 1e-9);
+    EXPECT_NEAR(zoomed(camera, 2).half_height, camera.half_height / 2, 1e-15);
+    EXPECT_EQ(zoomed(camera, 0).half_height, camera.half_height);
+}
+
+TEST(Pick, FindsEachPointUnderItsPixel) {
+    const Scene scene = stewart();
+    const Camera camera = iso();
+    for (const char* id : {"point:b1", "point:b2", "point:b3", "point:p1", "point:p2", "point:p3"}) {
+        const Pixel at = project(camera, size, find_item(scene, id)->position);
+        EXPECT_EQ(pick_item(scene, camera, size, at, everything).value_or(""), id);
+    }
+    EXPECT_EQ(pick_item(scene, camera, size, {3, 3}, everything), std::nullopt);
+}
+
+TEST(Pick, PlatesEllipsoidsAndHiddenLayers) {
+    const Scene scene = stewart();
+    const Camera top = view_of(bounds_of(scene), StandardView::top, size);
+    const Pixel on_base = project(top, size, {0.25, 0.15, 0});
+    EXPECT_EQ(pick_item(scene, top, size, on_base, everything).value_or(""), "body:base");
+    const Pixel on_ellipsoid = project(top, size, {0.196 + 0.045, -0.111, 0});
+    EXPECT_EQ(pick_item(scene, top, size, on_ellipsoid, everything).value_or(""), "point:p2");
+    const auto no_ellipsoids = [](Layer layer) { return layer != Layer::ellipsoids; };
+    EXPECT_EQ(pick_item(scene, top, size, on_ellipsoid, no_ellipsoids).value_or(""), "body:moving platform");
+}
+
+TEST(LabelPlacement, NoTwoLabelsOverlap) {
+    std::vector<LabelRequest> requests;
+    for (int i = 0; i < 30; ++i)
+        requests.push_back({{200.0 + 7 * (i % 6), 150.0 + 9 * (i / 6)}, 40, 14, 5, i % 3});
+    const auto placed = place_labels(requests, {0, 0, 400, 300}, {{0, 0, 400, 40}});
+    int count = 0;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (!placed[i]) continue;
+        ++count;
+        EXPECT_GE(placed[i]->y, 40) << "below what is taken";
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(placed[j] && placed[i]->overlaps(*placed[j])) << i << " and " << j;
+    }
+    EXPECT_GE(count, 8);
+}
+
+TEST(LabelPlacement, HigherPriorityGoesFirst) {
+    const std::vector<LabelRequest> requests{{{50, 50}, 90, 90, 0, 1}, {{50, 50}, 90, 90, 0, 2}};
+    const auto placed = place_labels(requests, {0, 0, 150, 150}, {});
+    EXPECT_TRUE(placed[1].has_value());
+    EXPECT_FALSE(placed[0].has_value());
+}
+
+TEST(RoundNumbers, NearestBelowAndTexts) {
+    EXPECT_DOUBLE_EQ(nearest_round_number(109), 100);
+    EXPECT_DOUBLE_EQ(nearest_round_number(1600), 2000);
+    EXPECT_DOUBLE_EQ(nearest_round_number(0.08), 0.1);
+    EXPECT_DOUBLE_EQ(round_number_below(499), 200);
+    EXPECT_DOUBLE_EQ(round_number_below(500), 500);
+    EXPECT_EQ(round_number_text(2000), "2000");
+    EXPECT_EQ(round_number_text(0.05), "0.05");
+    EXPECT_EQ(plain_number(-1234567.5, 1), "\u22121\u2009234\u2009567.5");
+    EXPECT_EQ(plain_number(-0.2, 0), "0");
+    EXPECT_EQ(plain_number(9999, 0), "9999");
+    EXPECT_EQ(percent_text(0.95), "95 %");
+    EXPECT_EQ(percent_text(0.9973), "99.73 %");
+}
+
+}  // namespace
+}  // namespace covaria
