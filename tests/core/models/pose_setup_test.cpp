@@ -276,6 +276,54 @@ TEST(APosteriori, EveryPointMustBeMeasuredAndKnown) {
     expect_problem(s, Severity::error, "/measured_points/rows/2/point", "no point called 'q'");
 }
 
+covaria::Setup from_asset() {
+    covaria::Setup s = setup();
+    for (const std::string prefix : {"base", "moving"}) {
+        s.values[prefix + "_uncertainty"] = std::string("asset");
+        s.values[prefix + "_asset"] = std::string("a");
+    }
+    return s;
+}
+
+TEST(PoseFromAssets, SystematicPartsAreSharedByAllPointsOfTheArtefact) {
+    covaria::Setup bar{
+        {{"length", mm(1000)}, {"evaluation", std::string("components")}, {"systematic_common", true}}};
+    SetupTable components;
+    components.units = std::vector<Unit>(4, Unit::of("mm"));
+    components.units.emplace_back();
+    components.rows = {{.01, .02, .1, .2, {}}};
+    bar.values["components"] = components;
+    const auto model = make(from_asset(), library_of("length-standard", bar));
+    const InputSet& inputs = model->inputs();
+    EXPECT_EQ(inputs.components.size(), 126u + 9u);
+    const double u = 1e-3 * std::sqrt(.01 * .01 + .02 * .02 + .1 * .1 + .2 * .2);
+    EXPECT_NEAR(standard_uncertainty_of(inputs, inputs.find("b_1x")), u, 1e-12);
+    EXPECT_NEAR(standard_uncertainty_of(inputs, inputs.find("p_2y_13")), u, 1e-12);
+    // Common to base and platform, parallel frames: the difference of two points keeps only the variability.
+    const UncertaintyResult r = first_order(*model);
+    const auto own = make(setup(base_688, platform_392, {.1, .1, .1}, .1));
+    const UncertaintyResult only_own = first_order(*own);
+    for (std::size_t j = 12; j < 18; ++j)
+        EXPECT_NEAR(r.outputs[j].standard_uncertainty, only_own.outputs[j].standard_uncertainty, 1e-12);
+}
+
+TEST(PoseFromAssets, AnInstrumentStandsInThePicture) {
+    PoseValue station;
+    station.position = {-3500, 800, 500};
+    const auto model =
+        make(from_asset(), library_of("spherical-instrument", covaria::Setup{{{"station", station}}}));
+    const Layout layout = model->layout(estimates(model->inputs()));
+    EXPECT_EQ(layout.bodies.back().glyph, "total-station");
+    EXPECT_LT((layout.bodies.back().X_WB.translation() - Eigen::Vector3d(-3.5, .8, .5)).norm(), 1e-15);
+    EXPECT_EQ(layout.bodies.size(), 15u);  // once, though base and platform both refer to it
+}
+
+TEST(PoseFromAssets, AMissingAssetIsNamed) {
+    Problems problems;
+    EXPECT_EQ(make(from_asset(), problems), nullptr);
+    EXPECT_EQ(problems.items().front().path, "/base_asset");
+}
+
 TEST(PoseLayout, TheOriginFollowsTheInputs) {
     const auto model = make(setup());
     std::vector<double> x = estimates(model->inputs());
