@@ -19,6 +19,7 @@ struct PreparedAnalysis {
     std::string id;
     std::string name;
     const ModelDescriptor* descriptor = nullptr;
+    AssetLibrary assets;  ///< kept alive for the model, which may refer to them
     std::shared_ptr<const MeasurementModel> model;
     InputSet inputs;  ///< the model's, with the analysis' edits and correlations applied
     EvaluationOptions options;

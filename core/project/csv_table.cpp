@@ -1,0 +1,144 @@
+#include "core/project/csv_table.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/model/words.h"
+#include "core/project/file_io.h"
+#include "core/project/table_columns.h"
+
+namespace covaria {
+
+namespace {
+
+Problem problem_at(int line, std::string message) {
+    return {Severity::error, {}, std::move(message), {}, line};
+}
+
+std::optional<bool> csv_flag(const std::string& text) {
+    static const std::array<std::string, 3> yes{"true", "yes", "1"}, no{"false", "no", "0"};
+    if (std::find(yes.begin(), yes.end(), text) != yes.end()) return true;
+    if (std::find(no.begin(), no.end(), text) != no.end()) return false;
+    return std::nullopt;
+}
+
+// A choice may be written by its title; check_setup judges what is neither key nor title.
+std::string choice_key(const ColumnSpec& column, const std::string& text) {
+    for (const Choice& choice : column.choices)
+        if (choice.title == text) return choice.key;
+    return text;
+}
+
+class RowsReader {
+public:
+    RowsReader(const CsvText& csv, const FieldSpec& field, std::vector<std::size_t> target, CsvTable& out)
+        : csv_(csv), field_(field), target_(std::move(target)), out_(out) {}
+
+    void read(std::size_t first_row) {
+        for (std::size_t i = first_row; i < csv_.rows.size(); ++i) read_row(csv_.rows[i]);
+    }
+
+private:
+    void read_row(const CsvRow& row) {
+        if (row.cells.size() != target_.size() && !only_empty_beyond(row))
+            out_.problems.add(problem_at(row.line, "this row has " + std::to_string(row.cells.size()) +
+                                                       " cells; there are " + std::to_string(target_.size()) +
+                                                       " columns"));
+        std::vector<SetupCell> cells(field_.columns.size());
+        for (std::size_t i = 0; i < std::min(row.cells.size(), target_.size()); ++i)
+            cells[target_[i]] = read_cell(field_.columns[target_[i]], row.cells[i], row.line);
+        out_.table.rows.push_back(std::move(cells));
+        out_.lines.push_back(row.line);
+    }
+
+    // Spreadsheets put separators behind the last cell.
+    bool only_empty_beyond(const CsvRow& row) const {
+        const auto begin =
+            row.cells.begin() + static_cast<std::ptrdiff_t>(std::min(row.cells.size(), target_.size()));
+        return row.cells.size() > target_.size() &&
+               std::all_of(begin, row.cells.end(), [](const std::string& cell) { return cell.empty(); });
+    }
+
+    SetupCell read_cell(const ColumnSpec& column, const std::string& text, int line) {
+        if (text.empty()) return {};
+        if (column.kind == FieldKind::number || column.kind == FieldKind::integer) {
+            if (const auto number = csv_number(text, csv_.separator != ',')) return *number;
+            out_.problems.add(
+                problem_at(line, "column '" + column.key + "': '" + text + "' is not a number"));
+            return {};
+        }
+        if (column.kind == FieldKind::flag) {
+            if (const auto flag = csv_flag(text)) return *flag;
+            out_.problems.add(
+                problem_at(line, "column '" + column.key + "': '" + text + "' is neither true nor false"));
+            return {};
+        }
+        return column.kind == FieldKind::choice ? choice_key(column, text) : text;
+    }
+
+    const CsvText& csv_;
+    const FieldSpec& field_;
+    std::vector<std::size_t> target_;
+    CsvTable& out_;
+};
+
+// Separators behind the last header are no columns.
+std::vector<std::string> headers_of(const CsvText& csv) {
+    std::vector<std::string> headers = csv.rows.front().cells;
+    while (!headers.empty() && headers.back().empty()) headers.pop_back();
+    return headers;
+}
+
+}  // namespace
+
+CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field) {
+    CsvTable out;
+    if (csv.rows.empty()) {
+        out.problems.add(problem_at(0, "there is no row with the names of the columns"));
+        return out;
+    }
+    Problems header_problems;
+    const auto columns = match_columns(field, headers_of(csv), header_problems);
+    for (const Problem& problem : header_problems.items())
+        out.problems.add(problem_at(csv.rows.front().line, problem.message));
+    if (!columns) return out;
+    out.table.units = columns->units;
+    RowsReader(csv, field, columns->target, out).read(1);
+    return out;
+}
+
+CsvTable table_from_csv_rows(const CsvText& csv, const FieldSpec& field, const std::vector<Unit>& units) {
+    CsvTable out;
+    out.table.units = units;
+    std::vector<std::size_t> target;
+    const std::size_t given = csv.rows.empty() ? 0 : csv.rows.front().cells.size();
+    for (std::size_t i = 0; i < std::min(given, field.columns.size()); ++i) target.push_back(i);
+    RowsReader(csv, field, target, out).read(0);
+    return out;
+}
+
+bool has_header(const CsvText& csv, const FieldSpec& field) {
+    if (csv.rows.empty()) return false;
+    const auto& cells = csv.rows.front().cells;
+    return std::any_of(cells.begin(), cells.end(), [&](const std::string& cell) {
+        return find_table_column(field, header_name(cell)) != SetupSchema::npos;
+    });
+}
+
+CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field) {
+    CsvTable out;
+    const Result<std::string> text = read_file(file);
+    if (!text) {
+        out.problems.add({Severity::error, {}, text.error().message, file.string(), 0});
+        return out;
+    }
+    const Result<CsvText> csv = read_csv(*text);
+    if (csv)
+        out = table_from_csv(*csv, field);
+    else
+        out.problems.add(problem_at(csv.error().line, csv.error().message));
+    for (Problem& problem : out.problems.items()) problem.file = file.string();
+    return out;
+}
+
+}  // namespace covaria

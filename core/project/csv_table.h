@@ -1,0 +1,30 @@
+// Rows of texts to the rows of a set-up table, as its schema asks: for CSV files, import and paste.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/model/setup_schema.h"
+#include "core/project/csv_reader.h"
+
+namespace covaria {
+
+struct CsvTable {
+    SetupTable table;        ///< csv_file is empty; rows with wrong cells are there with those cells empty
+    std::vector<int> lines;  ///< per row of the table: its line in the text
+    Problems problems;       ///< with the line; messages name the column
+};
+
+/// The first row holds headers: column keys or titles, with the unit in brackets ("x [mm]").
+CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field);
+/// Without headers (a block pasted from a spreadsheet): columns in the order of the schema, in `units`.
+CsvTable table_from_csv_rows(const CsvText& csv, const FieldSpec& field, const std::vector<Unit>& units);
+/// Whether the first row names a column of the table: tells the two cases apart.
+bool has_header(const CsvText& csv, const FieldSpec& field);
+
+/// Reads a file; problems carry the file's name. `csv_file` of the table is left empty.
+CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field);
+
+}  // namespace covaria

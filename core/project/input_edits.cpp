@@ -1,0 +1,246 @@
+#include "core/project/input_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/model/setup_schema.h"
+#include "core/model/words.h"
+
+namespace covaria {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+    return "'" + text + "'";
+}
+
+std::size_t find_component(const InputSet& inputs, const std::string& id) {
+    for (std::size_t i = 0; i < inputs.components.size(); ++i)
+        if (inputs.components[i].id == id) return i;
+    return InputSet::npos;
+}
+
+std::vector<std::string> component_ids(const InputSet& inputs) {
+    std::vector<std::string> ids;
+    for (const UncertaintyComponent& component : inputs.components) ids.push_back(component.id);
+    return ids;
+}
+
+bool is_own(const InputSet& inputs, std::size_t component) {
+    const auto uses = [&](const InputQuantity& quantity) {
+        return std::any_of(quantity.shares.begin(), quantity.shares.end(),
+                           [&](const Share& share) { return share.component == component; });
+    };
+    return std::count_if(inputs.quantities.begin(), inputs.quantities.end(), uses) == 1;
+}
+
+// In SI, as deviations; parameters without a unit stay (those of a lognormal distribution are of the number
+// in SI).
+std::vector<double> parameters_in_si(const ComponentEdit& edit) {
+    std::vector<double> parameters = edit.parameters;
+    const auto& kinds = distribution_kinds();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const DistributionKindInfo& candidate) {
+        return candidate.key == edit.distribution;
+    });
+    if (kind == kinds.end()) return parameters;
+    const bool discrete = kind->parameters.empty();  // values, then probabilities
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const bool has_unit = discrete ? i < parameters.size() / 2
+                                       : i < kind->parameters.size() && kind->parameters[i].has_unit;
+        if (has_unit) parameters[i] = edit.unit.interval_to_si(parameters[i]);
+    }
+    return parameters;
+}
+
+class QuantityEdit {
+public:
+    QuantityEdit(InputSet& inputs, std::size_t index, const InputEdit& edit, std::string path,
+                 Problems& problems)
+        : inputs_(inputs),
+          quantity_(inputs.quantities[index]),
+          index_(index),
+          edit_(edit),
+          path_(std::move(path)),
+          problems_(problems) {}
+
+    void apply() {
+        if (edit_.components) replace_components();
+        if (edit_.combination) quantity_.combination = *edit_.combination;
+        if (edit_.estimate) set_estimate();
+        if (edit_.held) hold();
+    }
+
+private:
+    void set_estimate() {
+        const std::string objection = unit_objection(edit_.symbol, *edit_.estimate, quantity_.unit);
+        if (!objection.empty()) return problems_.error(path_ + "/estimate", objection);
+        quantity_.offset += edit_.estimate->si() - estimate_of(inputs_, index_);
+    }
+
+    void replace_components() {
+        const std::size_t before = problems_.items().size();
+        std::vector<UncertaintyComponent> components;
+        for (std::size_t i = 0; i < edit_.components->size(); ++i)
+            components.push_back(component((*edit_.components)[i], i));
+        if (problems_.items().size() == before) put_in_place(components);
+    }
+
+    UncertaintyComponent component(const ComponentEdit& edit, std::size_t i) {
+        const std::string place = path_ + "/components/" + std::to_string(i);
+        const std::string name = edit.name.empty() ? "component " + std::to_string(i + 1) : edit.name;
+        const std::string what = quoted(name) + " of " + quoted(edit_.symbol);
+        if (edit.unit.dimension() != quantity_.unit.dimension())
+            problems_.error(place + "/unit", quoted(edit_.symbol) + " is " + dimension_words(quantity_.unit) +
+                                                 "; the unit " + quoted(edit.unit.text()) + " of " +
+                                                 quoted(name) + " is the unit of " +
+                                                 dimension_words(edit.unit));
+        const auto distribution = distribution_from(edit.distribution, parameters_in_si(edit));
+        if (!distribution) problems_.error(place + "/parameters", what + ": " + distribution.error().message);
+        UncertaintyComponent made{edit_.symbol + ".edit" + std::to_string(i + 1), name, edit.unit};
+        if (distribution) made.distribution = *distribution;
+        made.type = edit.type;
+        made.degrees_of_freedom = edit.degrees_of_freedom.value_or(made.distribution.degrees_of_freedom());
+        if (!(made.degrees_of_freedom > 0))
+            problems_.error(place + "/degreesOfFreedom",
+                            what + ": the degrees of freedom must be greater than zero");
+        made.origin = edit.origin;
+        return made;
+    }
+
+    void put_in_place(const std::vector<UncertaintyComponent>& components) {
+        const std::vector<std::size_t> places = give_up_own();
+        for (std::size_t i = 0; i < components.size(); ++i) {
+            std::size_t place = i < places.size() ? places[i] : InputSet::npos;
+            if (place == InputSet::npos)
+                place = inputs_.add(components[i]);
+            else
+                inputs_.components[place] = components[i];
+            quantity_.shares.push_back({place, 1.0});
+        }
+    }
+
+    // Takes the quantity's own components out of it, with their correlations; their places stay.
+    std::vector<std::size_t> give_up_own() {
+        std::vector<std::size_t> places;
+        for (const Share& share : quantity_.shares)
+            if (is_own(inputs_, share.component)) places.push_back(share.component);
+        const auto given_up = [&](std::size_t component) {
+            return std::find(places.begin(), places.end(), component) != places.end();
+        };
+        std::erase_if(quantity_.shares, [&](const Share& share) { return given_up(share.component); });
+        std::erase_if(inputs_.correlations, [&](const ComponentCorrelation& correlation) {
+            return given_up(correlation.first) || given_up(correlation.second);
+        });
+        for (const std::size_t place : places) inputs_.components[place].held = true;
+        return places;
+    }
+
+    void hold() {
+        std::erase_if(quantity_.shares, [&](const Share& share) {
+            UncertaintyComponent& component = inputs_.components[share.component];
+            if (is_own(inputs_, share.component)) {
+                component.held = true;
+                return false;
+            }
+            quantity_.offset += share.factor * component.distribution.mean();
+            return true;
+        });
+    }
+
+    InputSet& inputs_;
+    InputQuantity& quantity_;
+    std::size_t index_;
+    const InputEdit& edit_;
+    std::string path_;
+    Problems& problems_;
+};
+
+void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& path, Problems& problems) {
+    const std::size_t component = find_component(inputs, edit.symbol);
+    if (component == InputSet::npos) {
+        std::vector<std::string> known;
+        for (const InputQuantity& quantity : inputs.quantities) known.push_back(quantity.symbol);
+        if (edit.held) {
+            const auto ids = component_ids(inputs);
+            known.insert(known.end(), ids.begin(), ids.end());
+        }
+        problems.error(path + "/symbol", "the model has no input quantity " + quoted(edit.symbol) +
+                                             did_you_mean(edit.symbol, known));
+        return;
+    }
+    if (edit.estimate || edit.components || edit.combination)
+        problems.error(path + "/symbol", quoted(edit.symbol) +
+                                             " is a component, not an input quantity: it can be "
+                                             "held, but not be edited otherwise");
+    else
+        inputs.components[component].held = edit.held;
+}
+
+std::size_t correlated_component(const InputSet& inputs, const std::string& id, const std::string& path,
+                                 Problems& problems) {
+    const std::size_t found = find_component(inputs, id);
+    if (found == InputSet::npos)
+        problems.error(path, "there is no component " + quoted(id) + did_you_mean(id, component_ids(inputs)));
+    return found;
+}
+
+// Takes the place of a correlation that the model declares between the same two.
+void add_correlation(InputSet& inputs, const CorrelationEdit& edit, const std::string& path,
+                     Problems& problems) {
+    const std::size_t before = problems.items().size();
+    const std::size_t first = correlated_component(inputs, edit.first, path + "/first", problems);
+    const std::size_t second = correlated_component(inputs, edit.second, path + "/second", problems);
+    if (problems.items().size() > before) return;
+    if (first == second)
+        return problems.error(path + "/second", quoted(edit.first) + " cannot be correlated with itself");
+    if (!(std::abs(edit.coefficient) <= 1.0))
+        return problems.error(path + "/coefficient",
+                              "a correlation coefficient must lie between -1 and 1; it is " +
+                                  readable_number(edit.coefficient));
+    std::erase_if(inputs.correlations, [&](const ComponentCorrelation& other) {
+        return std::minmax(other.first, other.second) == std::minmax(first, second);
+    });
+    inputs.correlations.push_back({first, second, edit.coefficient});
+}
+
+void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& problems) {
+    std::set<std::string> edited;
+    for (std::size_t i = 0; i < analysis.inputs.size(); ++i) {
+        const InputEdit& edit = analysis.inputs[i];
+        const std::string path = "/inputs/" + std::to_string(i);
+        if (!edited.insert(edit.symbol).second)
+            problems.error(path + "/symbol", quoted(edit.symbol) + " is edited twice");
+        else if (const std::size_t quantity = inputs.find(edit.symbol); quantity != InputSet::npos)
+            QuantityEdit(inputs, quantity, edit, path, problems).apply();
+        else
+            hold_component(inputs, edit, path, problems);
+    }
+}
+
+void apply_correlations(InputSet& inputs, const AnalysisEntry& analysis, Problems& problems) {
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (std::size_t i = 0; i < analysis.correlations.size(); ++i) {
+        const CorrelationEdit& edit = analysis.correlations[i];
+        const std::string path = "/correlations/" + std::to_string(i);
+        if (pairs.insert(std::minmax(edit.first, edit.second)).second)
+            add_correlation(inputs, edit, path, problems);
+        else
+            problems.error(path, "the correlation of " + quoted(edit.first) + " and " + quoted(edit.second) +
+                                     " is given twice");
+    }
+}
+
+}  // namespace
+
+InputSet apply_edits(InputSet inputs, const AnalysisEntry& analysis, Problems& problems) {
+    const std::size_t before = problems.items().size();
+    apply_inputs(inputs, analysis, problems);
+    apply_correlations(inputs, analysis, problems);
+    if (problems.items().size() > before) return inputs;
+    if (const auto resolved = resolved_correlations(inputs); !resolved)
+        problems.error(analysis.correlations.empty() ? "/setup" : "/correlations", resolved.error().message);
+    return inputs;
+}
+
+}  // namespace covaria

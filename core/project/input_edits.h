@@ -1,0 +1,20 @@
+// Edits of an analysis applied to the input quantities of its model.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+/// The model's inputs with the analysis' edits and correlations. Problems have paths relative to the analysis
+/// ("/inputs/0/estimate"). The indices of the model's own components stay, so their random draws do too:
+/// replaced components take the places of those they replace ("b_1x.edit1", "b_1x.edit2" ...), and more are
+/// appended.
+///
+/// Components are deviations from the estimate: their parameters are converted without the offset of degC.
+/// After all edits of a quantity its estimate is the edited one, whatever the means of its components. A held
+/// quantity is constant at its estimate; components that it shares with others stay in those.
+InputSet apply_edits(InputSet inputs, const AnalysisEntry& analysis, Problems& problems);
+
+}  // namespace covaria

@@ -1,0 +1,58 @@
+// Reading a JSON object key by key, with every wrong kind and every unknown key reported.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/unit.h"
+
+namespace covaria {
+
+using Json = nlohmann::ordered_json;
+
+/// "the text 'abc'", "the number 3", "a list" ...
+std::string json_words(const Json& value);
+/// The unit that a text names; Unit{} after reporting a problem.
+Unit unit_from(const std::string& text, const std::string& path, Problems& problems);
+
+/// The keys that are asked for are the known ones; `refuse_unknown_keys` reports all others.
+class ObjectReader {
+public:
+    /// `what` names the object in messages ("an analysis"). Reports a value that is not an object.
+    ObjectReader(const Json& value, std::string path, std::string what, Problems& problems);
+
+    const Json* find(const std::string& key);  ///< null if absent
+    bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
+    std::string path_of(const std::string& key) const;
+
+    /// Empty and reported when it is required and absent, or not a text.
+    std::string text(const std::string& key, bool required = false);
+    std::optional<double> number(const std::string& key, bool required = false);
+    /// null reads as infinity.
+    std::optional<double> number_or_infinity(const std::string& key);
+    std::optional<bool> flag(const std::string& key);
+    /// {"value": 0.7, "unit": "K"}
+    std::optional<Quantity> quantity(const std::string& key);
+    /// The list, or null; reported when it is something else.
+    const Json* list(const std::string& key);
+
+    void refuse_unknown_keys();
+    Problems& problems() { return problems_; }
+
+private:
+    const Json* require(const std::string& key, bool required);
+    void wrong_kind(const std::string& key, const std::string& expected, const Json& found);
+
+    const Json& value_;
+    std::string path_, what_;
+    Problems& problems_;
+    std::vector<std::string> known_;
+};
+
+/// {"value": 0.7, "unit": "K"}; null as the value is infinity.
+std::optional<Quantity> quantity_from(const Json& value, const std::string& path, Problems& problems);
+
+}  // namespace covaria

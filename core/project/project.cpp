@@ -1,0 +1,26 @@
+#include "core/project/project.h"
+
+#include <algorithm>
+
+namespace covaria {
+
+namespace {
+
+template <class Entry>
+const Entry* find_entry(const std::vector<Entry>& entries, const std::string& id) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.id == id; });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const AssetEntry* Project::find_asset(const std::string& id) const {
+    return find_entry(assets, id);
+}
+
+const AnalysisEntry* Project::find_analysis(const std::string& id) const {
+    return find_entry(analyses, id);
+}
+
+}  // namespace covaria

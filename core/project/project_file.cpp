@@ -1,0 +1,200 @@
+// Reading and saving project files.
+#include "core/project/project_file.h"
+
+#include <algorithm>
+
+#include "core/project/analysis_json.h"
+#include "core/project/file_io.h"
+#include "core/project/json_location.h"
+#include "core/project/migration.h"
+#include "core/project/project_text.h"
+#include "core/project/registered.h"
+#include "core/project/setup_json.h"
+#include "core/project/workspace.h"
+
+namespace covaria {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_error(Problems& problems, const Error& error) {
+    problems.add({Severity::error, error.path, error.message, error.file, error.line});
+}
+
+// The JSON value of a text that has passed the scanner.
+Result<Json> parse_json(const std::string& text) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+        return fail(Error{
+            ErrorCode::bad_input, "a text here is not valid UTF-8 or has a wrong \\ sequence", {}, {}, line});
+    } catch (const Json::exception&) {
+        return fail(ErrorCode::bad_input, "a number in the file is too large");
+    }
+}
+
+class ProjectReader {
+public:
+    ProjectReader(const fs::path& directory, Problems& problems) : context_{directory, problems} {}
+
+    Project read(const Json& document) {
+        Project project;
+        project.directory = context_.directory;
+        ObjectReader reader(document, "", "the project", context_.problems);
+        reader.find("format");
+        reader.find("schemaVersion");
+        project.title = reader.text("title", true);
+        project.notes = reader.text("notes");
+        read_entries(reader, "assets", project.assets);
+        read_entries(reader, "analyses", project.analyses);
+        reader.refuse_unknown_keys();
+        return project;
+    }
+
+    const std::vector<CsvOrigin>& csv() const { return context_.csv; }
+
+private:
+    template <class Entry>
+    void read_entries(ObjectReader& reader, const std::string& key, std::vector<Entry>& entries) {
+        const Json* list = reader.list(key);
+        for (std::size_t i = 0; list && i < list->size(); ++i) {
+            Entry entry;
+            read_entry((*list)[i], reader.path_of(key) + "/" + std::to_string(i), entry);
+            entries.push_back(std::move(entry));
+        }
+    }
+
+    void read_entry(const Json& value, const std::string& path, AssetEntry& asset) {
+        ObjectReader reader(value, path, "an asset", context_.problems);
+        asset.id = reader.text("id", true);
+        asset.kind = reader.text("kind", true);
+        asset.name = reader.text("name");
+        asset.notes = reader.text("notes");
+        read_setup(reader, asset);
+        reader.refuse_unknown_keys();
+    }
+
+    void read_entry(const Json& value, const std::string& path, AnalysisEntry& analysis) {
+        ObjectReader reader(value, path, "an analysis", context_.problems);
+        analysis.id = reader.text("id", true);
+        analysis.model = reader.text("model", true);
+        analysis.name = reader.text("name");
+        analysis.notes = reader.text("notes");
+        read_setup(reader, analysis);
+        read_analysis_details(reader, analysis);
+        reader.refuse_unknown_keys();
+    }
+
+    // Of an unknown kind nothing is known about its fields; check_project reports the kind.
+    template <class Entry>
+    void read_setup(ObjectReader& reader, Entry& entry) {
+        const Json* setup = reader.find("setup");
+        const SetupSchema* schema = schema_of(entry);
+        if (setup && schema)
+            entry.setup = setup_from_json(*setup, *schema, reader.path_of("setup"), context_);
+    }
+
+    ReadContext context_;
+};
+
+bool lies_at_or_below(const std::string& path, const std::string& place) {
+    return path.compare(0, place.size(), place) == 0 &&
+           (path.size() == place.size() || path[place.size()] == '/');
+}
+
+// What was not readable (a field, a cell of it) is not reported a second time as missing.
+void add_checks(const Project& project, Problems& problems) {
+    Problems checks;
+    check_project(project, checks);
+    const std::vector<Problem> read = problems.items();
+    for (const Problem& found : checks.items()) {
+        const bool known = std::any_of(read.begin(), read.end(), [&](const Problem& before) {
+            return before.severity == Severity::error && !before.path.empty() &&
+                   (lies_at_or_below(found.path, before.path) || lies_at_or_below(before.path, found.path));
+        });
+        if (!known) problems.add(found);
+    }
+}
+
+void locate_in_csv(Problem& problem, const std::vector<CsvOrigin>& csv) {
+    for (const CsvOrigin& origin : csv) {
+        const std::string rows = origin.path + "/rows/";
+        if (problem.path.compare(0, rows.size(), rows) != 0) continue;
+        const std::size_t row = std::strtoul(problem.path.c_str() + rows.size(), nullptr, 10);
+        problem.file = origin.file;
+        problem.line = row < origin.lines.size() ? origin.lines[row] : 0;
+    }
+}
+
+void locate(Problems& problems, const JsonLocations& locations, const std::vector<CsvOrigin>& csv,
+            const std::string& name) {
+    for (Problem& problem : problems.items()) {
+        if (problem.file.empty()) locate_in_csv(problem, csv);
+        if (!problem.file.empty()) continue;
+        problem.file = name;
+        if (problem.line == 0) problem.line = locations.line(problem.path);
+    }
+}
+
+Result<Json> project_document(const std::string& text) {
+    auto document = parse_json(text);
+    if (!document) return document;
+    const bool is_project =
+        document->is_object() && document->contains("format") && (*document)["format"] == "covaria";
+    if (!is_project)
+        return fail(ErrorCode::bad_input,
+                    "this is not a project of Covaria: it does not begin with \"format\": \"covaria\"",
+                    "/format");
+    return migrate_project(std::move(*document));
+}
+
+}  // namespace
+
+LoadedProject parse_project(const std::string& text, const fs::path& directory, const std::string& name) {
+    LoadedProject loaded;
+    loaded.project.directory = directory;
+    const auto locations = JsonLocations::scan(text);
+    if (!locations) {
+        add_error(loaded.problems, locations.error());
+        loaded.problems.items().back().file = name;
+        return loaded;
+    }
+    loaded.problems = locations->duplicate_keys();
+    const auto document = project_document(text);
+    if (!document) {
+        add_error(loaded.problems, document.error());
+        locate(loaded.problems, *locations, {}, name);
+        return loaded;
+    }
+    ProjectReader reader(directory, loaded.problems);
+    loaded.project = reader.read(*document);
+    add_checks(loaded.project, loaded.problems);
+    locate(loaded.problems, *locations, reader.csv(), name);
+    return loaded;
+}
+
+LoadedProject load_project(const fs::path& file) {
+    const Result<std::string> text = read_file(file);
+    if (text) return parse_project(*text, file.parent_path(), file.string());
+    LoadedProject loaded;
+    add_error(loaded.problems, text.error());
+    return loaded;
+}
+
+Result<void> save_project(const Project& project, const fs::path& file) {
+    const WrittenProject written = write_project(project);
+    if (!written.complete)
+        return fail(
+            Error{ErrorCode::bad_input,
+                  "the project was not saved: it holds a number that is not finite, or fields that belong to "
+                  "no known kind of asset or model",
+                  {},
+                  file.string(),
+                  0});
+    return write_file_atomically(file, written.text);
+}
+
+}  // namespace covaria

@@ -1,0 +1,120 @@
+// Project to canonical text, and its fingerprint.
+#include <cstdint>
+
+#include "core/project/analysis_json.h"
+#include "core/project/json_writer.h"
+#include "core/project/project_file.h"
+#include "core/project/project_text.h"
+#include "core/project/registered.h"
+#include "core/project/setup_json.h"
+
+namespace covaria {
+
+namespace {
+
+void member(JsonWriter& out, const char* key, const std::string& text) {
+    out.key(key);
+    out.text(text);
+}
+
+void member_if_given(JsonWriter& out, const char* key, const std::string& text) {
+    if (!text.empty()) member(out, key, text);
+}
+
+template <class Entry>
+void write_setup_of(JsonWriter& out, const Entry& entry) {
+    out.key("setup");
+    const SetupSchema* schema = schema_of(entry);
+    write_setup(out, entry.setup, schema ? *schema : SetupSchema{});
+}
+
+void write_asset(JsonWriter& out, const AssetEntry& asset) {
+    out.begin_object();
+    member(out, "id", asset.id);
+    member(out, "kind", asset.kind);
+    member_if_given(out, "name", asset.name);
+    member_if_given(out, "notes", asset.notes);
+    write_setup_of(out, asset);
+    out.end();
+}
+
+void write_analysis(JsonWriter& out, const AnalysisEntry& analysis) {
+    out.begin_object();
+    member(out, "id", analysis.id);
+    member(out, "model", analysis.model);
+    member_if_given(out, "name", analysis.name);
+    member_if_given(out, "notes", analysis.notes);
+    write_setup_of(out, analysis);
+    write_analysis_details(out, analysis);
+    out.end();
+}
+
+// What has no influence on numbers is taken away, and CSV rows are put in place of the file's name.
+void keep_numbers(Setup& setup) {
+    for (auto& [key, value] : setup.values)
+        if (SetupTable* table = std::get_if<SetupTable>(&value)) table->csv_file.clear();
+}
+
+Project numbers_only(Project project) {
+    project.title.clear();
+    project.notes.clear();
+    for (AssetEntry& asset : project.assets) {
+        asset.name.clear();
+        asset.notes.clear();
+        keep_numbers(asset.setup);
+    }
+    for (AnalysisEntry& analysis : project.analyses) {
+        analysis.name.clear();
+        analysis.notes.clear();
+        analysis.requirements.clear();
+        keep_numbers(analysis.setup);
+        for (InputEdit& edit : analysis.inputs) {
+            if (!edit.components) continue;
+            for (ComponentEdit& component : *edit.components) component.name = component.origin = {};
+        }
+    }
+    return project;
+}
+
+// FNV-1a, 64 bit (Fowler, Noll, Vo).
+std::uint64_t hash_of(const std::string& text) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return hash;
+}
+
+}  // namespace
+
+WrittenProject write_project(const Project& project) {
+    JsonWriter out;
+    out.begin_object();
+    member(out, "format", "covaria");
+    out.key("schemaVersion");
+    out.integer(project_schema_version);
+    member(out, "title", project.title);
+    member_if_given(out, "notes", project.notes);
+    out.key("assets");
+    out.begin_list();
+    for (const AssetEntry& asset : project.assets) write_asset(out, asset);
+    out.end();
+    out.key("analyses");
+    out.begin_list();
+    for (const AnalysisEntry& analysis : project.analyses) write_analysis(out, analysis);
+    out.end();
+    out.end();
+    return {out.take(), !out.has_unwritable()};
+}
+
+std::string project_text(const Project& project) {
+    return write_project(project).text;
+}
+
+std::string fingerprint(const Project& project) {
+    std::uint64_t hash = hash_of(project_text(numbers_only(project)));
+    std::string digits(16, '0');
+    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, hash >>= 4)
+        *digit = "0123456789abcdef"[hash & 0xf];
+    return digits;
+}
+
+}  // namespace covaria

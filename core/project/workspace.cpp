@@ -1,0 +1,207 @@
+#include "core/project/workspace.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "core/assets/registry.h"
+#include "core/model/words.h"
+#include "core/models/registry.h"
+#include "core/project/input_edits.h"
+#include "core/project/project_file.h"
+#include "core/project/references.h"
+#include "core/project/registered.h"
+#include "core/propagation/engine.h"
+
+namespace covaria {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+    return "'" + text + "'";
+}
+
+// Problems of a part, added under its place; whether there were errors among them.
+bool took_errors(const Problems& part, const std::string& place, Problems& problems) {
+    problems.take(part, place);
+    return part.has_errors();
+}
+
+std::unique_ptr<Asset> make_asset(const AssetEntry& entry, const AssetDescriptor& kind, Problems& problems) {
+    check_setup(kind.schema, entry.setup, problems);
+    if (problems.has_errors()) return nullptr;
+    auto asset = kind.create(SetupReader(kind.schema, entry.setup), problems);
+    return problems.has_errors() ? nullptr : std::move(asset);
+}
+
+// "coverage_probability" -> "coverageProbability": fields of EvaluationOptions as they are called in files.
+std::string camel_case(const std::string& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == '_' && i + 1 < words.size())
+            text += static_cast<char>(std::toupper(static_cast<unsigned char>(words[++i])));
+        else
+            text += words[i];
+    }
+    return text;
+}
+
+void check_options(const EvaluationOptions& options, Problems& problems) {
+    Problems found;
+    options.check(found);
+    for (Problem problem : found.items()) {
+        problem.path = "/options" + camel_case(problem.path);
+        problems.add(problem);
+    }
+}
+
+void check_requirement(const Requirement& requirement, const std::vector<OutputQuantity>& outputs,
+                       const std::string& path, Problems& problems) {
+    const auto output = std::find_if(outputs.begin(), outputs.end(), [&](const OutputQuantity& candidate) {
+        return candidate.group == requirement.group && candidate.symbol == requirement.symbol;
+    });
+    if (output == outputs.end()) {
+        const std::string where = requirement.group.empty() ? "" : " in " + quoted(requirement.group);
+        return problems.error(path, "the model has no output quantity " + quoted(requirement.symbol) + where);
+    }
+    if (!requirement.target_uncertainty) return;
+    const std::string title = "target uncertainty of " + requirement.symbol;
+    const std::string objection = unit_objection(title, *requirement.target_uncertainty, output->unit);
+    if (!objection.empty())
+        problems.error(path + "/targetUncertainty", objection);
+    else if (!(requirement.target_uncertainty->value > 0))
+        problems.error(path + "/targetUncertainty", "the " + title + " must be greater than zero");
+}
+
+// The model of an analysis; null after an error. Paths are relative to the set-up.
+std::shared_ptr<const MeasurementModel> make_model(const Project& project, const AnalysisEntry& entry,
+                                                   const ModelDescriptor& descriptor,
+                                                   const AssetLibrary& assets, Problems& problems) {
+    check_setup(descriptor.schema, entry.setup, problems);
+    check_references(project, assets, descriptor.schema, entry.setup, problems);
+    if (problems.has_errors()) return nullptr;
+    auto model = descriptor.create(SetupReader(descriptor.schema, entry.setup), assets, problems);
+    return problems.has_errors() ? nullptr : std::shared_ptr<const MeasurementModel>(std::move(model));
+}
+
+// What influences the numbers of one analysis: itself and the assets that it uses.
+std::string analysis_fingerprint(const Project& project, const AnalysisEntry& entry) {
+    Project part;
+    for (const std::string& id : assets_used_by(project, entry))
+        part.assets.push_back(*project.find_asset(id));
+    part.analyses.push_back(entry);
+    return fingerprint(part);
+}
+
+// The assets an analysis uses and no others.
+AssetLibrary used_assets(const Project& project, const AnalysisEntry& entry, const AssetLibrary& assets) {
+    AssetLibrary used;
+    for (const std::string& id : assets_used_by(project, entry))
+        if (const AssetLibrary::Entry* asset = assets.find(id)) used.add(id, *asset);
+    return used;
+}
+
+// Paths are relative to the analysis.
+std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const AnalysisEntry& entry,
+                                                const AssetLibrary& assets, Problems& problems) {
+    const ModelDescriptor* descriptor = find_model(entry.model);
+    if (!descriptor) {
+        problems.error("/model", unknown_model(entry));
+        return nullptr;
+    }
+    check_options(entry.options, problems);
+    Problems of_setup;
+    auto prepared = std::make_shared<PreparedAnalysis>();
+    prepared->assets = used_assets(project, entry, assets);
+    prepared->model = make_model(project, entry, *descriptor, prepared->assets, of_setup);
+    if (took_errors(of_setup, "/setup", problems) || !prepared->model) return nullptr;
+    prepared->inputs = apply_edits(prepared->model->inputs(), entry, problems);
+    for (std::size_t i = 0; i < entry.requirements.size(); ++i)
+        check_requirement(entry.requirements[i], prepared->model->outputs(),
+                          "/requirements/" + std::to_string(i), problems);
+    if (problems.has_errors()) return nullptr;
+    prepared->id = entry.id;
+    prepared->name = entry.name;
+    prepared->descriptor = descriptor;
+    prepared->options = entry.options;
+    prepared->fingerprint = analysis_fingerprint(project, entry);
+    return prepared;
+}
+
+bool is_id(const std::string& id) {
+    return !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
+    });
+}
+
+template <class Entry>
+void check_ids(const std::vector<Entry>& entries, const std::string& place, Problems& problems) {
+    std::set<std::string> known;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::string path = place + "/" + std::to_string(i) + "/id";
+        const std::string& id = entries[i].id;
+        if (!is_id(id))
+            problems.error(path, "the id " + quoted(id) + " must be made of letters, digits, '-' and '_'");
+        else if (!known.insert(id).second)
+            problems.error(path, "the id " + quoted(id) + " is used twice");
+    }
+}
+
+}  // namespace
+
+AssetLibrary make_assets(const Project& project, Problems& problems) {
+    AssetLibrary library;
+    for (std::size_t i = 0; i < project.assets.size(); ++i) {
+        const AssetEntry& entry = project.assets[i];
+        const std::string path = "/assets/" + std::to_string(i);
+        const AssetDescriptor* kind = find_asset_kind(entry.kind);
+        if (!kind) {
+            problems.error(path + "/kind", unknown_kind(entry));
+            continue;
+        }
+        Problems found;
+        std::shared_ptr<const Asset> asset = make_asset(entry, *kind, found);
+        if (took_errors(found, path + "/setup", problems) || !asset) continue;
+        library.add(entry.id, {entry.name, kind, std::move(asset)});
+    }
+    return library;
+}
+
+std::shared_ptr<const PreparedAnalysis> prepare_analysis(const Project& project,
+                                                         const std::string& analysis_id,
+                                                         const AssetLibrary& assets, Problems& problems) {
+    const AnalysisEntry* entry = project.find_analysis(analysis_id);
+    if (!entry) {
+        std::vector<std::string> ids;
+        for (const AnalysisEntry& analysis : project.analyses) ids.push_back(analysis.id);
+        problems.error("", "there is no analysis " + quoted(analysis_id) + did_you_mean(analysis_id, ids));
+        return nullptr;
+    }
+    Problems found;
+    auto prepared = prepare(project, *entry, assets, found);
+    problems.take(found, "/analyses/" + std::to_string(entry - project.analyses.data()));
+    return prepared;
+}
+
+void check_project(const Project& project, Problems& problems) {
+    check_ids(project.assets, "/assets", problems);
+    check_ids(project.analyses, "/analyses", problems);
+    const AssetLibrary assets = make_assets(project, problems);
+    for (std::size_t i = 0; i < project.analyses.size(); ++i) {
+        Problems found;
+        prepare(project, project.analyses[i], assets, found);
+        problems.take(found, "/analyses/" + std::to_string(i));
+    }
+}
+
+Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control) {
+    auto result = evaluate(*analysis.model, analysis.inputs, analysis.options, control);
+    if (!result) return result;
+    result->provenance.project_fingerprint = analysis.fingerprint;
+    result->provenance.covaria_version = COVARIA_VERSION;
+    result->provenance.seed = analysis.options.seed;
+    return result;
+}
+
+}  // namespace covaria
