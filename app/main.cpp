@@ -5,17 +5,19 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
-#include "app/terminal.h"
+#include "app/window.h"
 
 namespace {
 
 const char* const description =
     "Covaria evaluates the measurement uncertainty of robots and large-scale metrology.\n"
     "A project (*.covaria) describes artefacts, instruments, robots and analyses; Covaria propagates their\n"
-    "uncertainties (law of propagation and Monte Carlo) and writes results, pictures and a report.";
+    "uncertainties (law of propagation and Monte Carlo) and writes results, pictures and a report.\n"
+    "Without a subcommand the window opens.";
 
 const char* const footer =
     "Examples:\n"
+    "  covaria projects/stewart-platform.covaria\n"
     "  covaria run projects/stewart-platform.covaria --out out\n"
     "  covaria report projects/stewart-platform.covaria --format pdf\n"
     "  covaria render projects/stewart-platform.covaria --group \"pose 13\" --view top -o top.png\n"
@@ -31,13 +33,16 @@ int main(int argc, char** argv) {
     CLI::App app(description, "covaria");
     app.footer(footer);
     app.set_version_flag("--version", std::string("covaria ") + COVARIA_VERSION);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
+    std::string file;
+    app.add_option("FILE", file, "project file to open in the window");
     const std::vector<Command> commands = all_commands(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
         return app.exit(problem) == 0 ? exit_success : exit_wrong_usage;
     }
+    if (app.get_subcommands().empty()) return run_window(file);
     const Interrupt interrupt;
     for (const Command& command : commands)
         if (command.parser->parsed()) return command.run(interrupt.token());

@@ -1,0 +1,67 @@
+// Screenshots of every tab, light and dark, with no display. Each is looked at as numbers here (nothing
+// empty, no pane without contents) and left in the build folder for people.
+#include <QDir>
+#include <QTabWidget>
+#include <cmath>
+
+#include "tests/ui/main_window/window_fixture.h"
+#include "ui/main_window/theme_switch.h"
+#include "ui/pages/report_preview.h"
+#include "ui/pages/results_pane.h"
+#include "ui/scene_view/scene_panel.h"
+
+namespace covaria::ui {
+namespace {
+
+class Screenshots : public WindowFixture {
+protected:
+    QImage shoot(const QString& name) {
+        window_->scene().view().service().wait_until_idle();
+        for (int i = 0; i < 20; ++i) QTest::qWait(10);
+        const QImage image = window_->grab().toImage();
+        const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
+        folder.mkpath(QStringLiteral("."));
+        image.save(folder.filePath(name + QStringLiteral(".png")));
+        return image;
+    }
+    /// Part of the pixels of a region that differ from its most frequent grey.
+    static double busy_part(const QImage& image, const QRect& region) {
+        std::vector<int> greys(256, 0);
+        for (int y = region.top(); y <= region.bottom(); ++y)
+            for (int x = region.left(); x <= region.right(); ++x)
+                ++greys[std::size_t(qGray(image.pixel(x, y)))];
+        const int most = *std::max_element(greys.begin(), greys.end());
+        return 1.0 - double(most) / (double(region.width()) * region.height());
+    }
+    QRect rect_of(const QWidget& widget) const {
+        return QRect(widget.mapTo(window_.get(), QPoint()), widget.size());
+    }
+};
+
+TEST_F(Screenshots, StartPageOffersWhatToDo) {
+    const QImage image = shoot(QStringLiteral("start-page"));
+    EXPECT_EQ(image.size(), QSize(1280, 800));
+    EXPECT_GT(busy_part(image, image.rect()), 0.02);
+}
+
+TEST_F(Screenshots, EveryTabShowsSomething) {
+    open(project_copy());
+    wait_until_idle();
+    QTabWidget& tabs = window_->results().tabs();
+    for (const char* theme : {"light", "dark"}) {
+        window_->findChild<ThemeSwitch*>()->choose(QString::fromLatin1(theme));
+        for (int tab = 0; tab < tabs.count(); ++tab) {
+            tabs.setCurrentIndex(tab);
+            if (auto* report = qobject_cast<ReportPreview*>(tabs.widget(tab)))
+                for (int i = 0; i < 600 && report->page_count() == 0; ++i) QTest::qWait(100);
+            const QImage image =
+                shoot(QStringLiteral("%1-%2").arg(tabs.tabText(tab).toLower(), QString::fromLatin1(theme)));
+            EXPECT_GT(busy_part(image, rect_of(*tabs.widget(tab))), 0.01)
+                << tabs.tabText(tab).toStdString() << ' ' << theme;
+            EXPECT_GT(busy_part(image, rect_of(window_->scene().view())), 0.02) << "scene, " << theme;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace covaria::ui
