@@ -1,115 +1,161 @@
-// The distribution charts: histogram and normal quantiles.
+// Distribution of an output by Monte Carlo: histogram, and quantiles against the normal distribution.
 #include "core/report/plots.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/math/normal_quantile.h"
-#include "core/report/number_format.h"
 #include "core/report/plots_parts.h"
+#include "core/report/report_parts.h"
 
 namespace covaria {
+namespace {
 
+using plot_parts::curve;
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
-namespace {
+constexpr double tail_left_out = 1e-4;  // of the trials, on each side of the axis
+constexpr double cells_per_u = 12.0;    // at most: finer cells are not told apart in print
+constexpr std::size_t curve_points = 161;
 
-constexpr int curve_points = 161;
-
-/// Density of N(mean, u^2) over [low, high], in display units.
-PlotSeries normal_curve(const std::string& name, SeriesRole role, const CoverageInterval& range, double mean,
-                        double u) {
-    PlotSeries series{name, SeriesKind::line, role, {}, {}, {}, 0.0};
-    for (int i = 0; i < curve_points; ++i) {
-        const double x = range.low + (range.high - range.low) * i / (curve_points - 1);
-        const double z = (x - mean) / u;
-        series.x.push_back(x);
-        series.y.push_back(std::exp(-0.5 * z * z) / (u * std::sqrt(2.0 * 3.14159265358979323846)));
-    }
-    return series;
+/// Empty if the output has a distribution to show, else why not.
+std::string missing_distribution(const PlottedOutput& y, const std::string& what) {
+    const MonteCarloOutput* trials = y.trials();
+    if (!trials) return "Run Monte Carlo to see " + what + " of " + y.label();
+    if (!(trials->standard_uncertainty > 0.0))
+        return y.label() + " has the same value in every trial: give its inputs components of uncertainty";
+    return {};
 }
 
-PlotSeries density_bars(const Histogram& histogram, const Unit& unit) {
-    PlotSeries bars{"trials", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.0};
-    double total = double(histogram.below + histogram.above);
-    for (std::uint64_t count : histogram.counts) total += double(count);
-    const double low = unit.from_si(histogram.low), high = unit.from_si(histogram.high);
-    bars.bar_width = (high - low) / double(histogram.counts.size());
-    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-        bars.x.push_back(low + (double(i) + 0.5) * bars.bar_width);
-        bars.y.push_back(double(histogram.counts[i]) / (total * bars.bar_width));
+/// How many cells are joined into one, so that their width suits the number of trials: 3.49 u N^(-1/3), D. W.
+/// Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
+std::size_t cells_to_join(const Histogram& histogram, double u, double trials) {
+    const auto cells = static_cast<double>(histogram.counts.size());
+    const double width = (histogram.high - histogram.low) / cells;
+    const double wanted = std::max(3.49 * u / std::cbrt(trials), u / cells_per_u);
+    return static_cast<std::size_t>(std::clamp(std::round(wanted / width), 1.0, std::max(1.0, 0.25 * cells)));
+}
+
+double trials_of(const Histogram& histogram) {
+    return static_cast<double>(
+        std::accumulate(histogram.counts.begin(), histogram.counts.end(), histogram.below + histogram.above));
+}
+
+/// Cells as probability density in display units. The cells of an incomplete last group count as one, too.
+PlotSeries bars_of(const PlottedOutput& y) {
+    const MonteCarloOutput& mc = *y.trials();
+    const Histogram& histogram = mc.histogram;
+    const double all = trials_of(histogram);
+    const std::size_t cells = histogram.counts.size();
+    const std::size_t join = cells_to_join(histogram, mc.standard_uncertainty, all);
+    const double step = (histogram.high - histogram.low) / static_cast<double>(cells);
+    PlotSeries bars{"Monte Carlo", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.0};
+    bars.bar_width = y.interval(step * static_cast<double>(join));
+    for (std::size_t first = 0; first < cells; first += join) {
+        std::uint64_t count = 0;
+        for (std::size_t i = first; i < std::min(first + join, cells); ++i) count += histogram.counts[i];
+        const double middle = static_cast<double>(first) + 0.5 * static_cast<double>(join);
+        bars.x.push_back(y.value(histogram.low + step * middle));
+        bars.y.push_back(static_cast<double>(count) / (all * bars.bar_width));
     }
     return bars;
 }
 
-/// The part of the histogram's range that is worth showing.
-CoverageInterval shown_range(const PlotSeries& bars) {
-    const double top = *std::max_element(bars.y.begin(), bars.y.end());
-    std::size_t first = 0, last = bars.x.size() - 1;
-    while (first < last && bars.y[first] < 5e-4 * top) ++first;
-    while (last > first && bars.y[last] < 5e-4 * top) --last;
-    return {bars.x[first] - 1.5 * bars.bar_width, bars.x[last] + 1.5 * bars.bar_width};
+/// The axis leaves out the extreme tails, which would squeeze the rest.
+void set_range(PlotAxis& axis, const PlotSeries& bars, const PlottedOutput& y) {
+    const double half = 0.5 * bars.bar_width;
+    double low = bars.x.back(), high = bars.x.front(), sum = 0.0;
+    for (std::size_t i = 0; i < bars.x.size(); ++i) {
+        const double before = sum;
+        sum += bars.y[i] * bars.bar_width;
+        if (sum > tail_left_out) low = std::min(low, bars.x[i] - half);
+        if (before < 1.0 - tail_left_out && bars.y[i] > 0.0) high = std::max(high, bars.x[i] + half);
+    }
+    const MonteCarloOutput& mc = *y.trials();
+    const double margin = 0.3 * y.interval(mc.standard_uncertainty);
+    axis.low = std::min(low, y.value(mc.symmetric.low)) - margin;
+    axis.high = std::max(high, y.value(mc.symmetric.high)) + margin;
+}
+
+PlotSeries normal_curve(const PlotAxis& axis, double mean, double u) {
+    return curve(axis.low, axis.high, curve_points,
+                 [&](double x) { return normal_density((x - mean) / u) / u; });
+}
+
+void add_normal_curves(PlotSpecification& plot, const PlottedOutput& y) {
+    const MonteCarloOutput& mc = *y.trials();
+    const FirstOrderOutput& first = y.output().first_order;
+    PlotSeries fit = normal_curve(plot.x, y.value(mc.mean), y.interval(mc.standard_uncertainty));
+    fit.name = "normal, same mean and u";
+    fit.role = SeriesRole::fit;
+    plot.series.push_back(std::move(fit));
+    if (!(first.standard_uncertainty > 0.0)) return;
+    PlotSeries other = normal_curve(plot.x, y.value(first.estimate), y.interval(first.standard_uncertainty));
+    other.name = "normal, first order";
+    other.role = SeriesRole::first_order;
+    plot.series.push_back(std::move(other));
+}
+
+void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probability) {
+    const MonteCarloOutput& mc = *y.trials();
+    const double low = y.value(mc.symmetric.low), high = y.value(mc.symmetric.high);
+    const std::string words = report_parts::percent_text(probability) + " coverage interval";
+    plot.bands.push_back({words, low, high, SeriesRole::reference});
+    plot.marks.push_back({y.result_text(mc.symmetric.low), low, false, SeriesRole::reference});
+    plot.marks.push_back({"mean " + y.result_text(mc.mean), y.value(mc.mean), false, SeriesRole::emphasis});
+    plot.marks.push_back({y.result_text(mc.symmetric.high), high, false, SeriesRole::reference});
 }
 
 }  // namespace
 
 PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output) {
-    const PlottedOutput plotted(result, output);
-    const MonteCarloOutput* mc = plotted.trials();
-    const std::string id = plotted.id("histogram");
-    if (!mc) return nothing_to_show(id, "Run Monte Carlo to see the distribution of " + plotted.label());
-    if (!(mc->standard_uncertainty > 0.0) || mc->histogram.counts.empty())
-        return nothing_to_show(id, plotted.label() + " has no uncertainty, so no distribution to show");
-    const FirstOrderOutput& first = plotted.output().first_order;
+    const PlottedOutput y(result, output);
+    const std::string id = y.id("histogram");
+    if (const std::string why = missing_distribution(y, "the distribution"); !why.empty())
+        return nothing_to_show(id, why);
+    const Histogram& histogram = y.trials()->histogram;
+    if (histogram.counts.empty() || !(histogram.high > histogram.low) || trials_of(histogram) == 0.0)
+        return nothing_to_show(id,
+                               "Run Monte Carlo with more trials to see the distribution of " + y.label());
     PlotSpecification plot;
     plot.id = id;
-    plot.title = "Distribution of " + plotted.label();
-    PlotSeries bars = density_bars(mc->histogram, plotted.output().quantity.unit);
-    const CoverageInterval range = shown_range(bars);
-    plot.x = {plotted.with_unit(plotted.symbol()), range.low, range.high, false, {}};
-    plot.y = {plotted.density_title(), 0.0, 0.0, false, {}};
-    plot.series.push_back(std::move(bars));
-    plot.series.push_back(normal_curve("normal, Monte Carlo u", SeriesRole::fit, range,
-                                       plotted.value(mc->mean), plotted.interval(mc->standard_uncertainty)));
-    if (first.standard_uncertainty > 0.0)
-        plot.series.push_back(normal_curve("normal, first order", SeriesRole::first_order, range,
-                                           plotted.value(first.estimate),
-                                           plotted.interval(first.standard_uncertainty)));
-    plot.marks.push_back({"mean", plotted.value(mc->mean), false, SeriesRole::monte_carlo});
-    plot.bands.push_back({format_significant(100.0 * result.coverage_probability, 4) + " % coverage interval",
-                          plotted.value(mc->symmetric.low), plotted.value(mc->symmetric.high),
-                          SeriesRole::monte_carlo});
+    plot.title = "Distribution of " + y.label();
+    plot.x.title = y.with_unit(y.symbol());
+    plot.y.title = y.density_title();
+    plot.series.push_back(bars_of(y));
+    set_range(plot.x, plot.series.front(), y);
+    add_normal_curves(plot, y);
+    add_interval(plot, y, result.coverage_probability);
     return plot;
 }
 
 PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::size_t output) {
-    const PlottedOutput plotted(result, output);
-    const MonteCarloOutput* mc = plotted.trials();
-    const std::string id = plotted.id("quantiles");
-    if (!mc) return nothing_to_show(id, "Run Monte Carlo to see the quantiles of " + plotted.label());
-    if (!(mc->standard_uncertainty > 0.0) || mc->quantiles.empty())
-        return nothing_to_show(id, plotted.label() + " has no uncertainty, so no quantiles to show");
-    PlotSeries points{"Monte Carlo", SeriesKind::points, SeriesRole::data, {}, {}, {}, 0.0};
-    for (std::size_t i = 0; i < mc->quantiles.size(); ++i) {
-        points.x.push_back(normal_quantile((double(i) + 0.5) / double(mc->quantiles.size())));
-        points.y.push_back(plotted.value(mc->quantiles[i]));
-    }
-    const double reach = points.x.back(), mean = plotted.value(mc->mean),
-                 u = plotted.interval(mc->standard_uncertainty);
+    const PlottedOutput y(result, output);
+    const std::string id = y.id("quantiles");
+    if (const std::string why = missing_distribution(y, "the quantiles"); !why.empty())
+        return nothing_to_show(id, why);
+    const MonteCarloOutput& mc = *y.trials();
+    const std::size_t n = mc.quantiles.size();
+    if (n < 3)
+        return nothing_to_show(id, "Run Monte Carlo with more trials to see the quantiles of " + y.label());
     PlotSpecification plot;
     plot.id = id;
-    plot.title = "Normal quantiles of " + plotted.label();
-    plot.x = {"quantile of the standard normal distribution", -3.0, 3.0, false, {}};
-    plot.y = {plotted.with_unit(plotted.symbol()), 0.0, 0.0, false, {}};
-    plot.series.push_back({"normal distribution",
-                           SeriesKind::line,
-                           SeriesRole::fit,
-                           {-reach, reach},
-                           {mean - reach * u, mean + reach * u},
-                           {},
-                           0.0});
-    plot.series.push_back(std::move(points));
+    plot.title = "Normal quantiles of " + y.label();
+    plot.x.title = "quantile of the standard normal distribution";
+    plot.y.title = y.with_unit("quantile of " + y.symbol());
+    PlotSeries points{"Monte Carlo", SeriesKind::points, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
+    for (std::size_t i = 0; i < n; ++i) {
+        points.x.push_back(normal_quantile((static_cast<double>(i) + 0.5) / static_cast<double>(n)));
+        points.y.push_back(y.value(mc.quantiles[i]));
+    }
+    const double reach = 1.04 * points.x.back();
+    const double mean = y.value(mc.mean), u = y.interval(mc.standard_uncertainty);
+    PlotSeries line = curve(-reach, reach, 2, [&](double z) { return mean + z * u; });
+    line.name = "normal, same mean and u";
+    line.role = SeriesRole::fit;
+    plot.series = {std::move(line), std::move(points)};
     return plot;
 }
 

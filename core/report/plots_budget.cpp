@@ -85,7 +85,7 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
     const std::string id = y.id("contributions");
     if (output >= result.budget.rows.size() || result.budget.rows[output].empty())
         return nothing_to_show(id, "No input quantity with an uncertainty influences " + y.label() +
-                                       ": give its inputs components of uncertainty.");
+                                       ": give its inputs components of uncertainty");
     Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2));
     PlotSpecification plot;
     plot.id = id;
@@ -112,7 +112,7 @@ PlotSpecification correlation_plot(const UncertaintyResult& result, const std::s
     const std::string id = "correlation" + (group.empty() ? "" : "-" + report_parts::file_name_part(group));
     const std::vector<std::size_t> outputs = outputs_to_correlate(result, group);
     if (outputs.size() < 2)
-        return nothing_to_show(id, "A single output quantity has nothing to be correlated with.");
+        return nothing_to_show(id, "A single output quantity has nothing to be correlated with");
     const Eigen::MatrixXd correlation = correlation_of(result.covariance);
     PlotSpecification plot;
     plot.id = id;

@@ -13,7 +13,7 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
     const PlottedOutput y(result, output);
     const std::string id = y.id("convergence");
     if (!y.trials() || result.convergence.empty())
-        return nothing_to_show(id, "Run Monte Carlo to see how u(" + y.label() + ") settles.");
+        return nothing_to_show(id, "Run Monte Carlo to see how u of " + y.label() + " settles");
     const MonteCarloOutput& mc = *y.trials();
     PlotSpecification plot;
     plot.id = id;
@@ -45,8 +45,8 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
         low.y.push_back(std::max(0.0, u - 2.0 * error));
         high.y.push_back(u + 2.0 * error);
     }
-    plot.series = {std::move(low), std::move(high), std::move(running)};
-    plot.marks.push_back({"u = " + y.uncertainty_text(mc.standard_uncertainty),
+    plot.series = {std::move(running), std::move(low), std::move(high)};
+    plot.marks.push_back({"final u " + y.uncertainty_text(mc.standard_uncertainty, 3),
                           y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
     return plot;
 }

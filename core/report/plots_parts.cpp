@@ -17,6 +17,12 @@ std::string with_true_minus(std::string text) {
     return text;
 }
 
+/// A space between number and unit, except before the degree sign of plane angle (SI Brochure 5.4.3).
+std::string unit_after_number(const Unit& unit) {
+    if (is_one(unit)) return {};
+    return (unit.text() == "deg" ? "" : "\u00a0") + unit.display();
+}
+
 }  // namespace
 
 PlottedOutput::PlottedOutput(const UncertaintyResult& result, std::size_t output)
@@ -48,14 +54,12 @@ std::string PlottedOutput::density_title() const {
 }
 
 std::string PlottedOutput::result_text(double si) const {
-    const Unit& unit = output_.quantity.unit;
     const std::string number = format_to_match(value(si), interval(output_.standard_uncertainty));
-    return with_true_minus(number) + (is_one(unit) ? "" : "\u00a0" + unit.display());
+    return with_true_minus(number) + unit_after_number(output_.quantity.unit);
 }
 
-std::string PlottedOutput::uncertainty_text(double si) const {
-    const Unit& unit = output_.quantity.unit;
-    return format_significant(interval(si), 2) + (is_one(unit) ? "" : "\u00a0" + unit.display());
+std::string PlottedOutput::uncertainty_text(double si, int digits) const {
+    return format_significant(interval(si), digits) + unit_after_number(output_.quantity.unit);
 }
 
 PlotSpecification nothing_to_show(std::string id, std::string title) {

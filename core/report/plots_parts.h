@@ -20,13 +20,13 @@ public:
     double value(double si) const { return output_.quantity.unit.from_si(si); }
     double interval(double si) const { return output_.quantity.unit.interval_from_si(si); }
 
-    std::string symbol() const;                      ///< "α"
-    std::string label() const;                       ///< "α (pose 7)"
-    std::string id(const std::string& chart) const;  ///< "histogram-alpha-pose-7"
-    std::string with_unit(std::string words) const;  ///< "x (mm)"; without unit for numbers
-    std::string density_title() const;               ///< "probability density (1/mm)"
-    std::string result_text(double si) const;        ///< "1 174.91 mm", rounded to match u
-    std::string uncertainty_text(double si) const;   ///< "0.37 mm", two significant digits
+    std::string symbol() const;                                 ///< "α"
+    std::string label() const;                                  ///< "α (pose 7)"
+    std::string id(const std::string& chart) const;             ///< "histogram-alpha-pose-7"
+    std::string with_unit(std::string words) const;             ///< "x (mm)"; without unit for numbers
+    std::string density_title() const;                          ///< "probability density (1/mm)"
+    std::string result_text(double si) const;                   ///< "1174.91 mm", rounded to match u
+    std::string uncertainty_text(double si, int digits) const;  ///< "0.37 mm"
 
 private:
     const OutputResult& output_;

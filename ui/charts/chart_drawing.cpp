@@ -113,19 +113,15 @@ void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSerie
     }
 }
 
+/// From the top down, each colour over the end of the last: no seams.
 void draw_colour_bar(QPainter& painter, const ChartDrawing& chart) {
     const QRectF& bar = chart.layout.colour_bar;
     if (bar.isEmpty()) return;
-    constexpr int steps = 64;
+    constexpr int steps = 96;
     for (int i = 0; i < steps; ++i) {
         const double part = (i + 0.5) / steps;
-        const QRectF slice(bar.left(), bar.bottom() - (i + 1) * bar.height() / steps, bar.width(),
-                           bar.height() / steps);
-        const QColor colour =
-            cell_colour(chart, chart.plot.z_low + part * (chart.plot.z_high - chart.plot.z_low));
-        painter.setPen(QPen(colour, 0.3));
-        painter.setBrush(colour);
-        painter.drawRect(slice);
+        const double z = chart.plot.z_high + part * (chart.plot.z_low - chart.plot.z_high);
+        painter.fillRect(bar.adjusted(0.0, i * bar.height() / steps, 0.0, 0.0), cell_colour(chart, z));
     }
 }
 
@@ -133,11 +129,13 @@ void draw_axes(QPainter& painter, const ChartDrawing& chart) {
     if (has_heat_map(chart.plot)) return;
     const PlotGeometry& geometry = chart.layout.geometry;
     const QRectF& area = geometry.area;
+    const bool zero_inside =
+        chart.plot.horizontal_bars && geometry.view.x_low < 0.0 && geometry.view.x_high > 0.0;
     const double length = std::round(4.0 * chart.layout.fonts.scale);
     painter.setPen(QPen(chart.theme.neutrals().rule, 1.0));
     const double bottom = sharp(area.bottom()), left = sharp(area.left());
     painter.drawLine(QPointF(left, bottom), QPointF(area.right(), bottom));
-    painter.drawLine(QPointF(left, area.top()), QPointF(left, bottom));
+    if (!zero_inside) painter.drawLine(QPointF(left, area.top()), QPointF(left, bottom));
     for (const Tick& tick : chart.layout.x.ticks) {
         const double x = sharp(geometry.x_at(tick.at));
         painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + length));
@@ -146,7 +144,7 @@ void draw_axes(QPainter& painter, const ChartDrawing& chart) {
         const double y = sharp(geometry.y_at(tick.at));
         painter.drawLine(QPointF(left - length, y), QPointF(left, y));
     }
-    if (chart.plot.horizontal_bars && geometry.view.x_low < 0.0 && geometry.view.x_high > 0.0) {
+    if (zero_inside) {
         const double zero = sharp(geometry.x_at(0.0));
         painter.drawLine(QPointF(zero, area.top()), QPointF(zero, bottom));
     }
@@ -174,6 +172,7 @@ void draw_bar_values(QPainter& painter, const ChartDrawing& chart) {
     const PlotGeometry& geometry = chart.layout.geometry;
     const PlotSeries& bars = chart.plot.series.front();
     const double gap = std::round(6.0 * chart.layout.fonts.scale);
+    const QRectF room = geometry.area.adjusted(0.0, -gap, 2.0 * gap, gap);
     painter.setPen(chart.theme.neutrals().text);
     for (std::size_t i = 0; i < bars.x.size(); ++i) {
         double low = std::min(0.0, bars.x[i]), high = std::max(0.0, bars.x[i]);
@@ -188,7 +187,7 @@ void draw_bar_values(QPainter& painter, const ChartDrawing& chart) {
             bars.x[i] < 0.0 ? geometry.x_at(low) - gap - text.width() : geometry.x_at(high) + gap;
         const QRectF box(left, geometry.y_at(bars.y[i]) - 0.5 * text.height(), text.width(), text.height());
         const double cell = std::abs(geometry.y_at(1.0) - geometry.y_at(0.0));
-        if (cell >= 0.8 * text.height() && geometry.area.contains(box)) text.draw(painter, box.topLeft());
+        if (cell >= 0.8 * text.height() && room.contains(box)) text.draw(painter, box.topLeft());
     }
 }
 

@@ -149,20 +149,22 @@ private:
     /// Lessens the number of ticks until their texts have room.
     Ticks fitting_x_ticks() const {
         const PlotView& view = out_.geometry.view;
-        for (int most = std::max(2, static_cast<int>(out_.geometry.area.width() / (48.0 * unit_))); most >= 1;
-             --most) {
-            Ticks ticks = plot_.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most)
-                                              : linear_ticks(view.x_low, view.x_high, most);
-            const double spacing =
-                out_.geometry.area.width() / std::max<double>(1.0, double(ticks.ticks.size()));
-            if (widest(ticks, out_.fonts.figures) + 14.0 * unit_ <= spacing || most == 1) return ticks;
+        const double width = out_.geometry.area.width();
+        Ticks ticks;
+        for (int most = std::max(4, static_cast<int>(width / (72.0 * unit_))); most >= 1; --most) {
+            ticks = plot_.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most)
+                                        : linear_ticks(view.x_low, view.x_high, most);
+            if (ticks.ticks.size() < 2) break;
+            const double step = ticks.ticks[1].at - ticks.ticks[0].at;
+            const double spacing = width * step / (view.x_high - view.x_low);
+            if (widest(ticks, out_.fonts.figures) + 12.0 * unit_ <= spacing) break;
         }
-        return {};
+        return ticks;
     }
 
     Ticks fitting_y_ticks(double height) const {
         const PlotView& view = out_.geometry.view;
-        const int most = std::max(2, static_cast<int>(height / (34.0 * unit_)));
+        const int most = std::max(height < 60.0 ? 2 : 4, static_cast<int>(height / (46.0 * unit_)));
         return plot_.y.logarithmic ? logarithmic_ticks(view.y_low, view.y_high, most)
                                    : linear_ticks(view.y_low, view.y_high, most);
     }

@@ -8,7 +8,9 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 
+#include "core/report/plots.h"
 #include "ui/charts/plot_chart.h"
+#include "ui/charts/visible_part.h"
 
 namespace covaria::ui {
 namespace {
@@ -33,58 +35,58 @@ QChart* make_chart(const PlotSpecification& plot, const Theme& theme) {
     return new PlotChart(plot, theme);
 }
 
-void paint_plot(QPainter& painter, const QRectF& area, const PlotSpecification& plot, const Theme& theme) {
-    paint_plot(painter, area, plot, theme, whole_view(plot));
-}
-
 void paint_plot(QPainter& painter, const QRectF& area, const PlotSpecification& plot, const Theme& theme,
-                const PlotView& view) {
+                const std::optional<PlotView>& view) {
     const QSizeF size = area.size() / units_of(painter);
+    const bool cuts = painter.paintEngine()->type() != QPaintEngine::SVG;
     QGraphicsScene scene;
-    auto* chart = new PlotChart(plot, theme);
+    auto* chart = new PlotChart(view && !cuts ? visible_part(plot, *view) : plot, theme);
     scene.addItem(chart);
     chart->resize(size);
-    chart->set_view(view);
+    chart->set_view(view.value_or(whole_view(plot)));
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     scene.render(&painter, area, QRectF(QPointF(), size), Qt::IgnoreAspectRatio);
     painter.restore();
 }
 
-QImage plot_image(const PlotSpecification& plot, const Theme& theme, QSize size, double pixel_ratio) {
-    QImage image(size * pixel_ratio, QImage::Format_ARGB32_Premultiplied);
+QImage plot_image(const ShownPlot& shown, double pixel_ratio) {
+    QImage image(shown.size * pixel_ratio, QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(pixel_ratio);
-    image.fill(theme.neutrals().ground);
+    image.fill(shown.theme.neutrals().ground);
     QPainter painter(&image);
-    paint_plot(painter, QRectF(QPointF(), QSizeF(size)), plot, theme);
+    paint_plot(painter, QRectF(QPointF(), QSizeF(shown.size)), shown.plot, shown.theme, shown.view);
     return image;
 }
 
-Result<void> write_svg(const std::string& file, const PlotSpecification& plot, const Theme& theme,
-                       QSize size) {
+Result<void> write_svg(const std::string& file, const ShownPlot& shown) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
-    generator.setSize(size);
-    generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(QString::fromStdString(plot.title));
+    generator.setResolution(96);
+    generator.setSize(shown.size);
+    generator.setViewBox(QRect(QPoint(), shown.size));
+    generator.setTitle(QString::fromStdString(shown.plot.title));
     QPainter painter(&generator);
-    paint_plot(painter, QRectF(QPointF(), QSizeF(size)), plot, theme);
+    paint_plot(painter, QRectF(QPointF(), QSizeF(shown.size)), shown.plot, shown.theme, shown.view);
     painter.end();
     return save(file, bytes);
 }
 
-Result<void> write_png(const std::string& file, const PlotSpecification& plot, const Theme& theme, QSize size,
-                       double pixel_ratio) {
+Result<void> write_png(const std::string& file, const ShownPlot& shown, double pixel_ratio) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    if (!plot_image(plot, theme, size, pixel_ratio).save(&buffer, "PNG"))
-        return fail(ErrorCode::io, "cannot make a picture of " + std::to_string(size.width()) + " x " +
-                                       std::to_string(size.height()) + " for " + file);
+    if (!plot_image(shown, pixel_ratio).save(&buffer, "PNG"))
+        return fail(ErrorCode::io, "cannot make a picture of " + std::to_string(shown.size.width()) + " x " +
+                                       std::to_string(shown.size.height()) + " for " + file);
     return save(file, bytes);
+}
+
+Result<void> write_csv(const std::string& file, const PlotSpecification& plot) {
+    return save(file, QByteArray::fromStdString(plot_csv(plot)));
 }
 
 }  // namespace covaria::ui

@@ -52,7 +52,7 @@ Range x_range(const PlotSpecification& plot) {
     for (const PlotMark& mark : plot.marks)
         if (!mark.horizontal) range.include(on_axis(plot.x, mark.at));
     if (plot.horizontal_bars)
-        stand_on_zero(range, 0.14);
+        stand_on_zero(range, 0.18);
     else
         widen(range, 0.02);
     return range;
