@@ -4,6 +4,7 @@
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <GL/gl.h>
 
 #include <array>
 #include <mutex>
@@ -90,6 +91,13 @@ EglContext::~EglContext() {
 
 bool EglContext::is_current() const {
     return context_ && eglGetCurrentContext() == context_;
+}
+
+int largest_texture() {
+    // VTK's own answer is undefined before its first picture.
+    GLint side = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+    return side > 0 ? side : 4096;
 }
 
 CurrentContext::CurrentContext(const EglContext& context)

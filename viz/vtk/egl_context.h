@@ -24,6 +24,9 @@ private:
     void* context_ = nullptr;
 };
 
+/// Largest width and height of a picture that the current context draws.
+int largest_texture();
+
 /// Makes the context current in this thread, and what was current before again at the end.
 class CurrentContext {
 public:

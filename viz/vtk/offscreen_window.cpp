@@ -2,7 +2,6 @@
 #include "viz/vtk/offscreen_window.h"
 
 #include <vtkCallbackCommand.h>
-#include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -63,8 +62,7 @@ Result<void> OffscreenWindow::open(vtkRenderer* renderer) {
     window_->SetSize(16, 16);
     window_->SetReadyForRendering(true);
     window_->OpenGLInit();
-    const int side = vtkTextureObject::GetMaximumTextureSize(window_);
-    if (side > 0) largest_side_ = side;
+    largest_side_ = largest_texture();
     return {};
 }
 
