@@ -93,7 +93,7 @@ std::vector<PointDeviation> deviations_of(const ErrorBudget& budget, const std::
 DataTable budget_table(const std::vector<ErrorBudget>& budgets, BiasTreatment treatment) {
     const Unit mm = Unit::of("mm");
     DataTable table;
-    table.id = "budget";
+    table.id = "point-budget";
     table.title = "Uncertainty budget of a measured point";
     table.columns = {{.header = "coordinate"},
                      {.header = "u_cal", .unit = mm, .is_symbol = true, .digits = 2},

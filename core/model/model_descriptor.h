@@ -18,7 +18,7 @@ struct ModelEquation {
 };
 
 struct ModelDescriptor {
-    std::string id;  ///< in files: "pose-from-points"
+    std::string id;  ///< in files: lower-case words joined by hyphens
     std::string title;
     std::string summary;
     std::vector<Reference> references;
