@@ -1,0 +1,88 @@
+// CSV: quoting, full precision, units; the tables of a result.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include "core/report/report.h"
+#include "tests/core/report/sample_report.h"
+
+namespace covaria {
+namespace {
+
+TEST(Csv, QuotesCommasQuotesAndLineBreaks) {
+    DataTable table;
+    table.columns = {{"a,b", {}, false, 0}, {"c", {}, false, 0}};
+    table.rows = {{std::string("say \"no\""), std::string("two\nlines")},
+                  {std::string("plain"), TableCell{}}};
+    EXPECT_EQ(to_csv(table), "\"a,b\",c\r\n\"say \"\"no\"\"\",\"two\nlines\"\r\nplain,\r\n");
+}
+
+TEST(Csv, NumbersHaveFullPrecisionInTheUnitOfTheHead) {
+    DataTable table;
+    table.columns = {{"u", Unit::of("mm"), true, 2}};
+    table.rows = {{0.1234567890123e-3}};
+    const std::string csv = to_csv(table);
+    ASSERT_EQ(csv.substr(0, 8), "u (mm)\r\n");
+    EXPECT_NEAR(std::strtod(csv.c_str() + 8, nullptr), 0.1234567890123, 1e-16);
+}
+
+TEST(Csv, QuantitiesOfDifferentUnitsGetAUnitColumn) {
+    DataTable table;
+    table.columns = {{"value", {}, false, 0}};
+    table.rows = {{Quantity{1.5, Unit::of("mm")}}, {Quantity{2.0, Unit::of("deg")}}};
+    EXPECT_EQ(to_csv(table), "value,value unit\r\n1.5,mm\r\n2,deg\r\n");
+}
+
+TEST(Csv, AUnitColumnOfTheTableIsEnough) {
+    DataTable table;
+    table.columns = {{"unit", {}, false, 0}, {"value", {}, false, 0}};
+    table.rows = {{std::string("mm"), Quantity{1.5, Unit::of("mm")}}};
+    EXPECT_EQ(to_csv(table), "unit,value\r\nmm,1.5\r\n");
+}
+
+std::vector<std::string> ids_of(const std::vector<DataTable>& tables) {
+    std::vector<std::string> ids;
+    for (const DataTable& table : tables) ids.push_back(table.id);
+    return ids;
+}
+
+TEST(ResultTables, HoldEverythingOfTheResult) {
+    const UncertaintyResult result = test::sample_result();
+    const std::vector<DataTable> tables = result_tables(test::sample_analysis(result));
+    EXPECT_EQ(ids_of(tables), (std::vector<std::string>{"results", "budget", "covariance", "correlation",
+                                                        "inputs", "regions", "histograms", "convergence"}));
+    EXPECT_EQ(tables[0].rows.size(), 78U);
+    EXPECT_EQ(tables[1].rows.size(), 78U * 18U);
+    EXPECT_EQ(tables[2].rows.size(), 78U);
+    EXPECT_EQ(tables[4].rows.size(), 126U);
+    for (const DataTable& table : tables)
+        for (const auto& row : table.rows) ASSERT_EQ(row.size(), table.columns.size()) << table.id;
+}
+
+TEST(ResultTables, CovarianceIsInTheProductOfUnits) {
+    const UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
+    const std::vector<DataTable> tables = result_tables(test::sample_analysis(result));
+    const DataTable& covariance = tables[2];
+    // row x (mm), column alpha (deg)
+    const double shown = std::get<double>(covariance.rows[0][2 + 3]);
+    EXPECT_NEAR(shown, result.covariance(0, 3) * 1e3 * 180.0 / std::acos(-1.0), 1e-12);
+    EXPECT_EQ(covariance.columns[2 + 3].header, "alpha (pose 1) × deg");
+    EXPECT_EQ(std::get<std::string>(covariance.rows[0][1]), "mm");
+}
+
+TEST(ResultTables, WithoutMonteCarloItsCellsAreEmpty) {
+    const UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
+    const std::vector<DataTable> tables = result_tables(test::sample_analysis(result));
+    EXPECT_EQ(tables.size(), 6U);
+    const auto& columns = tables[0].columns;
+    const auto shortest = std::find_if(columns.begin(), columns.end(),
+                                       [](const TableColumn& c) { return c.header == "shortest low"; });
+    ASSERT_NE(shortest, columns.end());
+    const auto index = static_cast<std::size_t>(shortest - columns.begin());
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(tables[0].rows[0][index]));
+}
+
+}  // namespace
+}  // namespace covaria

@@ -1,0 +1,106 @@
+// Rounding rules: U to two digits, the value to match, and the cases where rounding goes wrong.
+#include "core/report/number_format.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace covaria {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+TEST(FormatSignificant, KeepsTheDigitsAskedFor) {
+    EXPECT_EQ(format_significant(0.0664, 2), "0.066");
+    EXPECT_EQ(format_significant(1234.5, 2), "1200");
+    EXPECT_EQ(format_significant(1234.5, 5), "1234.5");
+    EXPECT_EQ(format_significant(0.5, 2), "0.50");
+    EXPECT_EQ(format_significant(-0.0664, 2), "-0.066");
+}
+
+TEST(FormatSignificant, RoundingUpToTheNextDecadeKeepsTheDigits) {
+    EXPECT_EQ(format_significant(0.0996, 2), "0.10");
+    EXPECT_EQ(format_significant(9.96, 2), "10");
+    EXPECT_EQ(format_significant(99.6, 2), "100");
+    EXPECT_EQ(format_significant(0.00099951, 3), "0.00100");
+}
+
+TEST(FormatSignificant, UsesAnExponentOnlyFarFromOne) {
+    EXPECT_EQ(format_significant(0.0001, 2), "0.00010");
+    EXPECT_EQ(format_significant(0.0000999, 2), "1.0e-04");
+    EXPECT_EQ(format_significant(9999999.0, 7), "9999999");
+    EXPECT_EQ(format_significant(1.5e7, 2), "1.5e+07");
+}
+
+TEST(FormatSignificant, ZeroAndWhatIsNotFinite) {
+    EXPECT_EQ(format_significant(0.0, 2), "0");
+    EXPECT_EQ(format_significant(inf, 2), "∞");
+    EXPECT_EQ(format_significant(-inf, 2), "-∞");
+    EXPECT_EQ(format_significant(std::nan(""), 2), "–");
+}
+
+TEST(FormatDecimals, NegativeDecimalsRoundBeforeThePoint) {
+    EXPECT_EQ(format_decimals(1234.0, -2), "1200");
+    EXPECT_EQ(format_decimals(1251.0, -2), "1300");
+    EXPECT_EQ(format_decimals(49.0, -2), "0");
+    EXPECT_EQ(format_decimals(-51.0, -2), "-100");
+}
+
+TEST(FormatDecimals, NeverShowsAMinusBeforeZero) {
+    EXPECT_EQ(format_decimals(-0.0004, 2), "0.00");
+    EXPECT_EQ(format_decimals(-49.0, -2), "0");
+    EXPECT_EQ(format_decimals(-0.006, 2), "-0.01");
+}
+
+TEST(DecimalsFor, FollowsTheRoundedUncertainty) {
+    EXPECT_EQ(decimals_for(0.734), 2);
+    EXPECT_EQ(decimals_for(0.0996), 2);  // rounds to 0.10
+    EXPECT_EQ(decimals_for(0.0994), 3);
+    EXPECT_EQ(decimals_for(12.0), 0);
+    EXPECT_EQ(decimals_for(1234.0), -2);
+    EXPECT_EQ(decimals_for(0.734, 1), 1);
+}
+
+TEST(FormatToMatch, ValueHasTheDecimalsOfItsUncertainty) {
+    EXPECT_EQ(format_to_match(1174.9091, 0.3016), "1174.91");
+    EXPECT_EQ(format_to_match(-120.0, 0.75), "-120.00");
+    EXPECT_EQ(format_to_match(1174.9091, 1234.0), "1200");
+    EXPECT_EQ(format_to_match(1174.9091, 0.0996), "1174.91");
+}
+
+TEST(FormatToMatch, ZeroOrInfiniteUncertaintyLeavesTheValueAsItIs) {
+    EXPECT_EQ(format_to_match(688.0, 0.0), "688");
+    EXPECT_EQ(format_to_match(0.066, 0.0), "0.066");
+    EXPECT_EQ(format_to_match(688.25, inf), "688.25");
+    EXPECT_EQ(format_to_match(0.0, 0.0), "0");
+}
+
+TEST(FormatToMatch, TinyUncertaintiesAreShownWithAnExponent) {
+    EXPECT_EQ(format_to_match(1.2347e-5, 1.2e-7), "1.235e-05");
+    EXPECT_EQ(format_to_match(0.0, 1.2e-7), "0");
+}
+
+TEST(FormatCell, ConvertsToTheColumnsUnitAndShowsForeignUnits) {
+    const TableColumn micrometres{"u", Unit::of("um"), false, 2};
+    EXPECT_EQ(format_cell(TableCell(66.4e-6), micrometres), "66");
+    EXPECT_EQ(format_cell(TableCell(Quantity{0.0664, Unit::of("mm")}), micrometres), "0.066\u00a0mm");
+    EXPECT_EQ(format_cell(TableCell(Quantity{66.4, Unit::of("um")}), micrometres), "66");
+    EXPECT_EQ(format_cell(TableCell(std::string("a | b")), micrometres), "a | b");
+    EXPECT_EQ(format_cell(TableCell{}, micrometres), "");
+    EXPECT_EQ(format_cell(TableCell(688.0), TableColumn{}), "688");
+}
+
+TEST(FormatExact, ReadsBackToTheSameNumber) {
+    for (const double value :
+         {0.1, 1.0 / 3.0, 1174.9091234567891, 5e-324, -0.0, 1e300, 123456789012345680.0}) {
+        const double back = std::strtod(format_exact(value).c_str(), nullptr);
+        EXPECT_EQ(back, value) << format_exact(value);
+    }
+    EXPECT_EQ(format_exact(0.1), "0.1");
+    EXPECT_EQ(format_exact(inf), "inf");
+}
+
+}  // namespace
+}  // namespace covaria

@@ -1,0 +1,239 @@
+// The report document: all sections in order, readable with many groups, and its Markdown and HTML.
+#include "core/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/base/symbol.h"
+#include "core/report/table_text.h"
+#include "tests/core/report/sample_report.h"
+
+namespace covaria {
+namespace {
+
+std::vector<std::string> headings_of(const ReportDocument& document) {
+    std::vector<std::string> headings;
+    for (const ReportBlock& block : document.blocks)
+        if (const auto* heading = std::get_if<HeadingBlock>(&block); heading && heading->level <= 2)
+            headings.push_back(heading->text);
+    return headings;
+}
+
+std::vector<const TableBlock*> tables_of(const ReportDocument& document) {
+    std::vector<const TableBlock*> tables;
+    for (const ReportBlock& block : document.blocks)
+        if (const auto* table = std::get_if<TableBlock>(&block)) tables.push_back(table);
+    return tables;
+}
+
+const TableBlock* table_with_id(const ReportDocument& document, const std::string& id) {
+    for (const TableBlock* table : tables_of(document))
+        if (table->table.id == id) return table;
+    return nullptr;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Report, HasAllSectionsInOrder) {
+    const std::vector<std::string> expected = {"1\u2002Measurement model",
+                                               "1.1\u2002Pose from points <sample>",
+                                               "2\u2002Pose of the platform",
+                                               "2.1\u2002Set-up",
+                                               "2.2\u2002Input quantities",
+                                               "2.3\u2002Uncertainty budgets",
+                                               "2.4\u2002Results",
+                                               "2.5\u2002Law of propagation beside Monte Carlo",
+                                               "2.6\u2002Joint coverage regions",
+                                               "2.7\u2002Distributions",
+                                               "2.8\u2002Set-up in space",
+                                               "2.9\u2002Correlation",
+                                               "3\u2002Notes",
+                                               "3.1\u2002On the measurement model",
+                                               "4\u2002Provenance"};
+    EXPECT_EQ(headings_of(test::sample_report()), expected);
+}
+
+TEST(Report, BeginsWithTheFactsAndTheMatrixOfExpandedUncertainties) {
+    const ReportDocument document = test::sample_report();
+    ASSERT_TRUE(std::holds_alternative<FactsBlock>(document.blocks[0]));
+    const TableBlock* summary = table_with_id(document, "summary-typed");
+    ASSERT_NE(summary, nullptr);
+    EXPECT_EQ(summary->table.columns.size(), 2U + 13U);
+    ASSERT_EQ(summary->table.rows.size(), 6U);
+    EXPECT_EQ(cell_text(*summary, 0, 2), "0.74");
+    EXPECT_EQ(cell_text(*summary, 3, 2), "0.10");
+    EXPECT_EQ(cell_text(*summary, 3, 1), "°");
+}
+
+TEST(Report, ManyGroupsBecomeRowsOfTheMatrix) {
+    const ReportDocument document = test::sample_report({20, 3, 3, true, "pose"});
+    const TableBlock* summary = table_with_id(document, "summary-typed");
+    ASSERT_NE(summary, nullptr);
+    EXPECT_EQ(summary->table.rows.size(), 20U);
+    EXPECT_EQ(head_text(summary->table.columns[1]), "U(x) (mm)");
+    EXPECT_EQ(cell_text(*summary, 0, 1), "0.74");
+}
+
+TEST(Report, ValuesMatchTheirExpandedUncertainty) {
+    const ReportDocument document = test::sample_report();
+    const TableBlock* results = table_with_id(document, "results-typed");
+    ASSERT_NE(results, nullptr);
+    ASSERT_TRUE(is_subhead(*results, 0));
+    EXPECT_EQ(cell_text(*results, 1, 2), "-119.00");  // U = 0.74 mm
+    EXPECT_EQ(cell_text(*results, 1, 4), "∞");
+    EXPECT_EQ(cell_text(*results, 1, 5), "2.00");
+    EXPECT_EQ(cell_text(*results, 4, 2), "5.00");  // U = 0.10 deg
+}
+
+TEST(Report, BudgetsAreShownInFullForTheGroupWithTheLargestUncertainties) {
+    const ReportDocument document = test::sample_report();
+    int budgets = 0;
+    for (const TableBlock* table : tables_of(document))
+        if (table->table.id.rfind("budget-", 0) == 0) {
+            ++budgets;
+            EXPECT_TRUE(table->table.id.ends_with("pose-4")) << table->table.id;
+            EXPECT_EQ(table->table.rows.size(), 18U + 1U);
+        }
+    EXPECT_EQ(budgets, 6);
+}
+
+TEST(Report, TwoGroupsAreBothShownInFull) {
+    const ReportDocument document = test::sample_report({2, 3, 3, true, "pose"});
+    EXPECT_NE(table_with_id(document, "budget-typed-x-pose-1"), nullptr);
+    EXPECT_NE(table_with_id(document, "budget-typed-x-pose-2"), nullptr);
+}
+
+TEST(Report, InputsWithEqualComponentsShareARow) {
+    const ReportDocument long_report = test::sample_report();
+    const TableBlock* many = table_with_id(long_report, "inputs-typed");
+    ASSERT_NE(many, nullptr);
+    ASSERT_EQ(many->table.rows.size(), 2U);
+    EXPECT_EQ(cell_text(*many, 1, 0), "p_1_1x, p_1_1y … p_13_3z (117)");
+    EXPECT_EQ(cell_text(*many, 1, 4), "0.24");
+    const ReportDocument short_report = test::sample_report({1, 3, 3, true, "pose"});
+    const TableBlock* few = table_with_id(short_report, "inputs-typed");
+    ASSERT_NE(few, nullptr);
+    EXPECT_EQ(few->table.rows.size(), 18U);
+    EXPECT_EQ(cell_text(*few, 0, 2), "344.000");
+}
+
+TEST(Report, SetupLeavesOutEmptyColumns) {
+    const ReportDocument document = test::sample_report();
+    const TableBlock* points = table_with_id(document, "setup-points");
+    ASSERT_NE(points, nullptr);
+    ASSERT_EQ(points->table.columns.size(), 3U);
+    EXPECT_EQ(head_text(points->table.columns[2]), "uₓ (mm)");
+    EXPECT_EQ(cell_text(*points, 0, 1), "-344");
+    EXPECT_EQ(cell_text(*points, 0, 2), "0.066");
+}
+
+TEST(Report, RequirementsAreJudged) {
+    const ReportDocument document = test::sample_report();
+    const TableBlock* verdicts = table_with_id(document, "requirements-typed");
+    ASSERT_NE(verdicts, nullptr);
+    ASSERT_EQ(verdicts->table.rows.size(), 2U);
+    EXPECT_EQ(cell_text(*verdicts, 0, 5), "not met");
+    EXPECT_EQ(cell_text(*verdicts, 1, 4), "0.5");
+    EXPECT_EQ(cell_text(*verdicts, 1, 5), "met");
+}
+
+TEST(Report, SaysWhatWentWrongInTheRun) {
+    UncertaintyResult result = test::sample_result();
+    result.failed_trials = 12;
+    result.adaptive = true;
+    result.stabilised = false;
+    result.warnings = {"beta is close to 90°: gimbal lock"};
+    const std::string text =
+        to_markdown(build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)}));
+    EXPECT_TRUE(contains(text, "12 of 1\u00a0000\u00a0012 trials had no value"));
+    EXPECT_TRUE(contains(text, "not stabilised"));
+    EXPECT_TRUE(contains(text, "gimbal lock"));
+}
+
+TEST(Report, FigureNamesAreUniqueAndCarryTheAnalysis) {
+    const ReportDocument document = test::sample_report();
+    std::set<std::string> ids;
+    std::size_t figures = 0;
+    for (const ReportBlock& block : document.blocks) {
+        const auto* plot = std::get_if<PlotBlock>(&block);
+        const auto* scene = std::get_if<SceneBlock>(&block);
+        if (!plot && !scene) continue;
+        ++figures;
+        const std::string id = plot ? plot->plot.id : scene->id;
+        ids.insert(id);
+        EXPECT_EQ(id.rfind("typed-", 0), 0U) << id;
+        EXPECT_EQ(
+            (plot ? plot->caption : scene->caption).rfind("Figure " + std::to_string(figures) + ". ", 0), 0U);
+    }
+    EXPECT_EQ(figures, 6U + 2U + 1U);
+    EXPECT_EQ(ids.size(), figures);
+}
+
+TEST(Report, ZeroUncertaintyMakesNoNonsense) {
+    UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
+    for (OutputResult& output : result.outputs) {
+        output.standard_uncertainty = output.expanded_uncertainty = 0.0;
+        output.first_order.standard_uncertainty = 0.0;
+    }
+    result.covariance.setZero();
+    for (auto& rows : result.budget.rows) rows.clear();
+    const std::string text =
+        to_markdown(build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)}));
+    EXPECT_FALSE(contains(text, "| nan"));
+    EXPECT_FALSE(contains(text, "–"));
+    EXPECT_TRUE(contains(text, "-119"));
+}
+
+/// Every cell of every table, as the writer shows it.
+void expect_every_cell(const ReportDocument& document, const std::string& text, bool html) {
+    for (const TableBlock* table : tables_of(document))
+        for (std::size_t r = 0; r < table->table.rows.size(); ++r)
+            for (std::size_t c = 0; c < table->table.rows[r].size(); ++c) {
+                if (!shown_number(table->table.rows[r][c], table->table.columns[c])) continue;
+                const std::string shown = html ? cell_html(*table, r, c) : cell_text(*table, r, c);
+                ASSERT_TRUE(contains(text, shown)) << table->table.title << ": " << shown;
+            }
+}
+
+TEST(Markdown, ContainsEveryNumberAndEscapes) {
+    const ReportDocument document = test::sample_report();
+    const std::string text = to_markdown(document);
+    expect_every_cell(document, text, false);
+    EXPECT_TRUE(contains(text, "# Stewart platform &lt;test &amp; trial&gt;"));
+    EXPECT_TRUE(contains(text, "Mode \\| a priori or not"));
+    EXPECT_TRUE(contains(text, "![Figure 1. "));
+    EXPECT_TRUE(contains(text, "(typed-scene-pose-4.png)"));
+}
+
+TEST(Html, ContainsEveryNumberAndEscapes) {
+    const ReportDocument document = test::sample_report();
+    const std::string text = to_html(document);
+    expect_every_cell(document, text, true);
+    EXPECT_TRUE(contains(text, "<h1>Stewart platform &lt;test &amp; trial&gt;</h1>"));
+    EXPECT_TRUE(contains(text, "−119.00"));  // a true minus sign
+    EXPECT_TRUE(contains(text, "<img src=\"typed-scene-pose-4.png\""));
+    EXPECT_TRUE(contains(text, "<sub>eff</sub>"));
+    EXPECT_FALSE(contains(text, "<test"));
+}
+
+TEST(TableText, SymbolsInListsAreSetOneByOne) {
+    EXPECT_EQ(symbols_to_unicode("b_1, b_2 … b_9 (9)"), "b₁, b₂ … b₉ (9)");
+    EXPECT_TRUE(looks_like_symbol("u_x"));
+    EXPECT_TRUE(looks_like_symbol("alpha"));
+    EXPECT_TRUE(looks_like_symbol("x"));
+    EXPECT_FALSE(looks_like_symbol("point"));
+    EXPECT_FALSE(looks_like_symbol("side length"));
+}
+
+TEST(TableText, RunningTextSetsSubscriptedLettersOnly) {
+    EXPECT_EQ(text_to_html("u_by in my_file & a"), symbol_to_html("u_by") + " in my_file &amp; a");
+    EXPECT_EQ(
+        equation_to_html("y = atan2(r_32, alpha)"),
+        symbol_to_html("y") + " = atan2(" + symbol_to_html("r_32") + ", " + symbol_to_html("alpha") + ")");
+}
+
+}  // namespace
+}  // namespace covaria
