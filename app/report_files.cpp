@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 
 #include "ui/charts/chart_painter.h"
@@ -15,6 +16,7 @@ namespace {
 /// Charts and fonts need an application object, but no display.
 std::unique_ptr<QApplication> headless_application() {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    setenv("XDG_RUNTIME_DIR", std::filesystem::temp_directory_path().c_str(), 0);  // else Qt complains on the terminal
     static int argc = 1;
     static char name[] = "covaria";
     static char* argv[] = {name, nullptr};

@@ -18,16 +18,11 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
       runner_(runner),
       selection_(selection),
       model_(document, runner) {
-    setModel(&model_);
     setAccessibleName(tr("Project"));
     setFrameShape(QFrame::NoFrame);
     setHeaderHidden(true);
     setUniformRowHeights(true);
     setEditTriggers(QAbstractItemView::EditKeyPressed);
-    header()->setStretchLastSection(false);
-    header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-    expandAll();
     duplicate_action = new QAction(tr("D&uplicate"), this);
     duplicate_action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_D));
     rename_action = new QAction(tr("Re&name"), this);
@@ -38,6 +33,11 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }
+    setModel(&model_);  // tells of the current entry at once, so the actions must be there
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    expandAll();
     connect(duplicate_action, &QAction::triggered, this, &ProjectPane::duplicate_selected);
     connect(rename_action, &QAction::triggered, this, [this] { edit(currentIndex().siblingAtColumn(0)); });
     connect(delete_action, &QAction::triggered, this, &ProjectPane::delete_selected);
