@@ -18,10 +18,10 @@ Overlay::Overlay(const Scene& scene, const OverlayView& view, Image& image, Text
     : scene_(scene), view_(view), canvas_(image), masks_(masks) {}
 
 void Overlay::paint() {
-    paint_heading();
     paint_caption();
     if (view_.layers[Layer::axes]) paint_scale_bar();
     if (view_.layers[Layer::axes]) paint_axes();
+    paint_heading();
     paint_selection();
     if (view_.layers[Layer::frames] && view_.layers[Layer::labels]) paint_triad_letters();
     if (view_.layers[Layer::labels]) paint_labels();
@@ -54,18 +54,24 @@ void Overlay::paint_heading() {
 }
 
 void Overlay::paint_legend(double y) {
-    const double x = px(margin), indent = px(24);
-    double widest = 0.0;
-    for (const LegendLine& line : scene_.legend)
-        widest = std::max(widest, indent + mask_of({line.text, Role::quiet_text, false, 0.92}).letters.width);
+    const double x = px(margin), indent = px(24), gap = px(3);
+    const auto word_of = [](const LegendLine& line) {
+        return Word{line.text, Role::quiet_text, false, 0.92};
+    };
+    double widest = 0.0, height = 0.0;
+    for (const LegendLine& line : scene_.legend) {
+        widest = std::max(widest, indent + mask_of(word_of(line)).letters.width);
+        height += mask_of(word_of(line)).letters.height + gap;
+    }
     // A small picture has no room beside the scene; the caption says what matters most.
     if (widest > 0.3 * canvas_.size().width) return;
+    // Where the scene reaches under the legend, it steps back.
+    canvas_.rectangle({x - gap, y - gap, widest + 3 * gap, height + gap}, ground_top(view_.palette), 0.8);
     for (const LegendLine& line : scene_.legend) {
-        const Word word{line.text, Role::quiet_text, false, 0.92};
-        const TextMask& mask = mask_of(word);
-        put(word, x + indent, y);
+        const TextMask& mask = mask_of(word_of(line));
+        put(word_of(line), x + (line.mark == LegendMark::none ? 0.0 : indent), y);
         paint_legend_mark(line, x, y + mask.letters.height / 2.0);
-        y += mask.letters.height + px(3);
+        y += mask.letters.height + gap;
     }
 }
 
