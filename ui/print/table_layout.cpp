@@ -80,9 +80,11 @@ private:
         return cell;
     }
 
-    ColumnWish wish_of(std::size_t c) const {
+    /// `whole_heads`: heads on one line; else they may wrap.
+    ColumnWish wish_of(std::size_t c, bool whole_heads) const {
         const Column& column = columns_[c];
-        const double head = std::max(heads_[c].narrowest_width(), 0.34 * heads_[c].natural_width());
+        const double whole = heads_[c].natural_width();
+        const double head = whole_heads ? whole : std::max(heads_[c].narrowest_width(), 0.34 * whole);
         if (column.numeric) {
             const double numbers = std::max(head, column.before_point + column.after_point);
             return {numbers, numbers, true};
@@ -97,11 +99,17 @@ private:
     }
 
     void place_columns() {
-        std::vector<ColumnWish> wishes;
-        for (std::size_t c = 0; c < count(); ++c) wishes.push_back(wish_of(c));
         double wanted = 0.0;
-        for (const ColumnWish& wish : wishes) wanted += wish.natural;
+        const auto wish_all = [&](bool whole_heads) {
+            std::vector<ColumnWish> wishes;
+            wanted = 0.0;
+            for (std::size_t c = 0; c < count(); ++c) wishes.push_back(wish_of(c, whole_heads));
+            for (const ColumnWish& wish : wishes) wanted += wish.natural;
+            return wishes;
+        };
         const double gaps = std::max(1.0, static_cast<double>(count() - 1));
+        std::vector<ColumnWish> wishes = wish_all(true);
+        if (wanted + gaps * style_.mm(3.2) > available_) wishes = wish_all(false);
         gap_ = std::clamp((available_ - wanted) / gaps, style_.mm(2.2), style_.mm(7.5));
         const std::vector<double> widths =
             share_width(wishes, available_ - gap_ * static_cast<double>(count() - 1));

@@ -1,0 +1,156 @@
+// The PDF read back as text: title, numbers, page numbers, repeated heads of long tables, both paper sizes.
+#include "ui/print/pdf_report.h"
+
+#include <gtest/gtest.h>
+
+#include <QGuiApplication>
+#include <QPainter>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <sstream>
+
+#include "core/report/table_text.h"
+#include "tests/core/report/sample_report.h"
+
+namespace covaria::ui {
+namespace {
+
+class PdfReport : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        static int count = 1;
+        static char name[] = "test_ui_print";
+        static char* arguments[] = {name, nullptr};
+        if (!QGuiApplication::instance()) new QGuiApplication(count, arguments);
+    }
+
+    static PdfOptions options(PaperSize paper = PaperSize::a4) {
+        PdfOptions made;
+        made.paper = paper;
+        made.paint_plot = [](QPainter& painter, const QRectF& rect, const PlotSpecification& plot) {
+            painter.drawRect(rect);
+            painter.drawText(rect, Qt::AlignCenter, QString::fromStdString(plot.id));
+        };
+        made.render_scene = [](const SceneBlock&, QSize size) {
+            QImage image(size, QImage::Format_RGB32);
+            image.fill(Qt::lightGray);
+            return image;
+        };
+        return made;
+    }
+
+    /// What a tool of poppler-utils prints; a missing tool is a failure.
+    std::string output_of(const QString& tool, QStringList arguments, const ReportDocument& document,
+                          const PdfOptions& chosen) {
+        const std::string file = folder_.filePath("report.pdf").toStdString();
+        const auto written = write_pdf(document, chosen, file);
+        EXPECT_TRUE(written) << written.error().message;
+        QProcess process;
+        arguments.replaceInStrings("FILE", QString::fromStdString(file));
+        process.start(tool, arguments);
+        EXPECT_TRUE(process.waitForStarted())
+            << tool.toStdString() << " (package poppler-utils) is not installed";
+        EXPECT_TRUE(process.waitForFinished(60'000));
+        EXPECT_EQ(process.exitCode(), 0);
+        return process.readAllStandardOutput().toStdString();
+    }
+
+    std::string text_of(const ReportDocument& document, const PdfOptions& chosen) {
+        return output_of("pdftotext", {"-layout", "FILE", "-"}, document, chosen);
+    }
+
+    QTemporaryDir folder_;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::vector<std::string> pages_of(const std::string& text) {
+    std::vector<std::string> pages;
+    std::istringstream stream(text);
+    for (std::string page; std::getline(stream, page, '\f');) pages.push_back(page);
+    return pages;
+}
+
+TEST_F(PdfReport, TitleTextAndNumbersReadBack) {
+    const ReportDocument document = test::sample_report();
+    const std::string text = text_of(document, options());
+    for (const char* part : {"Stewart platform <test & trial>", "Table 1. Expanded uncertainty U", "−119.00",
+                             "Author, Eq. 5, corrected", "18446744073709551615", "0123456789abcdef",
+                             "1.1 Pose from points", "(2020), Eqs 1-6", "Figure 1. ", "normal within 1 %"})
+        EXPECT_TRUE(contains(text, part)) << part;
+}
+
+TEST_F(PdfReport, EveryNumberOfEveryTableIsPrinted) {
+    const ReportDocument document = test::sample_report({1, 3, 3, true, "pose"});
+    const std::string text = text_of(document, options());
+    for (const ReportBlock& block : document.blocks) {
+        const auto* table = std::get_if<TableBlock>(&block);
+        if (!table) continue;
+        for (std::size_t r = 0; r < table->table.rows.size(); ++r)
+            for (std::size_t c = 0; c < table->table.rows[r].size(); ++c)
+                if (shown_number(table->table.rows[r][c], table->table.columns[c])) {
+                    ASSERT_TRUE(contains(text, cell_html(*table, r, c)))
+                        << table->table.title << " row " << r;
+                }
+    }
+}
+
+TEST_F(PdfReport, EveryPageSaysWhichOfHowManyItIs) {
+    const std::vector<std::string> pages = pages_of(text_of(test::sample_report(), options()));
+    ASSERT_GT(pages.size(), 5U);
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        const std::string words = "Page " + std::to_string(i + 1) + " of " + std::to_string(pages.size());
+        EXPECT_TRUE(contains(pages[i], words)) << words;
+        EXPECT_TRUE(contains(pages[i], "Stewart platform")) << "running head of page " << i + 1;
+    }
+}
+
+TEST_F(PdfReport, LongTablesRepeatTheirHeadsOnEveryPage) {
+    ReportDocument document;
+    document.title = document.running_head = "Long table";
+    TableBlock block;
+    block.table.title = "Table 1. Many rows";
+    block.table.columns = {{"Name of the row", {}, false, 0}, {"Value", {}, false, 3}};
+    for (int i = 0; i < 200; ++i) block.table.rows.push_back({"row " + std::to_string(i), 0.001 * i});
+    document.blocks = {block};
+    const std::vector<std::string> pages = pages_of(text_of(document, options()));
+    ASSERT_GE(pages.size(), 3U);
+    for (const std::string& page : pages) EXPECT_TRUE(contains(page, "Name of the row"));
+    EXPECT_TRUE(contains(pages.front(), "Table 1. Many rows"));
+    EXPECT_FALSE(contains(pages[1], "Table 1. Many rows"));
+    EXPECT_TRUE(contains(pages.back(), "row 199"));
+}
+
+TEST_F(PdfReport, BothPaperSizes) {
+    ReportDocument document;
+    document.title = "Paper";
+    EXPECT_TRUE(contains(output_of("pdfinfo", {"FILE"}, document, options(PaperSize::a4)), "A4"));
+    EXPECT_TRUE(contains(output_of("pdfinfo", {"FILE"}, document, options(PaperSize::letter)), "612 x 792"));
+}
+
+TEST_F(PdfReport, PictureThatCouldNotBeDrawnIsAdmitted) {
+    PdfOptions chosen = options();
+    chosen.render_scene = [](const SceneBlock&, QSize) { return QImage(); };
+    ReportDocument document;
+    document.title = "No picture";
+    document.blocks = {SceneBlock{"scene", "typed", "pose 1", "iso", "Figure 1. The platform."}};
+    EXPECT_TRUE(contains(text_of(document, chosen), "The picture could not be drawn."));
+}
+
+TEST_F(PdfReport, MissingPaintersAndUnwritableFoldersAreErrors) {
+    ReportDocument document;
+    document.blocks = {PlotBlock{}};
+    const auto without = pdf_bytes(document, PdfOptions{});
+    ASSERT_FALSE(without);
+    EXPECT_EQ(without.error().code, ErrorCode::usage);
+    const auto written = write_pdf(ReportDocument{}, options(), "/nonexistent/folder/report.pdf");
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().code, ErrorCode::io);
+}
+
+}  // namespace
+}  // namespace covaria::ui
