@@ -2,6 +2,7 @@
 #include "ui/document/autosave.h"
 
 #include <QDir>
+#include <QFile>
 #include <QMetaObject>
 
 #include "ui/document/strings.h"
@@ -61,9 +62,9 @@ void Autosave::flush() {
 
 void Autosave::discard() {
     timer_.stop();
-    pool_.start([name = recovery_file_] { RecoveryStore::remove(name); });
+    pool_.start([name = recovery_file_] { QFile::remove(name); });
     pool_.waitForDone();
-    lock_.reset();
+    lock_.reset();  // removes its own file
 }
 
 }  // namespace covaria::ui

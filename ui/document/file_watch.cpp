@@ -10,6 +10,7 @@ namespace covaria::ui {
 namespace {
 
 QByteArray content_hash(const QString& name) {
+    if (name.isEmpty()) return {};
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly)) return {};
     QCryptographicHash hash(QCryptographicHash::Sha1);

@@ -3,9 +3,7 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "ui/document/strings.h"
 
@@ -15,20 +13,6 @@ namespace {
 
 QString tr(const char* text) {
     return QCoreApplication::translate("covaria::ui::Quantity", text);
-}
-
-/// Signs that other programs and our own display use, in the plain writing of files.
-QString plain_unit(QString text) {
-    static const std::array<std::pair<QString, QString>, 8> replacements{{{QStringLiteral("°C"), "degC"},
-                                                                          {QStringLiteral("°"), "deg"},
-                                                                          {QStringLiteral("·"), "*"},
-                                                                          {QStringLiteral("⋅"), "*"},
-                                                                          {QStringLiteral("²"), "^2"},
-                                                                          {QStringLiteral("³"), "^3"},
-                                                                          {QStringLiteral("μ"), "u"},
-                                                                          {QStringLiteral("µ"), "u"}}};
-    for (const auto& [from, to] : replacements) text.replace(from, to);
-    return text.trimmed();
 }
 
 QString plain_number(QString text) {
@@ -49,7 +33,7 @@ std::optional<double> parse_number(const QString& text, const QLocale& locale) {
 }
 
 Result<Unit> parse_unit(const QString& text) {
-    return Unit::parse(to_std(plain_unit(text)));
+    return Unit::parse(to_std(text.trimmed()));
 }
 
 Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& unit, const QLocale& locale) {

@@ -27,30 +27,33 @@ const DistributionKindInfo* find_kind(std::string_view key) {
 /// A distribution of the kind with parameters that are always possible.
 Result<Distribution> any_of_kind(const DistributionKindInfo& kind) {
     static const std::map<std::string_view, double> usual{
-        {"mean", 1.0},  {"low", -1.0},  {"high", 1.0},     {"beta", 0.5},  {"inexactness", 0.1},
-        {"shape", 2.0}, {"alpha", 2.0}, {"log_mean", 0.0}, {"scale", 1.0}, {"degrees_of_freedom", 10.0}};
-    if (kind.parameters.empty()) {
-        const std::vector<double> list{-1.0, 1.0, 0.5, 0.5};
-        return distribution_from(kind.key, list);
-    }
+        {"low", -1.0},  {"beta", 0.5},     {"inexactness", 0.1},        {"shape", 2.0},
+        {"alpha", 2.0}, {"log_mean", 0.0}, {"degrees_of_freedom", 10.0}};
+    if (kind.parameters.empty()) return distribution_from(kind.key, std::vector<double>{-1.0, 1.0, 0.5, 0.5});
     std::vector<double> parameters;
     for (const DistributionParameterInfo& info : kind.parameters) {
-        std::string key(info.key);
-        std::replace(key.begin(), key.end(), '-', '_');
-        const auto found = usual.find(key);
-        parameters.push_back(found == usual.end() ? 1.0 : found->second);
+        const auto found = usual.find(info.key);
+        const bool is_location = info.key == "mean" && !info.is_interval;
+        parameters.push_back(is_location ? 0.0 : found == usual.end() ? 1.0 : found->second);
     }
     return distribution_from(kind.key, parameters);
 }
 
-/// Of the same kind with the wanted mean and u, where the kind allows.
+/// Whether kind and parameters say all about the distribution (not of one shifted beyond its kind).
+bool is_plain(const Distribution& distribution) {
+    const auto again = distribution_from(distribution.kind(), distribution_parameters(distribution));
+    return again &&
+           std::abs(again->mean() - distribution.mean()) <= 1e-9 * distribution.standard_uncertainty();
+}
+
+/// Of the same kind with the wanted u, and with the wanted mean where the kind allows.
 Distribution fitted(const Distribution& distribution, double mean, double u) {
     const double own = distribution.standard_uncertainty();
     if (!(u > 0.0) || !std::isfinite(own) || !(own > 0.0)) return distribution;
     const Distribution wide = distribution.scaled(u / own);
-    if (wide.kind() != distribution.kind()) return distribution;
+    if (!is_plain(wide)) return distribution;
     const Distribution moved = wide.shifted(mean - wide.mean());
-    return moved.kind() == distribution.kind() ? moved : wide;
+    return is_plain(moved) ? moved : wide;
 }
 
 std::optional<std::vector<double>> numbers_of(const QString& text, const QLocale& locale) {
@@ -104,6 +107,7 @@ void DistributionEdit::set_component(const ComponentEdit& component) {
     unit_->clear();
     for (const Unit& unit : DisplayUnits::choices(component.unit))
         unit_->addItem(to_qt(unit.display()), to_qt(unit.text()));
+    unit_->setCurrentIndex(unit_->findData(to_qt(component.unit.text())));
     if (shown_kind_ != component.distribution) rebuild_parameters();
     show_values();
     show_summary();

@@ -13,8 +13,7 @@ void FieldEditor::focus_part(const std::string&) {
     setFocus(Qt::OtherFocusReason);
 }
 
-FieldEditor* make_field_editor(const FieldSpec& field, Document& document, const SetupAddress& address,
-                               QWidget* parent) {
+FieldEditor* make_field_editor(const FieldSpec& field, const FieldContext& context, QWidget* parent) {
     switch (field.kind) {
         case FieldKind::number:
         case FieldKind::integer:
@@ -28,9 +27,9 @@ FieldEditor* make_field_editor(const FieldSpec& field, Document& document, const
         case FieldKind::pose:
             return new PoseEditor(field, parent);
         case FieldKind::table:
-            return new TableEditor(field, document, address, parent);
+            return new TableEditor(field, context, parent);
         case FieldKind::reference:
-            return new ReferenceEditor(field, document, address, parent);
+            return new ReferenceEditor(field, context, parent);
     }
     return nullptr;
 }

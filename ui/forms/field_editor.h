@@ -28,9 +28,15 @@ signals:
     void edited(const covaria::SetupValue& value);
 };
 
+/// Where the field lives.
+struct FieldContext {
+    Document& document;
+    SetupAddress address;
+    const SetupSchema* schema;
+};
+
 /// The editor for the field's kind. This is the one place that knows all kinds.
-FieldEditor* make_field_editor(const FieldSpec& field, Document& document, const SetupAddress& address,
-                               QWidget* parent);
+FieldEditor* make_field_editor(const FieldSpec& field, const FieldContext& context, QWidget* parent);
 
 /// Tooltip: the field's help with its unit and range.
 QString help_text(const FieldSpec& field);

@@ -14,6 +14,16 @@ constexpr double largest_count = 9007199254740992.0;  // 2^53: every whole numbe
 const std::vector<Method> always{Method::first_order, Method::monte_carlo, Method::adaptive};
 const std::vector<Method> with_trials{Method::monte_carlo, Method::adaptive};
 
+/// The option that a JSON pointer names: "/analyses/0/options/coverageProbability" -> "coverage_probability".
+QString key_of_path(const std::string& path) {
+    QString key;
+    for (const char c : path.substr(path.rfind('/') + 1)) {
+        if (c >= 'A' && c <= 'Z') key += '_';
+        key += QChar(c).toLower();
+    }
+    return key;
+}
+
 }  // namespace
 
 OptionsForm::OptionsForm(Document& document, std::string analysis, QWidget* parent)
@@ -190,13 +200,14 @@ void OptionsForm::refresh_problems() {
     for (const Row& row : rows_) {
         QStringList messages;
         for (const Problem& problem : document_.problems().items())
-            if (problem.path == prefix + to_std(row.key)) messages << to_qt(problem.message);
+            if (problem.path.starts_with(prefix) && key_of_path(problem.path) == row.key)
+                messages << to_qt(problem.message);
         row.edit->set_complaint(messages.join('\n'));
     }
 }
 
 bool OptionsForm::focus_field(const std::string& path) {
-    const QString key = to_qt(path.substr(path.rfind('/') + 1));
+    const QString key = key_of_path(path);
     if (key == method_->objectName()) method_->setFocus(Qt::OtherFocusReason);
     for (const Row& row : rows_)
         if (row.key == key) row.edit->setFocus(Qt::OtherFocusReason);

@@ -7,10 +7,13 @@
 namespace covaria::ui {
 
 SetupForm::SetupForm(Document& document, SetupAddress address, QWidget* parent)
+    : SetupForm(document, address, find_schema(document.project(), address), parent) {}
+
+SetupForm::SetupForm(Document& document, SetupAddress address, const SetupSchema* schema, QWidget* parent)
     : QWidget(parent),
       document_(document),
       address_(std::move(address)),
-      schema_(find_schema(document.project(), address_)),
+      schema_(schema),
       layout_(new QFormLayout(this)) {
     layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     layout_->setRowWrapPolicy(QFormLayout::DontWrapRows);
@@ -41,7 +44,7 @@ void SetupForm::add_section(const QString& title) {
 }
 
 void SetupForm::add_field(const FieldSpec& field) {
-    FieldEditor* editor = make_field_editor(field, document_, address_, this);
+    FieldEditor* editor = make_field_editor(field, {document_, address_, schema_}, this);
     auto* title = new QLabel(to_qt(symbol_to_unicode(field.title)), this);
     title->setToolTip(help_text(field));
     title->setBuddy(editor);

@@ -19,6 +19,8 @@ class SetupForm : public QWidget {
     Q_OBJECT
 public:
     SetupForm(Document& document, SetupAddress address, QWidget* parent = nullptr);
+    /// With a schema that lives longer than the form, instead of the registered one.
+    SetupForm(Document& document, SetupAddress address, const SetupSchema* schema, QWidget* parent = nullptr);
 
     const SetupAddress& address() const { return address_; }
     /// Null when the schema has no such field.

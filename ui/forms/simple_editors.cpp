@@ -111,9 +111,8 @@ void ListEditor::set_complaint(const QString& complaint) {
     mark(*box_, complaint, help_);
 }
 
-ReferenceEditor::ReferenceEditor(const FieldSpec& field, Document& document, SetupAddress address,
-                                 QWidget* parent)
-    : ListEditor(field, parent), document_(document), address_(std::move(address)) {}
+ReferenceEditor::ReferenceEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
+    : ListEditor(field, parent), document_(context.document), address_(context.address) {}
 
 std::vector<Choice> ReferenceEditor::choices() const {
     std::vector<Choice> found;

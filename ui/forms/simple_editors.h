@@ -68,7 +68,7 @@ private:
 class ReferenceEditor : public ListEditor {
     Q_OBJECT
 public:
-    ReferenceEditor(const FieldSpec& field, Document& document, SetupAddress address, QWidget* parent);
+    ReferenceEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent);
 
 protected:
     std::vector<Choice> choices() const override;

@@ -62,8 +62,17 @@ void SpreadsheetView::keyPressEvent(QKeyEvent* event) {
         QTableView::keyPressEvent(event);
         return;
     }
+    move_down();
+}
+
+void SpreadsheetView::move_down() {
     const QModelIndex below = currentIndex().siblingAtRow(currentIndex().row() + 1);
     if (below.isValid()) setCurrentIndex(below);
+}
+
+void SpreadsheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+    QTableView::closeEditor(editor, hint);
+    if (hint == QAbstractItemDelegate::SubmitModelCache) move_down();  // Enter
 }
 
 void SpreadsheetView::contextMenuEvent(QContextMenuEvent* event) {

@@ -29,6 +29,7 @@ signals:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
 
 private:
     QAction* add(const QString& text, const QKeySequence& key, void (SpreadsheetView::*method)());
@@ -41,6 +42,7 @@ private:
     void append_row();
     void remove_rows();
     void update_actions();
+    void move_down();
 
     SetupTableModel& model_;
     QAction* copy_;

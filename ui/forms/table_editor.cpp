@@ -14,11 +14,10 @@
 
 namespace covaria::ui {
 
-TableEditor::TableEditor(const FieldSpec& field, Document& document, const SetupAddress& address,
-                         QWidget* parent)
+TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
     : FieldEditor(parent),
       field_(field),
-      model_(new SetupTableModel(document, address, field.key, this)),
+      model_(new SetupTableModel(context.document, context.address, context.schema, field.key, this)),
       view_(new SpreadsheetView(*model_, this)),
       note_(new QLabel(this)),
       embed_(new QPushButton(tr("Take into the project"), this)) {

@@ -13,7 +13,7 @@ namespace covaria::ui {
 class TableEditor : public FieldEditor {
     Q_OBJECT
 public:
-    TableEditor(const FieldSpec& field, Document& document, const SetupAddress& address, QWidget* parent);
+    TableEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent);
     /// The model follows the document by itself.
     void set_value(const SetupValue& value) override;
     void set_complaint(const QString& complaint) override;

@@ -22,12 +22,12 @@ std::vector<Unit> DisplayUnits::choices(const Unit& unit) {
         "m",      "cm",     "mm", "um", "nm", "rad", "mrad", "urad", "deg",
         "arcmin", "arcsec", "N",  "kN", "mN", "N*m", "N*mm", "K",    "degC",
         "s",      "ms",     "kg", "g",  "V",  "mV",  "mV/V", "1/K",  "%"};
-    std::vector<Unit> units{unit};
+    std::vector<Unit> units;
     for (const char* text : usual) {
         const Result<Unit> candidate = Unit::parse(text);
-        if (candidate && candidate->dimension() == unit.dimension() && !(*candidate == unit))
-            units.push_back(*candidate);
+        if (candidate && candidate->dimension() == unit.dimension()) units.push_back(*candidate);
     }
+    if (std::find(units.begin(), units.end(), unit) == units.end()) units.insert(units.begin(), unit);
     return units;
 }
 

@@ -15,7 +15,7 @@ public:
     /// The chosen unit of the dimension of `unit`, or `unit` itself.
     const Unit& of(const Unit& unit) const;
 
-    /// Usual units of the same dimension, `unit` first.
+    /// Usual units of the same dimension, always in the same order; `unit` first if it is not among them.
     static std::vector<Unit> choices(const Unit& unit);
 
 private:

@@ -33,11 +33,16 @@ std::vector<SetupCell> new_row(const FieldSpec& field) {
 }  // namespace
 
 SetupTableModel::SetupTableModel(Document& document, SetupAddress address, std::string field, QObject* parent)
+    : SetupTableModel(document, address, find_schema(document.project(), address), std::move(field), parent) {
+}
+
+SetupTableModel::SetupTableModel(Document& document, SetupAddress address, const SetupSchema* schema,
+                                 std::string field, QObject* parent)
     : QAbstractTableModel(parent),
       document_(document),
       address_(std::move(address)),
       field_(std::move(field)),
-      schema_(find_schema(document.project(), address_)),
+      schema_(schema),
       table_(read()) {
     refresh_problems();
     connect(&document_, &Document::project_changed, this, &SetupTableModel::refresh);

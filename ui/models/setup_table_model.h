@@ -16,6 +16,9 @@ class SetupTableModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     SetupTableModel(Document& document, SetupAddress address, std::string field, QObject* parent = nullptr);
+    /// With a schema that lives longer than the model, instead of the registered one.
+    SetupTableModel(Document& document, SetupAddress address, const SetupSchema* schema, std::string field,
+                    QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

@@ -21,8 +21,10 @@ int to_int(std::string_view text) {
 }  // namespace
 
 SetupTable SetupTableModel::read() const {
+    if (!field()) return {};
     const Setup* setup = find_setup(document_.project(), address_);
-    return setup && field() ? table_of(*field(), *setup) : SetupTable{};
+    return setup ? table_of(*field(), *setup)
+                 : SetupTable{default_units(*field()), {}, {}};  // the entry is gone
 }
 
 void SetupTableModel::refresh() {
@@ -30,13 +32,6 @@ void SetupTableModel::refresh() {
     if (next == table_) return;
     const bool heads = next.units != table_.units;
     const bool everything = heads || next.csv_file != table_.csv_file;
-    if (next.units.size() != table_.units.size()) {  // the entry is gone
-        beginResetModel();
-        table_ = {std::vector<Unit>(static_cast<std::size_t>(columnCount())), {}, {}};
-        rejected_.clear();
-        endResetModel();
-        return;
-    }
     change_rows(next);
     table_ = next;
     if (heads) emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);

@@ -204,7 +204,8 @@ void AnalysisRunner::start(const std::string& id) {
     control.progress = [this, number](const Progress& progress) {
         run_jobs_.post([this, number, progress] { report(number, progress); });
     };
-    const bool preview = live_ && wants_preview(analysis->options) && !entries_[id].is_current();
+    const bool preview =
+        live_ && wants_preview(analysis->options) && resting_state(entries_[id]) != RunState::up_to_date;
     run_jobs_.push([this, number, analysis, control, preview]() -> JobQueue::Delivery {
         if (preview && !control.stop.stop_requested()) {
             const RunControl quiet{control.stop, {}, control.threads};
@@ -266,12 +267,7 @@ void AnalysisRunner::keep(const std::string& id, const PreparedPointer& analysis
 
 void AnalysisRunner::report(quint64 number, const Progress& progress) {
     if (number != active_number_) return;
-    const double seconds = static_cast<double>(active_time_.elapsed()) / 1000.0;
-    RunProgress shown{progress.trials_done, progress.trials_planned, 0.0, -1.0};
-    if (seconds > 0.0) shown.trials_per_second = static_cast<double>(progress.trials_done) / seconds;
-    if (progress.trials_planned >= progress.trials_done && shown.trials_per_second > 0.0)
-        shown.seconds_left =
-            static_cast<double>(progress.trials_planned - progress.trials_done) / shown.trials_per_second;
+    const RunProgress shown = progress_after(progress, static_cast<double>(active_time_.elapsed()) / 1000.0);
     emit progress_changed(to_qt(active_id_), shown);
 }
 

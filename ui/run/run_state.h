@@ -26,6 +26,9 @@ struct RunProgress {
     double seconds_left = -1.0;  ///< negative: not known
 };
 
+/// Speed and remaining time from what was done in `seconds`.
+RunProgress progress_after(const Progress& progress, double seconds);
+
 struct AnalysisStatus {
     RunState state = RunState::out_of_date;
     QString message = {};  ///< of a failure

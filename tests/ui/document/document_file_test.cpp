@@ -1,0 +1,181 @@
+// Opening, saving, other programs' changes, autosave and recovery after a crash.
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <csignal>
+
+#include "tests/ui/qt_application.h"
+#include "ui/document/autosave.h"
+#include "ui/document/document.h"
+#include "ui/document/linked_files.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+struct DocumentFileTest : testing::Test {
+    QApplication& application = test_application();  // before anything that needs it
+    QString path(const QString& name) const { return folder.filePath(name); }
+    QByteArray bytes(const QString& name) const {
+        QFile file(path(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    void write(const QString& name, const QByteArray& content) const {
+        QFile file(path(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    }
+    void set_title(const std::string& title) {
+        document.apply("Change title", [&](Project& project) { project.title = title; });
+    }
+    QTemporaryDir folder;
+    Document document;
+};
+
+TEST_F(DocumentFileTest, SavesOpensAndUndoesToTheSameBytes) {
+    set_title("Platform");
+    ASSERT_TRUE(document.save_as(path("p.covaria")));
+    EXPECT_FALSE(document.is_modified());
+    const QByteArray saved = bytes("p.covaria");
+    ASSERT_FALSE(saved.isEmpty());
+
+    Document other;
+    ASSERT_FALSE(other.open(path("p.covaria")).has_errors());
+    EXPECT_EQ(other.project().title, "Platform");
+    EXPECT_EQ(other.display_name(), "p");
+    for (int i = 0; i < 50; ++i)
+        other.apply("Notes", [i](Project& project) { project.notes = "note " + std::to_string(i); });
+    ASSERT_TRUE(other.save());
+    EXPECT_NE(bytes("p.covaria"), saved);
+    while (other.undo_stack().canUndo()) other.undo_stack().undo();
+    EXPECT_TRUE(other.is_modified());
+    ASSERT_TRUE(other.save());
+    EXPECT_EQ(bytes("p.covaria"), saved);
+}
+
+TEST_F(DocumentFileTest, ABrokenFileLeavesTheDocumentAlone) {
+    set_title("kept");
+    write("broken.covaria", "{\"format\": \"covaria\", ");
+    EXPECT_TRUE(document.open(path("broken.covaria")).has_errors());
+    EXPECT_TRUE(document.open(path("missing.covaria")).has_errors());
+    EXPECT_EQ(document.project().title, "kept");
+    EXPECT_TRUE(document.file().isEmpty());
+}
+
+TEST_F(DocumentFileTest, OpensInTheBackgroundAndTheLatestWins) {
+    set_title("one");
+    ASSERT_TRUE(document.save_as(path("1.covaria")));
+    set_title("two");
+    ASSERT_TRUE(document.save_as(path("2.covaria")));
+    Document other;
+    QSignalSpy finished(&other, &Document::open_finished);
+    other.open_in_background(path("1.covaria"));
+    other.open_in_background(path("2.covaria"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return finished.count() > 0; }));
+    QTest::qWait(20);
+    EXPECT_EQ(finished.count(), 1);
+    EXPECT_EQ(other.project().title, "two");
+}
+
+TEST_F(DocumentFileTest, SavingWhereItCannotBeWrittenIsAnError) {
+    set_title("x");
+    EXPECT_FALSE(document.save()) << "no name yet";
+    const auto saved = document.save_as(path("no such folder/p.covaria"));
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().code, ErrorCode::io);
+    EXPECT_TRUE(document.is_modified());
+    EXPECT_TRUE(document.file().isEmpty());
+}
+
+TEST_F(DocumentFileTest, OtherProgramsChangesAreNoticedOwnOnesAreNot) {
+    set_title("x");
+    ASSERT_TRUE(document.save_as(path("p.covaria")));
+    QSignalSpy changed(&document, &Document::changed_on_disk);
+    set_title("y");
+    ASSERT_TRUE(document.save());
+    QTest::qWait(100);
+    EXPECT_EQ(changed.count(), 0);
+    write("p.covaria", "something else");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return changed.count() == 1; }));
+    QFile::remove(path("p.covaria"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return changed.count() >= 2; }));
+}
+
+TEST_F(DocumentFileTest, LinkedFilesGoAlong) {
+    Project project;
+    project.directory = to_path(folder.path());
+    SetupTable table;
+    table.csv_file = "data/points.csv";
+    project.assets.push_back({"a", "kind", "A", {}, {{{"points", table}}}});
+    EXPECT_EQ(linked_files(project), std::vector<std::string>{"data/points.csv"});
+    ASSERT_TRUE(QDir(folder.path()).mkpath("data"));
+    ASSERT_TRUE(QDir(folder.path()).mkpath("other"));
+    write("data/points.csv", "1;2");
+    ASSERT_TRUE(copy_linked_files(project, to_path(path("other"))));
+    EXPECT_EQ(bytes("other/data/points.csv"), "1;2");
+    QFile::remove(path("data/points.csv"));
+    QFile::remove(path("other/data/points.csv"));
+    const auto copied = copy_linked_files(project, to_path(path("other")));
+    ASSERT_FALSE(copied);
+    EXPECT_NE(copied.error().message.find("data/points.csv"), std::string::npos);
+}
+
+TEST_F(DocumentFileTest, ACleanEndLeavesNothingToRecover) {
+    const RecoveryStore store(path("recovery"));
+    {
+        Autosave autosave(document, store);
+        set_title("unsaved");
+        autosave.flush();
+        EXPECT_TRUE(QFile::exists(autosave.recovery_file()));
+        EXPECT_TRUE(store.abandoned().empty()) << "its window is still open";
+        ASSERT_TRUE(document.save_as(path("p.covaria")));
+        EXPECT_FALSE(QFile::exists(autosave.recovery_file()));
+        set_title("again");
+        autosave.flush();
+    }
+    EXPECT_TRUE(QDir(store.folder()).entryList(QDir::Files).isEmpty());
+}
+
+TEST_F(DocumentFileTest, AutosaveWritesByItself) {
+    Autosave autosave(document, RecoveryStore(path("recovery")));
+    autosave.set_delay(1);
+    set_title("unsaved");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return QFile::exists(autosave.recovery_file()); }));
+}
+
+/// Not a test of its own: what the crashing program does.
+TEST_F(DocumentFileTest, DISABLED_Crash) {
+    Autosave autosave(document, RecoveryStore(qEnvironmentVariable("COVARIA_TEST_RECOVERY")));
+    set_title("unsaved work");
+    autosave.flush();
+    std::raise(SIGKILL);
+}
+
+TEST_F(DocumentFileTest, RecoversAfterACrash) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("COVARIA_TEST_RECOVERY", path("recovery"));
+    process.setProcessEnvironment(environment);
+    process.start(QCoreApplication::applicationFilePath(),
+                  {"--gtest_also_run_disabled_tests", "--gtest_filter=DocumentFileTest.DISABLED_Crash"});
+    ASSERT_TRUE(process.waitForFinished());
+    ASSERT_EQ(process.exitStatus(), QProcess::CrashExit);
+
+    const RecoveryStore store(path("recovery"));
+    const std::vector<RecoveryEntry> entries = store.abandoned();
+    ASSERT_EQ(entries.size(), 1u);
+    EXPECT_EQ(entries[0].title, "unsaved work");
+    const LoadedProject loaded = RecoveryStore::load(entries[0]);
+    ASSERT_FALSE(loaded.problems.has_errors());
+    document.restore(loaded.project, entries[0].original_file);
+    EXPECT_EQ(document.project().title, "unsaved work");
+    EXPECT_TRUE(document.is_modified());
+    RecoveryStore::remove(entries[0].recovery_file);
+    EXPECT_TRUE(store.abandoned().empty());
+}
+
+}  // namespace
+}  // namespace covaria::ui

@@ -1,0 +1,71 @@
+// Quantities as typed and shown.
+#include "ui/document/quantity_text.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+const QLocale english(QLocale::English, QLocale::UnitedKingdom);
+const QLocale german(QLocale::German, QLocale::Germany);
+
+Quantity parsed(const QString& text, const char* unit, const QLocale& locale = english) {
+    const auto result = parse_quantity(text, Unit::of(unit), locale);
+    EXPECT_TRUE(result && *result) << to_std(text);
+    return result && *result ? **result : Quantity{};
+}
+
+TEST(QuantityText, KeepsTheUnitThatWasTyped) {
+    const Quantity quantity = parsed("0.5 um", "mm");
+    EXPECT_EQ(quantity.value, 0.5);
+    EXPECT_EQ(quantity.unit.text(), "um");
+}
+
+TEST(QuantityText, ANumberAloneIsInTheFieldsUnit) {
+    EXPECT_EQ(parsed("-3", "mm"), (Quantity{-3.0, Unit::of("mm")}));
+    EXPECT_EQ(parsed("1e-3", "mm").value, 1e-3);
+    EXPECT_EQ(parsed("12mm", "m").unit.text(), "mm");
+}
+
+TEST(QuantityText, ReadsTheDecimalMarkOfTheLocale) {
+    EXPECT_EQ(parsed("1,5", "mm", german).value, 1.5);
+    EXPECT_EQ(parsed("1.5", "mm", german).value, 1.5);
+    EXPECT_FALSE(parse_quantity("1,5", Unit::of("mm"), english));
+    EXPECT_FALSE(parse_quantity("1.234,5", Unit::of("mm"), german)) << "grouping is not guessed at";
+}
+
+TEST(QuantityText, ReadsSignsOfOtherPrograms) {
+    EXPECT_EQ(parsed(QString::fromUtf8("−2 µm"), "mm").value, -2.0);
+    EXPECT_EQ(parsed(QString::fromUtf8("20 °C"), "degC").unit.text(), Unit::of("degC").text());
+    EXPECT_DOUBLE_EQ(parsed(QString::fromUtf8("180°"), "rad").si(), 3.14159265358979323846);
+}
+
+TEST(QuantityText, RefusesWithWords) {
+    for (const char* text : {"abc", "5 kg", "5 parsnip", "1 2"}) {
+        const auto refused = parse_quantity(text, Unit::of("mm"), english);
+        ASSERT_FALSE(refused) << text;
+        EXPECT_FALSE(refused.error().message.empty());
+    }
+    const auto empty = parse_quantity("  ", Unit::of("mm"), english);
+    ASSERT_TRUE(empty);
+    EXPECT_FALSE(empty->has_value());
+}
+
+TEST(QuantityText, WhatIsShownReadsBackToTheSameNumber) {
+    for (const double value : {0.1, 1.0 / 3.0, -1234.5678, 6.02e23, 1e-9, 0.0, 123456789.0})
+        for (const QLocale& locale : {english, german})
+            EXPECT_EQ(parse_number(number_text(value, locale), locale), value)
+                << to_std(number_text(value, locale));
+    EXPECT_EQ(quantity_text({1.5, Unit::of("mm")}, german), "1,5 mm");
+    EXPECT_EQ(quantity_text({2.0, Unit()}, english), "2");
+}
+
+TEST(QuantityText, ConversionLeavesNoNoise) {
+    EXPECT_EQ(converted(0.5, Unit::of("um"), Unit::of("mm")), 0.0005);
+    EXPECT_EQ(converted(0.7, Unit::of("mm"), Unit::of("um")), 700.0);
+}
+
+}  // namespace
+}  // namespace covaria::ui

@@ -1,0 +1,179 @@
+// Project tree, problems, input quantities and their correlations.
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+
+#include "core/assets/registry.h"
+#include "core/models/registry.h"
+#include "tests/ui/qt_application.h"
+#include "ui/document/project_edits.h"
+#include "ui/models/input_correlation_model.h"
+#include "ui/models/input_quantities_model.h"
+#include "ui/models/problems_model.h"
+#include "ui/models/project_tree_model.h"
+#include "ui/models/roles.h"
+
+namespace covaria::ui {
+namespace {
+
+constexpr auto fatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
+
+struct ProjectModelsTest : testing::Test {
+    QApplication& application = test_application();  // before anything that needs it
+    void add_analysis_entry(const std::string& id) {
+        document.apply("Add", [&](Project& project) {
+            project.analyses.push_back({id, "model", "Analysis " + id, {}, {}, {}, {}, {}, {}});
+        });
+    }
+    Problems found;
+    Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
+    AnalysisRunner runner{
+        RunBackend{[](const Project&) { return std::map<std::string, Preparation>(); }, {}, {}},
+        Execution::inline_execution};
+};
+
+TEST_F(ProjectModelsTest, TheTreeFollowsAddingMovingAndRemoving) {
+    ProjectTreeModel tree(document, runner);
+    QAbstractItemModelTester tester(&tree, fatal);
+    ASSERT_EQ(tree.rowCount(), ProjectTreeModel::category_count);
+    const QModelIndex analyses = tree.index_of(ProjectTreeModel::analyses);
+    QSignalSpy reset(&tree, &QAbstractItemModel::modelReset);
+    for (const char* id : {"a", "b", "c"}) add_analysis_entry(id);
+    ASSERT_EQ(tree.rowCount(analyses), 3);
+    const QPersistentModelIndex kept = tree.index_of({SetupOwner::analysis, "c"});
+    EXPECT_EQ(kept.data().toString(), "Analysis c");
+    EXPECT_EQ(kept.data(path_role).toString(), "/analyses/2");
+    move_entry(document, {SetupOwner::analysis, "c"}, 0);
+    EXPECT_EQ(kept.row(), 0);
+    remove(document, {SetupOwner::analysis, "b"});
+    EXPECT_EQ(tree.rowCount(analyses), 2);
+    document.undo_stack().undo();
+    document.undo_stack().undo();
+    EXPECT_EQ(kept.row(), 2);
+    EXPECT_EQ(reset.count(), 0);
+    EXPECT_EQ(tree.address(kept), (SetupAddress{SetupOwner::analysis, "c"}));
+    EXPECT_TRUE(tree.address(analyses).id.empty());
+}
+
+TEST_F(ProjectModelsTest, AssetsStandInTheirCategory) {
+    ProjectTreeModel tree(document, runner);
+    QAbstractItemModelTester tester(&tree, fatal);
+    ASSERT_FALSE(asset_registry().empty());
+    for (const AssetDescriptor& kind : asset_registry()) {
+        const std::string id = add_asset(document, kind.kind);
+        const QModelIndex index = tree.index_of({SetupOwner::asset, id});
+        ASSERT_TRUE(index.isValid());
+        EXPECT_EQ(index.parent().row(), static_cast<int>(kind.category));
+    }
+}
+
+TEST_F(ProjectModelsTest, RenamesInTheTree) {
+    add_analysis_entry("a");
+    ProjectTreeModel tree(document, runner);
+    const QModelIndex index = tree.index_of({SetupOwner::analysis, "a"});
+    EXPECT_TRUE(tree.setData(index, "Pose 7"));
+    EXPECT_EQ(document.project().analyses[0].name, "Pose 7");
+    EXPECT_FALSE(tree.setData(index, "  "));
+    EXPECT_FALSE(tree.flags(tree.index(0, 0)) & Qt::ItemIsEditable);
+}
+
+TEST_F(ProjectModelsTest, TheTreeShowsStatesAndProblems) {
+    add_analysis_entry("a");
+    ProjectTreeModel tree(document, runner);
+    const QModelIndex index = tree.index_of({SetupOwner::analysis, "a"});
+    EXPECT_EQ(index.siblingAtColumn(ProjectTreeModel::state_column).data().toString(), "out of date");
+    found.error("/analyses/0/setup/x", "too small");
+    document.check_now();
+    EXPECT_EQ(index.data(problem_role).toString(), "too small");
+}
+
+TEST_F(ProjectModelsTest, ProblemsComeWithTheirPlaceErrorsFirst) {
+    add_analysis_entry("a");
+    ProblemsModel model(document);
+    QAbstractItemModelTester tester(&model, fatal);
+    found.warning("/title", "no title");
+    found.error("/analyses/0/options/trials", "too few trials");
+    document.check_now();
+    ASSERT_EQ(model.rowCount(), 2);
+    EXPECT_EQ(model.errors(), 1);
+    EXPECT_EQ(model.index(0, ProblemsModel::message_column).data().toString(), "too few trials");
+    EXPECT_TRUE(
+        model.index(0, ProblemsModel::place_column).data().toString().startsWith("Analysis a: options"));
+    EXPECT_EQ(model.index(0, 0).data(path_role).toString(), "/analyses/0/options/trials");
+    Problems of_file;
+    of_file.add({Severity::error, "/format", "not a project", "x.covaria", 3});
+    model.show(of_file);
+    EXPECT_EQ(model.index(0, ProblemsModel::place_column).data().toString(), "x.covaria, line 3: /format");
+}
+
+/// Two quantities with a component each.
+std::shared_ptr<const PreparedAnalysis> prepared() {
+    auto analysis = std::make_shared<PreparedAnalysis>();
+    analysis->id = "a";
+    for (const char* symbol : {"b_1x", "b_1y", "b_1z"}) {
+        UncertaintyComponent component;
+        component.id = std::string(symbol) + ".calibration";
+        component.name = "calibration";
+        component.unit = Unit::of("um");
+        component.distribution = Distribution::normal(2e-6);
+        InputQuantity quantity;
+        quantity.symbol = symbol;
+        quantity.name = "base point 1";
+        quantity.unit = Unit::of("mm");
+        quantity.offset = 0.1;
+        analysis->inputs.add(quantity, {component});
+    }
+    return analysis;
+}
+
+TEST_F(ProjectModelsTest, InputQuantitiesAreEditedAndReset) {
+    add_analysis_entry("a");
+    const Project before = document.project();
+    InputQuantitiesModel model(document);
+    QAbstractItemModelTester tester(&model, fatal);
+    model.set_analysis(prepared());
+    ASSERT_EQ(model.rowCount(), 3);
+    const QModelIndex estimate = model.index(0, InputQuantitiesModel::estimate_column);
+    EXPECT_EQ(estimate.data().toString(), "100");
+    EXPECT_EQ(model.index(0, InputQuantitiesModel::uncertainty_column).data().toString(), "0.0020");
+    EXPECT_TRUE(model.setData(estimate, "12 cm"));
+    EXPECT_EQ(estimate.data().toString(), "120") << "shown at once, in the unit of the column";
+    EXPECT_EQ(document.project().analyses[0].inputs.at(0).estimate->unit, Unit::of("cm"));
+    EXPECT_TRUE(model.is_edited(0));
+    EXPECT_FALSE(model.setData(estimate, "12 kg"));
+    const QModelIndex held = model.index(1, InputQuantitiesModel::held_column);
+    EXPECT_TRUE(model.setData(held, Qt::Checked, Qt::CheckStateRole));
+    EXPECT_EQ(held.data(Qt::CheckStateRole).toInt(), Qt::Checked);
+    EXPECT_TRUE(document.project().analyses[0].inputs.at(1).held);
+    EXPECT_TRUE(model.setData(held, Qt::Unchecked, Qt::CheckStateRole));
+    model.reset_edits(0);
+    EXPECT_EQ(document.project(), before) << "edits that say nothing are removed";
+    EXPECT_EQ(model.row_of("b_1z"), 2);
+    EXPECT_EQ(model.row_of("b_2x"), -1);
+}
+
+TEST_F(ProjectModelsTest, CorrelationsAreCheckedWhileTheyAreTyped) {
+    add_analysis_entry("a");
+    InputCorrelationModel model(document);
+    QAbstractItemModelTester tester(&model, fatal);
+    model.set_analysis(prepared());
+    EXPECT_EQ(model.rowCount(), 0);
+    for (const std::string& id : model.other_components()) model.add_component(id);
+    ASSERT_EQ(model.rowCount(), 3);
+    EXPECT_TRUE(model.setData(model.index(0, 1), "0.9"));
+    EXPECT_EQ(model.index(1, 0).data().toString(), "0.9") << "symmetric";
+    EXPECT_TRUE(model.setData(model.index(1, 2), "0.9"));
+    EXPECT_FALSE(model.complaint().isEmpty()) << "0.9, 0.9 and 0 together are impossible";
+    QSignalSpy changed(&model, &InputCorrelationModel::complaint_changed);
+    EXPECT_TRUE(model.setData(model.index(2, 0), "0.8"));
+    EXPECT_TRUE(model.complaint().isEmpty()) << model.complaint().toStdString();
+    EXPECT_EQ(changed.count(), 1);
+    EXPECT_FALSE(model.setData(model.index(0, 1), "1.5"));
+    EXPECT_FALSE(model.setData(model.index(1, 1), "0.5"));
+    EXPECT_EQ(document.project().analyses[0].correlations.size(), 3u);
+    model.remove_component(0);
+    EXPECT_EQ(document.project().analyses[0].correlations.size(), 1u);
+}
+
+}  // namespace
+}  // namespace covaria::ui

@@ -1,0 +1,182 @@
+// A table of a set-up as a spreadsheet.
+#include "ui/models/setup_table_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+
+#include "tests/ui/qt_application.h"
+#include "tests/ui/sample_schema.h"
+#include "ui/models/roles.h"
+#include "ui/models/table_text.h"
+
+namespace covaria::ui {
+namespace {
+
+struct SetupTableModelTest : testing::Test {
+    SetupTableModelTest() { document.replace(sample_project()); }
+    QString text(int row, int column) const { return model.index(row, column).data().toString(); }
+    bool type(int row, int column, const QString& value) {
+        return model.setData(model.index(row, column), value);
+    }
+    const SetupTable& stored() const {
+        return std::get<SetupTable>(document.project().assets[0].setup.values.at("points"));
+    }
+    QApplication& application = test_application();  // before anything that needs it
+    Problems found;
+    Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
+    SetupTableModel model{document, sample_address(), &sample_schema(), "points"};
+    QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::Fatal};
+};
+
+TEST_F(SetupTableModelTest, ShowsCellsWithUnitsInTheHeads) {
+    ASSERT_EQ(model.rowCount(), 3);
+    EXPECT_EQ(text(1, 0), "b2");
+    EXPECT_EQ(text(1, 1), "2");
+    EXPECT_EQ(text(1, 3), "Nest");
+    EXPECT_EQ(model.headerData(1, Qt::Horizontal).toString(), "x / mm");
+    EXPECT_TRUE(model.headerData(2, Qt::Horizontal).toString().endsWith(QString::fromUtf8("/ µm")));
+    EXPECT_TRUE(model.index(0, 1).data(Qt::TextAlignmentRole).toInt() & Qt::AlignRight);
+    EXPECT_EQ(model.index(1, 2).data(path_role).toString(), "/assets/0/setup/points/rows/1/2");
+}
+
+TEST_F(SetupTableModelTest, EditsGoThroughTheDocumentAndComeBack) {
+    EXPECT_TRUE(type(0, 1, "500 um"));
+    EXPECT_EQ(stored().rows[0][1], SetupCell(0.5));
+    EXPECT_EQ(text(0, 1), "0.5");
+    EXPECT_TRUE(type(0, 3, "Target"));
+    EXPECT_EQ(stored().rows[0][3], SetupCell(std::string("b")));
+    document.undo_stack().undo();
+    document.undo_stack().undo();
+    EXPECT_EQ(text(0, 1), "1");
+    EXPECT_EQ(document.project(), sample_project());
+}
+
+TEST_F(SetupTableModelTest, WhatIsNotUnderstoodIsMarkedAndNotLost) {
+    EXPECT_TRUE(type(0, 1, "one"));
+    EXPECT_EQ(text(0, 1), "one");
+    EXPECT_FALSE(model.index(0, 1).data(problem_role).toString().isEmpty());
+    EXPECT_TRUE(model.index(0, 1).data(Qt::BackgroundRole).isValid());
+    EXPECT_EQ(document.undo_stack().count(), 0);
+    model.insertRows(0, 2);
+    EXPECT_EQ(text(2, 1), "one") << "the mark moves with its row";
+    EXPECT_TRUE(type(2, 1, "7"));
+    EXPECT_TRUE(model.index(2, 1).data(problem_role).toString().isEmpty());
+}
+
+TEST_F(SetupTableModelTest, InsertsAndRemovesRows) {
+    QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
+    QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
+    EXPECT_TRUE(model.insertRows(1, 2));
+    EXPECT_EQ(model.rowCount(), 5);
+    EXPECT_EQ(inserted.count(), 1);
+    EXPECT_EQ(text(1, 3), "Nest") << "a choice starts with its first";
+    EXPECT_EQ(text(1, 1), "");
+    EXPECT_TRUE(model.removeRows(0, 3));
+    EXPECT_EQ(text(0, 0), "b2");
+    EXPECT_FALSE(model.removeRows(1, 5));
+    document.undo_stack().undo();
+    document.undo_stack().undo();
+    EXPECT_EQ(document.project(), sample_project());
+    EXPECT_EQ(model.rowCount(), 3);
+    EXPECT_EQ(reset.count(), 0) << "views keep their selection";
+}
+
+TEST_F(SetupTableModelTest, PastesABlockAsOneStep) {
+    EXPECT_EQ(model.paste(model.index(2, 1), "7\t8\tTarget\r\n9\t10 nm\tNest\textra\r\n"), 0);
+    EXPECT_EQ(document.undo_stack().count(), 1);
+    ASSERT_EQ(model.rowCount(), 4);
+    EXPECT_EQ(text(2, 1), "7");
+    EXPECT_EQ(text(2, 3), "Target");
+    EXPECT_EQ(stored().rows[3][2], SetupCell(0.01));
+    document.undo_stack().undo();
+    EXPECT_EQ(document.project(), sample_project());
+}
+
+TEST_F(SetupTableModelTest, PastedCellsThatAreNotUnderstoodAreCountedAndMarked) {
+    EXPECT_EQ(model.paste(model.index(2, 1), "7;oops\n8;-1"), 2);
+    EXPECT_EQ(text(2, 2), "oops");
+    EXPECT_EQ(text(3, 2), "-1") << "in a row that the paste added";
+    EXPECT_EQ(stored().rows[3][1], SetupCell(8.0));
+}
+
+TEST_F(SetupTableModelTest, FillsDownAndClears) {
+    QModelIndexList cells;
+    for (int row = 0; row < 3; ++row)
+        for (int column : {1, 2}) cells << model.index(row, column);
+    model.fill_down(cells);
+    EXPECT_EQ(text(2, 1), "1");
+    EXPECT_EQ(text(2, 2), "10");
+    model.clear({model.index(1, 1), model.index(1, 3)});
+    EXPECT_EQ(text(1, 1), "");
+    EXPECT_EQ(document.undo_stack().count(), 2);
+}
+
+TEST_F(SetupTableModelTest, CopiesWhatPasteReads) {
+    QModelIndexList cells;
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 3; ++column) cells << model.index(row, column);
+    EXPECT_EQ(block_text(cells), "b1\t1\t10\nb2\t2\t20\n");
+    model.paste(model.index(1, 0), block_text(cells));
+    EXPECT_EQ(text(2, 0), "b2");
+    EXPECT_EQ(text(1, 2), "10");
+}
+
+TEST_F(SetupTableModelTest, ChangingTheUnitKeepsTheQuantities) {
+    QSignalSpy heads(&model, &QAbstractItemModel::headerDataChanged);
+    model.set_unit(1, Unit::of("m"));
+    EXPECT_EQ(text(2, 1), "0.003");
+    EXPECT_EQ(model.headerData(1, Qt::Horizontal).toString(), "x / m");
+    EXPECT_GT(heads.count(), 0);
+    model.set_unit(1, Unit::of("kg"));
+    EXPECT_EQ(text(2, 1), "0.003");
+}
+
+TEST_F(SetupTableModelTest, ALinkedTableIsReadOnlyUntilTakenIntoTheProject) {
+    Project linked = sample_project();
+    std::get<SetupTable>(linked.assets[0].setup.values["points"]).csv_file = "points.csv";
+    document.replace(linked);
+    EXPECT_TRUE(model.is_linked());
+    EXPECT_FALSE(type(0, 1, "5"));
+    EXPECT_FALSE(model.insertRows(0, 1));
+    EXPECT_FALSE(model.flags(model.index(0, 1)) & Qt::ItemIsEditable);
+    model.embed();
+    EXPECT_FALSE(model.is_linked());
+    EXPECT_TRUE(type(0, 1, "5"));
+    EXPECT_TRUE(stored().csv_file.empty());
+}
+
+TEST_F(SetupTableModelTest, ProblemsAreShownAtTheirCells) {
+    found.error("/assets/0/setup/points/rows/1/x", "too far away");
+    found.error("/assets/0/setup/points/rows/2", "on a line with the others");
+    document.check_now();
+    EXPECT_EQ(model.index(1, 1).data(problem_role).toString(), "too far away");
+    EXPECT_EQ(model.index(1, 1).data(Qt::ToolTipRole).toString(), "too far away");
+    EXPECT_TRUE(model.index(0, 1).data(problem_role).toString().isEmpty());
+    EXPECT_EQ(model.headerData(2, Qt::Vertical, Qt::ToolTipRole).toString(), "on a line with the others");
+    EXPECT_EQ(model.index_of_path("/rows/1/x"), model.index(1, 1));
+    EXPECT_EQ(model.index_of_path("/rows/1/2"), model.index(1, 2));
+    EXPECT_FALSE(model.index_of_path("/rows/9/2").isValid());
+}
+
+TEST_F(SetupTableModelTest, SurvivesTheRemovalOfItsEntry) {
+    document.apply("Delete", [](Project& project) { project.assets.clear(); });
+    EXPECT_EQ(model.rowCount(), 0);
+    document.undo_stack().undo();
+    EXPECT_EQ(model.rowCount(), 3);
+}
+
+TEST(TableText, ReadsWhatOtherProgramsWrite) {
+    const QLocale english = QLocale::c();
+    const QLocale german(QLocale::German, QLocale::Germany);
+    EXPECT_EQ(parse_block("a,b\nc,d", english), (std::vector<QStringList>{{"a", "b"}, {"c", "d"}}));
+    EXPECT_EQ(parse_block("1,5;2", german), (std::vector<QStringList>{{"1,5", "2"}}));
+    EXPECT_EQ(parse_block("1,5\n2,5", german), (std::vector<QStringList>{{"1,5"}, {"2,5"}}));
+    EXPECT_EQ(parse_block("\"x\ty\"\t\"say \"\"hi\"\"\"\n", english),
+              (std::vector<QStringList>{{"x\ty", "say \"hi\""}}));
+    EXPECT_EQ(parse_block("a\t\r\n\tb\r\n", english), (std::vector<QStringList>{{"a", ""}, {"", "b"}}));
+    EXPECT_TRUE(parse_block("", english).empty());
+}
+
+}  // namespace
+}  // namespace covaria::ui

@@ -1,0 +1,256 @@
+// Runs, stopping, latest wins, live mode: with a scripted backend.
+#include "ui/run/analysis_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "tests/ui/qt_application.h"
+
+namespace covaria::ui {
+namespace {
+
+/// The project's notes are the fingerprint of all its analyses; "bad" cannot be prepared, "fail" fails.
+struct Script {
+    std::atomic<bool> block = false;  ///< full runs wait for a stop request
+    std::atomic<int> runs = 0;
+    std::atomic<int> first_orders = 0;
+
+    RunBackend backend() {
+        return {[](const Project& project) { return prepare(project); },
+                [this](const PreparedAnalysis&) {
+                    ++first_orders;
+                    return Result<UncertaintyResult>(UncertaintyResult{});
+                },
+                [this](const PreparedAnalysis& analysis, const RunControl& control) {
+                    return full(analysis, control);
+                }};
+    }
+    static std::map<std::string, Preparation> prepare(const Project& project) {
+        std::map<std::string, Preparation> prepared;
+        for (const AnalysisEntry& entry : project.analyses) {
+            auto analysis = std::make_shared<PreparedAnalysis>();
+            analysis->id = entry.id;
+            analysis->fingerprint = project.notes;
+            analysis->options = entry.options;
+            if (project.notes == "bad")
+                prepared[entry.id] = {nullptr, "no points", {}};
+            else
+                prepared[entry.id] = {analysis, {}, {}};
+        }
+        return prepared;
+    }
+    Result<UncertaintyResult> full(const PreparedAnalysis& analysis, const RunControl& control) {
+        ++runs;
+        if (control.progress) control.progress({500, 1000});
+        while (block && !control.stop.stop_requested())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (control.stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped");
+        if (analysis.fingerprint == "fail") return fail(ErrorCode::numeric, "no value at the estimates");
+        UncertaintyResult result;
+        result.trials = analysis.options.trials;
+        result.provenance.project_fingerprint = analysis.fingerprint;
+        return result;
+    }
+};
+
+ProjectSnapshot project(const std::string& notes, std::vector<std::string> ids = {"x"}) {
+    Project value;
+    value.notes = notes;
+    for (const std::string& id : ids) value.analyses.push_back({id, "model", id, {}, {}, {}, {}, {}, {}});
+    return std::make_shared<const Project>(value);
+}
+
+struct AnalysisRunnerTest : testing::Test {
+    QApplication& application = test_application();  // before anything that needs it
+    const AnalysisStatus& status(const char* id = "x") { return runner.status(id); }
+    bool settle() { return runner.wait_until_idle(5000); }
+    Script script;
+    AnalysisRunner runner{script.backend(), Execution::threads};
+};
+
+TEST_F(AnalysisRunnerTest, RunsAndBecomesUpToDate) {
+    runner.set_project(project("1"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::out_of_date);
+    EXPECT_FALSE(status().result);
+    runner.run("x");
+    EXPECT_EQ(status().state, RunState::running);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::up_to_date);
+    EXPECT_EQ(status().stage, ResultStage::complete);
+    EXPECT_TRUE(status().is_current());
+}
+
+TEST_F(AnalysisRunnerTest, ARunAskedForBeforeThePreparationIsNotLost) {
+    runner.set_project(project("1"));
+    runner.run("x");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::up_to_date);
+}
+
+TEST_F(AnalysisRunnerTest, AChangeMakesTheResultOutOfDateAndUndoingItCurrentAgain) {
+    runner.set_project(project("1"));
+    runner.run("x");
+    ASSERT_TRUE(settle());
+    runner.set_project(project("2"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::out_of_date);
+    EXPECT_TRUE(status().result) << "still there to be seen, marked as old";
+    EXPECT_FALSE(status().is_current());
+    runner.set_project(project("1"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::up_to_date);
+}
+
+TEST_F(AnalysisRunnerTest, StopsARun) {
+    script.block = true;
+    runner.set_project(project("1"));
+    runner.run("x");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs == 1; }));
+    runner.stop("x");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::out_of_date);
+    EXPECT_FALSE(status().result);
+    EXPECT_TRUE(status().message.isEmpty()) << "stopping is not a failure";
+}
+
+TEST_F(AnalysisRunnerTest, FailuresSayWhy) {
+    runner.set_project(project("fail"));
+    runner.run("x");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::failed);
+    EXPECT_EQ(status().message, "no value at the estimates");
+    runner.set_project(project("bad"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::failed);
+    EXPECT_EQ(status().message, "no points");
+    runner.set_project(project("good"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::out_of_date);
+    EXPECT_TRUE(status().message.isEmpty());
+}
+
+TEST_F(AnalysisRunnerTest, ReportsProgress) {
+    QSignalSpy progress(&runner, &AnalysisRunner::progress_changed);
+    runner.set_project(project("1"));
+    runner.run("x");
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(progress.count(), 1);
+    EXPECT_EQ(progress[0][0].toString(), "x");
+    EXPECT_EQ(progress[0][1].value<RunProgress>().trials_done, 500u);
+}
+
+TEST_F(AnalysisRunnerTest, LiveModeShowsFirstOrderBeforeMonteCarlo) {
+    runner.set_project(project("1"));
+    ASSERT_TRUE(settle());
+    runner.set_live(true);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::up_to_date);
+    std::vector<ResultStage> stages;
+    QObject::connect(&runner, &AnalysisRunner::result_changed, &runner,
+                     [&] { stages.push_back(status().stage); });
+    runner.set_project(project("2"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(stages, (std::vector{ResultStage::first_order, ResultStage::preview, ResultStage::complete}));
+    EXPECT_EQ(script.first_orders, 1);
+    EXPECT_EQ(status().result->trials, EvaluationOptions{}.trials);
+}
+
+TEST_F(AnalysisRunnerTest, InLiveModeTheLatestChangeWins) {
+    runner.set_live(true);
+    script.block = true;
+    runner.set_project(project("old"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs >= 1; }));
+    QSignalSpy results(&runner, &AnalysisRunner::result_changed);
+    for (int i = 0; i < 100; ++i) runner.set_project(project("edit " + std::to_string(i)));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return status().prepared && status().prepared->fingerprint == "edit 99"; }));
+    script.block = false;
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::up_to_date);
+    EXPECT_EQ(status().result->provenance.project_fingerprint, "edit 99");
+    EXPECT_GT(results.count(), 0);
+    EXPECT_LT(script.runs, 100) << "most changes are skipped, not queued";
+}
+
+TEST_F(AnalysisRunnerTest, AStaleRunNeverReplacesACurrentResult) {
+    runner.set_project(project("1"));
+    runner.run("x");
+    ASSERT_TRUE(settle());
+    runner.set_project(project("2"));
+    ASSERT_TRUE(settle());
+    script.block = true;
+    runner.run("x");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs == 2; }));
+    runner.set_project(project("1"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return status().state == RunState::up_to_date; }));
+    script.block = false;  // the run of "2" ends now
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::up_to_date);
+    EXPECT_EQ(status().result->provenance.project_fingerprint, "1");
+}
+
+TEST_F(AnalysisRunnerTest, TheAnalysisInFocusComesFirst) {
+    QStringList order;
+    QObject::connect(&runner, &AnalysisRunner::result_changed, &runner,
+                     [&](const QString& id) { order << id; });
+    runner.set_project(project("1", {"a", "b", "c"}));
+    ASSERT_TRUE(settle());
+    runner.set_focus("c");
+    runner.run_all();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(order.size(), 3);
+    EXPECT_EQ(runner.status("a").state, RunState::up_to_date);
+    EXPECT_EQ(order.first(), "c");
+}
+
+TEST_F(AnalysisRunnerTest, StopAllEmptiesTheQueue) {
+    script.block = true;
+    runner.set_project(project("1", {"a", "b", "c"}));
+    ASSERT_TRUE(settle());
+    runner.run_all();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs == 1; }));
+    runner.stop_all();
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(script.runs, 1);
+    for (const char* id : {"a", "b", "c"}) EXPECT_EQ(status(id).state, RunState::out_of_date);
+}
+
+TEST_F(AnalysisRunnerTest, RemovedAnalysesAreForgotten) {
+    runner.set_project(project("1", {"a", "b"}));
+    runner.run_all();
+    ASSERT_TRUE(settle());
+    runner.set_project(project("1", {"b"}));
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(runner.status("a").result);
+    EXPECT_EQ(runner.status("b").state, RunState::up_to_date);
+    runner.reset(project("1", {"b"}));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(runner.status("b").state, RunState::out_of_date);
+}
+
+TEST_F(AnalysisRunnerTest, CanBeDestroyedWhileRunning) {
+    script.block = true;
+    auto other = std::make_unique<AnalysisRunner>(script.backend(), Execution::threads);
+    other->set_project(project("1"));
+    other->run("x");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs == 1; }));
+    other.reset();
+    QCoreApplication::processEvents();
+}
+
+TEST(AnalysisRunnerInline, EverythingHappensAtOnce) {
+    test_application();
+    Script script;
+    AnalysisRunner runner(script.backend(), Execution::inline_execution);
+    runner.set_live(true);
+    runner.set_project(project("1", {"a", "b"}));
+    EXPECT_EQ(runner.status("a").state, RunState::up_to_date);
+    EXPECT_EQ(runner.status("b").state, RunState::up_to_date);
+    EXPECT_FALSE(runner.is_busy());
+}
+
+}  // namespace
+}  // namespace covaria::ui
