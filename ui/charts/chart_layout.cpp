@@ -12,6 +12,8 @@
 namespace covaria::ui {
 namespace {
 
+constexpr double closest_lines = 0.86;  // of a line's height: names of rows that do not touch yet
+
 QString to_qt(const std::string& text) {
     return QString::fromStdString(text);
 }
@@ -146,27 +148,42 @@ private:
         return std::min(width, 0.4 * size_.width());
     }
 
-    /// Lessens the number of ticks until their texts have room.
+    /// Fewer ticks until their texts have room; more of them while there are less than three.
+    template <class Make, class Fits>
+    static Ticks fitting_ticks(int most, const Make& make, const Fits& fits) {
+        Ticks ticks = make(most);
+        for (int fewer = most - 1; fewer >= 1 && !fits(ticks); --fewer) ticks = make(fewer);
+        for (int more = most + 1; more <= most + 4 && ticks.ticks.size() < 3; ++more)
+            if (Ticks richer = make(more); fits(richer)) ticks = std::move(richer);
+        return ticks;
+    }
+
     Ticks fitting_x_ticks() const {
         const PlotView& view = out_.geometry.view;
         const double width = out_.geometry.area.width();
-        Ticks ticks;
-        for (int most = std::max(4, static_cast<int>(width / (72.0 * unit_))); most >= 1; --most) {
-            ticks = plot_.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most)
-                                        : linear_ticks(view.x_low, view.x_high, most);
-            if (ticks.ticks.size() < 2) break;
+        const auto make = [&](int most) {
+            return plot_.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most)
+                                       : linear_ticks(view.x_low, view.x_high, most);
+        };
+        const auto fits = [&](const Ticks& ticks) {
+            if (ticks.ticks.size() < 2) return true;
             const double step = ticks.ticks[1].at - ticks.ticks[0].at;
             const double spacing = width * step / (view.x_high - view.x_low);
-            if (widest(ticks, out_.fonts.figures) + 12.0 * unit_ <= spacing) break;
-        }
-        return ticks;
+            return widest(ticks, out_.fonts.figures) + 12.0 * unit_ <= spacing;
+        };
+        return fitting_ticks(std::max(3, static_cast<int>(width / (72.0 * unit_))), make, fits);
     }
 
     Ticks fitting_y_ticks(double height) const {
         const PlotView& view = out_.geometry.view;
-        const int most = std::max(height < 60.0 ? 2 : 4, static_cast<int>(height / (46.0 * unit_)));
-        return plot_.y.logarithmic ? logarithmic_ticks(view.y_low, view.y_high, most)
-                                   : linear_ticks(view.y_low, view.y_high, most);
+        const auto make = [&](int most) {
+            return plot_.y.logarithmic ? logarithmic_ticks(view.y_low, view.y_high, most)
+                                       : linear_ticks(view.y_low, view.y_high, most);
+        };
+        const auto fits = [&](const Ticks& ticks) {
+            return static_cast<double>(ticks.ticks.size()) * 1.2 * line_ <= height;
+        };
+        return fitting_ticks(std::max(2, static_cast<int>(height / (46.0 * unit_))), make, fits);
     }
 
     void set_area(double top, double bottom) {
@@ -190,7 +207,6 @@ private:
                 continue;
             labels_.push_back({x, text_width(to_qt(mark.label), out_.fonts.figures),
                                mark.role == SeriesRole::emphasis, 0.0, 0});
-            texts_.push_back(to_qt(mark.label));
         }
         return place_mark_labels(labels_, edge_, size_.width() - edge_, std::round(12.0 * unit_));
     }
@@ -239,7 +255,7 @@ private:
         const PlotGeometry& geometry = out_.geometry;
         const double top = geometry.area.bottom() + std::round(5.0 * unit_);
         const double cell = geometry.area.width() / (geometry.view.x_high - geometry.view.x_low);
-        const std::size_t step = every(cell, line_);
+        const std::size_t step = every(cell, turned_ ? closest_lines * line_ : 1.0);
         for (std::size_t i = 0; i < plot_.x.categories.size(); ++i) {
             const double x = geometry.x_at(static_cast<double>(i));
             if (i % step != 0 || x < geometry.area.left() || x > geometry.area.right()) continue;
@@ -278,7 +294,7 @@ private:
         };
         for (const Tick& tick : out_.y.ticks) put(geometry.y_at(tick.at), tick.text, TextKind::figures);
         const double cell = geometry.area.height() / (geometry.view.y_high - geometry.view.y_low);
-        const std::size_t step = every(cell, line_);
+        const std::size_t step = every(cell, closest_lines * line_);
         for (std::size_t i = 0; i < plot_.y.categories.size(); ++i) {
             const double y = geometry.y_at(static_cast<double>(i));
             if (i % step != 0 || y < geometry.area.top() || y > geometry.area.bottom()) continue;
@@ -320,7 +336,6 @@ private:
     double unit_ = 1.0, line_ = 0.0, edge_ = 0.0, top_of_body_ = 0.0;
     int rows_ = 0;  // of mark labels
     std::vector<MarkLabel> labels_;
-    std::vector<QString> texts_;
     ChartLayout out_;
 };
 

@@ -26,11 +26,12 @@ void widen(Range& range, double margin) {
     range.high += by;
 }
 
-/// Bars stand on zero; there is no room below it unless values need it.
+/// Bars stand on zero; there is no room below it unless values need it. Negative values are wider by their
+/// sign.
 void stand_on_zero(Range& range, double margin) {
     range.include(0.0);
     const double size = range.high - range.low > 0.0 ? range.high - range.low : 1.0;
-    if (range.low < 0.0) range.low -= margin * size;
+    if (range.low < 0.0) range.low -= 1.4 * margin * size;
     if (range.high > 0.0 || range.low == 0.0) range.high += margin * size;
 }
 

@@ -1,0 +1,221 @@
+// The charts' data: known histogram, quantiles, shares, correlation and convergence, and what is said without
+// them.
+#include "core/report/plots.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "tests/core/report/plot_sample.h"
+
+namespace covaria {
+namespace {
+
+const PlotSeries* series_of(const PlotSpecification& plot, SeriesRole role) {
+    const auto it = std::find_if(plot.series.begin(), plot.series.end(),
+                                 [role](const PlotSeries& series) { return series.role == role; });
+    return it == plot.series.end() ? nullptr : &*it;
+}
+
+double area_of(const PlotSeries& bars) {
+    return bars.bar_width * std::accumulate(bars.y.begin(), bars.y.end(), 0.0);
+}
+
+TEST(HistogramPlot, IsTheDensityInDisplayUnits) {
+    const PlotSpecification plot = histogram_plot(test::plot_sample(), 0);
+    EXPECT_EQ(plot.id, "histogram-x-pose-7");
+    EXPECT_EQ(plot.title, "Distribution of x (pose 7)");
+    EXPECT_EQ(plot.x.title, "x (mm)");
+    EXPECT_EQ(plot.y.title, "probability density (1/mm)");
+    const PlotSeries& bars = plot.series.at(0);
+    EXPECT_EQ(bars.kind, SeriesKind::bars);
+    EXPECT_NEAR(area_of(bars), 1.0, 1e-5);
+    // Cells of the normal density at their middles: within second-order effects of their width, 0.1 u.
+    for (std::size_t i = 0; i < bars.x.size(); ++i)
+        EXPECT_NEAR(bars.y[i], normal_density((bars.x[i] + 120.0) / 0.367) / 0.367, 2e-3) << i;
+    EXPECT_NEAR(*std::max_element(bars.y.begin(), bars.y.end()), 0.39894 / 0.367, 2e-3);
+}
+
+TEST(HistogramPlot, CountsTrialsOutsideItsCells) {
+    UncertaintyResult result = test::plot_sample();
+    result.outputs[0].monte_carlo->histogram.below = 1'000'000;
+    EXPECT_NEAR(area_of(histogram_plot(result, 0).series.at(0)), 0.5, 1e-5);
+}
+
+TEST(HistogramPlot, MarksMeanAndCoverageIntervalAndBothNormals) {
+    const PlotSpecification plot = histogram_plot(test::plot_sample(), 0);
+    ASSERT_EQ(plot.marks.size(), 3U);
+    EXPECT_NEAR(plot.marks[0].at, -120.0 - 1.959964 * 0.367, 1e-9);
+    EXPECT_EQ(plot.marks[1].label, "mean −120.00\u00a0mm");
+    EXPECT_NEAR(plot.marks[2].at, -120.0 + 1.959964 * 0.367, 1e-9);
+    ASSERT_EQ(plot.bands.size(), 1U);
+    EXPECT_EQ(plot.bands[0].label, "95\u00a0% coverage interval");
+    EXPECT_EQ(plot.bands[0].low, plot.marks[0].at);
+    const auto top = [&plot](SeriesRole role) {
+        const PlotSeries* series = series_of(plot, role);
+        return series ? *std::max_element(series->y.begin(), series->y.end()) : 0.0;
+    };
+    EXPECT_NEAR(top(SeriesRole::fit), 0.398942 / 0.367, 1e-6);
+    EXPECT_NEAR(top(SeriesRole::first_order), 0.398942 / (1.06 * 0.367), 1e-6);
+}
+
+TEST(HistogramPlot, JoinsCellsForFewTrials) {
+    UncertaintyResult result = test::plot_sample();
+    Histogram& histogram = result.outputs[0].monte_carlo->histogram;
+    for (std::uint64_t& count : histogram.counts) count /= 10'000;  // about 100 trials remain
+    const PlotSeries bars = histogram_plot(result, 0).series.at(0);
+    // Scott: 3.49 u N^(-1/3) is about 0.77 u for 90 trials, that is 8 cells of 0.1 u.
+    EXPECT_NEAR(bars.bar_width, 0.8 * 0.367, 1e-9);
+    EXPECT_NEAR(area_of(bars), 1.0, 1e-12);
+}
+
+TEST(HistogramPlot, LeavesOutFarTails) {
+    UncertaintyResult result = test::plot_sample();
+    Histogram& histogram = result.outputs[0].monte_carlo->histogram;
+    const double width = (histogram.high - histogram.low) / 100.0;
+    histogram.counts.resize(1000);  // 900 cells more to the right, with a single trial in the last
+    histogram.counts.back() = 1;
+    histogram.high += 900.0 * width;
+    EXPECT_LT(histogram_plot(result, 0).x.high, -120.0 + 6.0 * 0.367);
+}
+
+TEST(QuantilePlot, PointsOfANormalLieOnTheLine) {
+    const PlotSpecification plot = normal_quantile_plot(test::plot_sample(), 2);
+    const PlotSeries *line = series_of(plot, SeriesRole::fit),
+                     *points = series_of(plot, SeriesRole::monte_carlo);
+    ASSERT_TRUE(line && points);
+    ASSERT_EQ(points->x.size(), 199U);
+    EXPECT_NEAR(points->x.front(), normal_quantile(0.5 / 199.0), 1e-12);
+    EXPECT_NEAR(points->x[99], 0.0, 1e-12);
+    for (std::size_t i = 0; i < points->x.size(); ++i)
+        EXPECT_NEAR(points->y[i], 1174.909 + 0.15 * points->x[i], 1e-9);
+    const double slope = (line->y.back() - line->y.front()) / (line->x.back() - line->x.front());
+    EXPECT_NEAR(slope, 0.15, 1e-9);
+}
+
+TEST(ContributionPlot, SharesAddUpAndTheRestIsOneBar) {
+    const PlotSpecification plot = contribution_plot(test::plot_sample(), 0, 6);
+    ASSERT_EQ(plot.y.categories.size(), 6U);
+    EXPECT_EQ(plot.y.categories[0], "p₁ₓ");
+    EXPECT_EQ(plot.y.categories[1], "length standard")
+        << "a component of several quantities is called by its name";
+    EXPECT_EQ(plot.y.categories.back(), "11 others");
+    const PlotSeries& bars = plot.series.at(0);
+    EXPECT_NEAR(std::accumulate(bars.x.begin(), bars.x.end(), 0.0), 100.0, 1e-9);
+    EXPECT_EQ(bars.y.back(), 5.0);
+    EXPECT_TRUE(plot.horizontal_bars);
+    EXPECT_EQ(contribution_plot(test::plot_sample(), 0, 16).y.categories.size(), 16U) << "nothing to merge";
+}
+
+TEST(ContributionPlot, TellsComponentsOfOneQuantityApart) {
+    UncertaintyResult result = test::plot_sample();
+    result.budget.components[2].quantity = result.budget.components[0].quantity;
+    result.budget.components[2].name = "temperature";
+    const PlotSpecification plot = contribution_plot(result, 0, 6);
+    EXPECT_EQ(plot.y.categories[0], "p₁ₓ, calibration of the artefact");
+    EXPECT_EQ(plot.y.categories[2], "p₁ₓ, temperature");
+}
+
+TEST(ContributionPlot, ShowsOneAtATimeBesideFirstOrder) {
+    UncertaintyResult result = test::plot_sample();
+    for (BudgetRow& row : result.budget.rows[0])
+        row.one_at_a_time = 0.5 * result.outputs[0].standard_uncertainty;
+    const PlotSpecification plot = contribution_plot(result, 0, 6);
+    ASSERT_EQ(plot.series.size(), 2U);
+    ASSERT_EQ(plot.series[1].x.size(), 5U);
+    EXPECT_NEAR(plot.series[1].x[0], 25.0, 1e-9);
+}
+
+TEST(CorrelationPlot, IsTheMatrixOfTheGroup) {
+    UncertaintyResult result = test::plot_sample();
+    result.outputs.back().quantity.group = "pose 8";
+    const PlotSpecification plot = correlation_plot(result, "pose 7");
+    ASSERT_EQ(plot.x.categories.size(), 5U);
+    EXPECT_EQ(plot.x.categories[3], "α");
+    const std::vector<double>& z = plot.series.at(0).z;
+    ASSERT_EQ(z.size(), 25U);
+    EXPECT_NEAR(z[0], 1.0, 1e-12);
+    EXPECT_NEAR(z[1], -0.8, 1e-12);
+    EXPECT_NEAR(z[2 * 5 + 4], 0.64, 1e-12);
+    EXPECT_EQ(plot.z_low, -1.0);
+    EXPECT_EQ(plot.z_high, 1.0);
+    EXPECT_EQ(correlation_plot(result, "").y.categories.back(), "γ₇ (pose 8)");
+    EXPECT_TRUE(correlation_plot(result, "pose 8").series.empty());
+}
+
+TEST(ConvergencePlot, HasTwoStandardErrorsAndTheFinalValue) {
+    const UncertaintyResult result = test::plot_sample();
+    const PlotSpecification plot = convergence_plot(result, 0);
+    EXPECT_TRUE(plot.x.logarithmic);
+    ASSERT_EQ(plot.series.size(), 3U);
+    const PlotSeries &u = plot.series[0], &low = plot.series[1], &high = plot.series[2];
+    ASSERT_EQ(u.x.size(), 21U);
+    EXPECT_EQ(u.x.back(), 1e6);
+    // u/sqrt(2 N) at both ends, in mm.
+    EXPECT_NEAR(high.y.back() - u.y.back(), 2.0 * 0.367 / std::sqrt(2e6), 1e-9);
+    EXPECT_NEAR(u.y.front() - low.y.front(), 2.0 * 0.367 / std::sqrt(2e4), 1e-9);
+    ASSERT_EQ(plot.marks.size(), 1U);
+    EXPECT_TRUE(plot.marks[0].horizontal);
+    EXPECT_NEAR(plot.marks[0].at, 0.367, 1e-12);
+    EXPECT_EQ(plot.marks[0].label, "final u 0.367\u00a0mm");
+}
+
+TEST(ConvergencePlot, SaysWhenItHasNotStabilised) {
+    UncertaintyResult result = test::plot_sample();
+    result.stabilised = false;
+    EXPECT_NE(convergence_plot(result, 0).title.find("(not stabilised)"), std::string::npos);
+}
+
+TEST(EmptyPlots, SayWhatToDo) {
+    UncertaintyResult result = test::plot_sample();
+    result.outputs[0].monte_carlo.reset();
+    for (const auto& plot :
+         {histogram_plot(result, 0), normal_quantile_plot(result, 0), convergence_plot(result, 0)}) {
+        EXPECT_TRUE(plot.series.empty());
+        EXPECT_TRUE(plot.title.starts_with("Run Monte Carlo to see ")) << plot.title;
+    }
+    result.budget.rows[0].clear();
+    EXPECT_TRUE(contribution_plot(result, 0).series.empty());
+    EXPECT_NE(contribution_plot(result, 0).title.find("give its inputs components of uncertainty"),
+              std::string::npos);
+}
+
+TEST(EmptyPlots, ZeroUncertaintyHasNoDistribution) {
+    UncertaintyResult result = test::plot_sample();
+    MonteCarloOutput& trials = *result.outputs[0].monte_carlo;
+    trials.standard_uncertainty = 0.0;
+    trials.histogram = {-0.12, -0.12, {1'000'000}, 0, 0};
+    for (const auto& plot : {histogram_plot(result, 0), normal_quantile_plot(result, 0)}) {
+        EXPECT_TRUE(plot.series.empty());
+        EXPECT_NE(plot.title.find("same value in every trial"), std::string::npos) << plot.title;
+    }
+    result.outputs[1].monte_carlo->histogram.counts.clear();
+    EXPECT_TRUE(histogram_plot(result, 1).series.empty());
+    result.outputs[1].monte_carlo->quantiles.resize(2);
+    EXPECT_TRUE(normal_quantile_plot(result, 1).series.empty());
+}
+
+TEST(PlotCsv, HasColumnsPerSeriesAndQuotesCommas) {
+    PlotSpecification plot;
+    plot.x.title = "x, y";
+    plot.y.title = "u (mm)";
+    plot.series.push_back({"a", SeriesKind::line, SeriesRole::data, {1.0, 2.5}, {0.1, 0.2}, {}, 0.0});
+    plot.series.push_back({"", SeriesKind::line, SeriesRole::fit, {3.0}, {1e-9}, {}, 0.0});
+    EXPECT_EQ(plot_csv(plot), "\"a: x, y\",a: u (mm),\"x, y\",u (mm)\r\n1,0.1,3,1e-09\r\n2.5,0.2,,\r\n");
+    EXPECT_EQ(plot_csv({}), "");
+}
+
+TEST(PlotCsv, WritesCategoriesAndMatrices) {
+    const UncertaintyResult result = test::plot_sample();
+    const std::string bars = plot_csv(contribution_plot(result, 0, 3));
+    EXPECT_NE(bars.find(",p₁ₓ\r\n"), std::string::npos) << bars;
+    EXPECT_NE(bars.find(",14 others\r\n"), std::string::npos) << bars;
+    PlotSpecification map;
+    map.x.categories = map.y.categories = {"x", "α"};
+    map.series.push_back({"r", SeriesKind::heat_map, SeriesRole::data, {}, {}, {1.0, -0.5, 0.25, 1.0}, 0.0});
+    EXPECT_EQ(plot_csv(map), "r,x,α\r\nx,1,-0.5\r\nα,0.25,1\r\n");
+}
+
+}  // namespace
+}  // namespace covaria

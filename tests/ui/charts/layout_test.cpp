@@ -1,0 +1,104 @@
+// No text is cut or covers another, whatever the chart and its size.
+#include "ui/charts/chart_layout.h"
+
+#include "tests/ui/charts/chart_test.h"
+#include "ui/charts/label_text.h"
+#include "ui/charts/mark_labels.h"
+#include "ui/charts/visible_part.h"
+
+namespace covaria::ui {
+namespace {
+
+/// Without the leading of the line: where there is ink.
+QRectF ink(const PlacedText& text) {
+    const double lead = 0.14 * (text.upwards ? text.box.width() : text.box.height());
+    return text.upwards ? text.box.adjusted(lead, 0.0, -lead, 0.0) : text.box.adjusted(0.0, lead, 0.0, -lead);
+}
+
+void expect_clear(const ChartLayout& layout, const QSizeF& size, const std::string& what) {
+    const QRectF whole(QPointF(), size);
+    for (std::size_t i = 0; i < layout.texts.size(); ++i) {
+        const PlacedText& text = layout.texts[i];
+        EXPECT_TRUE(whole.contains(ink(text))) << what << ": cut: " << text.text.toStdString();
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(ink(text).intersects(ink(layout.texts[j])))
+                << what << ": " << text.text.toStdString() << " covers "
+                << layout.texts[j].text.toStdString();
+    }
+}
+
+TEST(ChartLayout, KeepsTextsWholeAndApart) {
+    int checked = 0;
+    for (const PlotSpecification& plot : test::all_plots())
+        for (const QSize size :
+             {QSize(900, 560), QSize(380, 260), QSize(302, 205), QSize(1600, 300), QSize(300, 700)}) {
+            const ChartLayout layout = layout_chart(plot, size, whole_view(plot));
+            expect_clear(layout, size, plot.id + " at " + std::to_string(size.width()));
+            if (!plot.series.empty()) {
+                EXPECT_GT(layout.geometry.area.height(), 0.3 * std::min(size.width(), size.height()))
+                    << plot.id;
+            }
+            checked += static_cast<int>(layout.texts.size());
+        }
+    EXPECT_GT(checked, 400);
+}
+
+TEST(ChartLayout, KeepsLongNamesInside) {
+    PlotSpecification plot = test::all_plots()[3];
+    plot.y.categories[0] = "length standard, uncertainty of the calibration of the artefact at 20 degrees";
+    plot.title += " with a title that is so long that it has to be broken into several lines";
+    expect_clear(layout_chart(plot, {380, 260}, whole_view(plot)), {380, 260}, "long");
+}
+
+TEST(ChartLayout, MapsValuesToPlacesAndBack) {
+    const PlotSpecification plot = test::all_plots()[0];
+    const PlotGeometry geometry = layout_chart(plot, {900, 560}, whole_view(plot)).geometry;
+    EXPECT_DOUBLE_EQ(geometry.x_at(plot.x.low), geometry.area.left());
+    EXPECT_DOUBLE_EQ(geometry.x_at(plot.x.high), geometry.area.right());
+    EXPECT_DOUBLE_EQ(geometry.y_at(0.0), geometry.area.bottom());
+    const QPointF back = geometry.coordinates_at(geometry.at(-120.1, 0.5));
+    EXPECT_NEAR(back.x(), -120.1, 1e-9);
+    EXPECT_NEAR(back.y(), 0.5, 1e-9);
+}
+
+TEST(MarkLabels, MoveAsideOrToASecondRow) {
+    std::vector<MarkLabel> apart = {{50, 40, false, 0, 0}, {100, 40, true, 0, 0}, {150, 40, false, 0, 0}};
+    EXPECT_EQ(place_mark_labels(apart, 0, 200, 8), 1);
+    EXPECT_EQ(apart[1].left, 80.0);
+    std::vector<MarkLabel> close = {{90, 60, false, 0, 0}, {100, 60, true, 0, 0}, {110, 60, false, 0, 0}};
+    EXPECT_EQ(place_mark_labels(close, 0, 200, 8), 2);
+    EXPECT_EQ(close[1].row, 1);
+    EXPECT_EQ(close[1].left, 70.0);
+    EXPECT_GE(close[2].left, close[0].left + 60 + 8);
+    std::vector<MarkLabel> edge = {{2, 60, false, 0, 0}};
+    EXPECT_EQ(place_mark_labels(edge, 0, 200, 8), 1);
+    EXPECT_EQ(edge[0].left, 0.0);
+}
+
+TEST(LabelText, SetsSubscriptsSmall) {
+    const QFont font = fonts_for(900).label;
+    EXPECT_LT(LabelText("b_1", font).width(), LabelText("b1", font).width());
+    EXPECT_DOUBLE_EQ(LabelText("b_1", font).width(), LabelText("b₁", font).width());
+    EXPECT_DOUBLE_EQ(LabelText("_x", font).width(),
+                     LabelText("_", font).width() + LabelText("x", font).width());
+}
+
+TEST(VisiblePart, CutsLinesAtTheEdges) {
+    PlotSpecification plot;
+    plot.series.push_back(
+        {"a", SeriesKind::line, SeriesRole::data, {0, 1, 2, 3, 4}, {0, 2, 0, 2, 0}, {}, 0.0});
+    plot.series.push_back({"p", SeriesKind::points, SeriesRole::data, {0, 2}, {0, 5}, {}, 0.0});
+    const PlotSpecification part = visible_part(plot, {0.0, 4.0, 0.0, 1.0});
+    ASSERT_EQ(part.series.size(), 4U) << "a line in three runs, and the points";
+    EXPECT_EQ(part.series[0].name, "a");
+    EXPECT_EQ(part.series[0].x, (std::vector<double>{0.0, 0.5}));
+    EXPECT_EQ(part.series[1].name, "");
+    EXPECT_EQ(part.series[1].x, (std::vector<double>{1.5, 2.0, 2.5}));
+    EXPECT_EQ(part.series[1].y, (std::vector<double>{1.0, 0.0, 1.0}));
+    EXPECT_EQ(part.series[2].x, (std::vector<double>{3.5, 4.0}));
+    EXPECT_EQ(part.series[3].x, (std::vector<double>{0.0}));
+    EXPECT_TRUE(visible_part(plot, {5.0, 6.0, 0.0, 1.0}).series[0].x.empty());
+}
+
+}  // namespace
+}  // namespace covaria::ui

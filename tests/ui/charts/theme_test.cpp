@@ -1,0 +1,85 @@
+// Colours that can be read and told apart, in both themes; the application's palette and font.
+#include "ui/theme/theme.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QFontMetricsF>
+#include <QPalette>
+#include <QStyle>
+
+#include "ui/theme/fonts.h"
+
+namespace covaria::ui {
+namespace {
+
+constexpr SeriesRole roles[] = {SeriesRole::data,        SeriesRole::fit,         SeriesRole::reference,
+                                SeriesRole::first_order, SeriesRole::monte_carlo, SeriesRole::emphasis};
+
+TEST(Theme, ColoursStandOutFromTheGround) {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+        const Neutrals& n = theme.neutrals();
+        EXPECT_GE(contrast(n.text, n.ground), 10.0);
+        EXPECT_GE(contrast(n.text, n.panel), 10.0);
+        EXPECT_GE(contrast(n.quiet, n.ground), 4.5);
+        EXPECT_GE(contrast(n.quiet, n.panel), 4.5);
+        EXPECT_GE(contrast(n.on_accent, n.accent), 4.5);
+        for (const SeriesRole role : roles)
+            EXPECT_GE(contrast(theme.series(role), n.ground), 3.0) << int(role);
+    }
+    EXPECT_TRUE(Theme::dark().is_dark());
+}
+
+TEST(Theme, MagnitudesGetSteadilyLighter) {
+    const Theme theme = Theme::light();
+    double last = 0.0;
+    for (int i = 0; i <= 40; ++i) {
+        const double now = contrast(theme.sequential(i / 40.0), Qt::black);
+        EXPECT_GT(now, last) << i;
+        last = now;
+    }
+    EXPECT_EQ(theme.sequential(-1.0), theme.sequential(0.0));
+}
+
+TEST(Theme, DivergingMapIsNeutralInTheMiddle) {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+        EXPECT_LT(contrast(theme.diverging(0.0), theme.neutrals().ground), 1.3);
+        for (const double sign : {-1.0, 1.0}) {
+            EXPECT_GT(contrast(theme.diverging(sign), theme.neutrals().ground), 4.5);
+            EXPECT_GT(contrast(theme.diverging(sign), theme.neutrals().ground),
+                      contrast(theme.diverging(0.5 * sign), theme.neutrals().ground));
+        }
+        for (int i = -20; i <= 20; ++i) {
+            const QColor colour = theme.diverging(i / 20.0);
+            EXPECT_GE(contrast(Theme::text_on(colour), colour), 4.0) << i;
+        }
+    }
+}
+
+TEST(Theme, ContrastIsThatOfTheGuidelines) {
+    EXPECT_NEAR(contrast(Qt::black, Qt::white), 21.0, 1e-6);
+    EXPECT_NEAR(contrast(QColor(0x77, 0x77, 0x77), Qt::white), 4.48, 0.01);
+}
+
+TEST(ApplyTheme, SetsStylePaletteAndFont) {
+    for (const Theme& theme : {Theme::dark(), Theme::light()}) {
+        apply_theme(*qApp, theme);
+        EXPECT_EQ(QApplication::style()->name(), QStringLiteral("fusion"));
+        EXPECT_EQ(QApplication::palette().color(QPalette::Base), theme.neutrals().ground);
+        EXPECT_EQ(QApplication::palette().color(QPalette::Disabled, QPalette::Text),
+                  theme.neutrals().disabled);
+        EXPECT_EQ(QApplication::font().family(), text_family());
+    }
+}
+
+TEST(Fonts, FiguresAreEquallyWide) {
+    QFont font = with_tabular_figures(application_font());
+    font.setPixelSize(100);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    const QFontMetricsF metrics(font);
+    for (char16_t digit = u'1'; digit <= u'9'; ++digit)
+        EXPECT_NEAR(metrics.horizontalAdvance(QChar(digit)), metrics.horizontalAdvance(u'0'), 0.5);
+}
+
+}  // namespace
+}  // namespace covaria::ui
