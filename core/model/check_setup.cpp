@@ -119,7 +119,8 @@ public:
         const std::string place = "/" + field_.key;
         if (table_.rows.size() < field_.min_rows)
             problems_.error(place, quoted(field_.title) + " needs at least " +
-                                       std::to_string(field_.min_rows) + " rows; it has " +
+                                       std::to_string(field_.min_rows) +
+                                       (field_.min_rows == 1 ? " row" : " rows") + "; it has " +
                                        std::to_string(table_.rows.size()));
         if (!units_fit(place)) return;
         for (std::size_t row = 0; row < table_.rows.size(); ++row) check_row(row);

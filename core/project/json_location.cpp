@@ -1,6 +1,8 @@
 #include "core/project/json_location.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -151,7 +153,10 @@ private:
 };
 
 bool JsonScanner::check_word(const std::string& word, std::size_t end) {
-    if (word == "true" || word == "false" || word == "null" || is_json_number(word)) {
+    const bool number = is_json_number(word);
+    if (number && std::isinf(std::strtod(word.c_str(), nullptr)))
+        return refuse("'" + word + "' is too large a number");
+    if (number || word == "true" || word == "false" || word == "null") {
         at_ = end;
         return true;
     }

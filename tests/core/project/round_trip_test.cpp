@@ -27,7 +27,7 @@ TEST(RoundTrip, CanonicalTextComesBackByteForByte) {
 
 TEST(RoundTrip, ValuesAreReadAsTyped) {
     const Project project = parse(whole_project).project;
-    const Setup& setup = project.find_asset("block-1")->setup;
+    const covaria::Setup& setup = project.find_asset("block-1")->setup;
     EXPECT_EQ(std::get<Quantity>(setup.values.at("temperature_deviation")), (Quantity{0.7, Unit::of("K")}));
     EXPECT_EQ(std::get<Quantity>(setup.values.at("freedom")).value, infinity);
     const SetupTable& points = std::get<SetupTable>(setup.values.at("points"));

@@ -217,9 +217,9 @@ const char* const whole_project = R"json({
             {"name": "repeatability", "distribution": "student-t", "parameters": {"mean": 0, "scale": 0.5, "degrees_of_freedom": 9}, "unit": "um", "type": "A", "degreesOfFreedom": 9},
             {"distribution": "discrete", "parameters": {"values": [-1, 1], "probabilities": [0.5, 0.5]}, "unit": "um", "degreesOfFreedom": null}
           ],
-          "combination": "arithmetic"
+          "combination": "quadrature"
         },
-        {"symbol": "c", "components": []},
+        {"symbol": "c", "components": [], "combination": "arithmetic"},
         {"symbol": "b.calibration", "held": true}
       ],
       "correlations": [
