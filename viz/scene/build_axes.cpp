@@ -50,7 +50,7 @@ void add_labels(SceneBuild& build) {
     for (const ScenePoint& point : scene.points) label(scene, point.item, clearance_of(point), 50);
     for (const SceneFrame& frame : scene.frames) label(scene, frame.item, 0.015 * scene.size, 40);
     for (const SceneBody& body : scene.bodies)
-        if (body.outline.empty()) label(scene, body.item, body.size / 2, 30);
+        if (body.outline.empty()) label(scene, body.item, 0.36 * body.size, 30);
     for (const SceneLink& link : scene.links)
         if (has_label(link.kind)) label(scene, link.item, link.radius, 20, Role::quiet_text);
     for (const SceneVector& vector : scene.vectors) {

@@ -180,7 +180,7 @@ void add_vectors(SceneBuild& build) {
         added.item = {
             build.unique_id("vector", vector.name), vector.name, vector.group, vector.at_W, {}, {}, {}};
         added.arrow = vector.vector_W * (longest_vector * build.scene.size / longest);
-        added.radius = 0.006 * build.scene.size;
+        added.radius = 0.004 * build.scene.size;
     }
 }
 
