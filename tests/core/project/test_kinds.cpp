@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <fstream>
 #include <sstream>
 
@@ -272,8 +270,9 @@ Problem problem_with(const Problems& problems, const std::string& words) {
 }
 
 std::filesystem::path fresh_folder(const std::string& name) {
-    const auto folder =
-        std::filesystem::path(testing::TempDir()) / ("covaria-" + name + "-" + std::to_string(::getpid()));
+    const testing::TestInfo& running = *testing::UnitTest::GetInstance()->current_test_info();
+    const auto folder = std::filesystem::path(COVARIA_BINARY_DIR) / "test-output" /
+                        (std::string(running.test_suite_name()) + "." + running.name() + "." + name);
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;
