@@ -6,6 +6,16 @@
 
 namespace covaria::ui {
 
+namespace {
+
+/// A title that is a symbol is set as one; other titles are plain words.
+QString title_text(const std::string& title) {
+    const bool is_symbol = title.find('_') != std::string::npos && title.find(' ') == std::string::npos;
+    return to_qt(is_symbol ? symbol_to_html(title) : symbol_to_unicode(title));
+}
+
+}  // namespace
+
 SetupForm::SetupForm(Document& document, SetupAddress address, QWidget* parent)
     : SetupForm(document, address, find_schema(document.project(), address), parent) {}
 
@@ -45,7 +55,7 @@ void SetupForm::add_section(const QString& title) {
 
 void SetupForm::add_field(const FieldSpec& field) {
     FieldEditor* editor = make_field_editor(field, {document_, address_, schema_}, this);
-    auto* title = new QLabel(to_qt(symbol_to_unicode(field.title)), this);
+    auto* title = new QLabel(title_text(field.title), this);
     title->setToolTip(help_text(field));
     title->setBuddy(editor);
     if (editor->is_wide()) {

@@ -82,6 +82,7 @@ ListEditor::ListEditor(const FieldSpec& field, QWidget* parent)
       help_(help_text(field)) {
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box_->setMinimumContentsLength(12);
+    box_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(box_, &QComboBox::activated, this, [this](int row) {
         const QString key = box_->itemData(row).toString();
         emit edited(key.isEmpty() ? SetupValue() : SetupValue(to_std(key)));

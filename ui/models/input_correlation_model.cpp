@@ -13,7 +13,7 @@ namespace covaria::ui {
 
 namespace {
 
-bool is_pair(const CorrelationEdit& edit, const std::string& a, const std::string& b) {
+bool is_pair(const covaria::CorrelationEdit& edit, const std::string& a, const std::string& b) {
     return (edit.first == a && edit.second == b) || (edit.first == b && edit.second == a);
 }
 
@@ -51,8 +51,8 @@ void InputCorrelationModel::set_analysis(std::shared_ptr<const PreparedAnalysis>
     refresh();
 }
 
-const std::vector<CorrelationEdit>& InputCorrelationModel::edits() const {
-    static const std::vector<CorrelationEdit> none;
+const std::vector<covaria::CorrelationEdit>& InputCorrelationModel::edits() const {
+    static const std::vector<covaria::CorrelationEdit> none;
     const AnalysisEntry* entry = analysis_ ? document_.project().find_analysis(analysis_->id) : nullptr;
     return entry ? entry->correlations : none;
 }
@@ -67,7 +67,7 @@ std::vector<std::string> InputCorrelationModel::shown_components() const {
         add(analysis_->inputs.components[known.first].id);
         add(analysis_->inputs.components[known.second].id);
     }
-    for (const CorrelationEdit& edit : edits()) {
+    for (const covaria::CorrelationEdit& edit : edits()) {
         add(edit.first);
         add(edit.second);
     }
@@ -91,7 +91,7 @@ void InputCorrelationModel::check() {
     QString complaint;
     if (analysis_) {
         InputSet inputs = analysis_->inputs;
-        for (const CorrelationEdit& edit : edits()) {
+        for (const covaria::CorrelationEdit& edit : edits()) {
             const std::size_t a = find_component(inputs, edit.first);
             const std::size_t b = find_component(inputs, edit.second);
             if (a != InputSet::npos && b != InputSet::npos) set_coefficient(inputs, a, b, edit.coefficient);
@@ -114,8 +114,9 @@ void InputCorrelationModel::remove_component(int row) {
     std::erase(added_, id);
     document_.apply(tr("Remove correlations of %1").arg(to_qt(id)), [&](Project& project) {
         if (AnalysisEntry* entry = find_analysis_entry(project, analysis_->id))
-            std::erase_if(entry->correlations,
-                          [&](const CorrelationEdit& edit) { return edit.first == id || edit.second == id; });
+            std::erase_if(entry->correlations, [&](const covaria::CorrelationEdit& edit) {
+                return edit.first == id || edit.second == id;
+            });
     });
     refresh();
 }
@@ -134,7 +135,7 @@ int InputCorrelationModel::rowCount(const QModelIndex& parent) const {
 
 double InputCorrelationModel::coefficient(const std::string& a, const std::string& b) const {
     if (a == b) return 1.0;
-    for (const CorrelationEdit& edit : edits())
+    for (const covaria::CorrelationEdit& edit : edits())
         if (is_pair(edit, a, b)) return edit.coefficient;
     const InputSet& inputs = analysis_->inputs;
     for (const ComponentCorrelation& known : inputs.correlations)

@@ -44,7 +44,7 @@ signals:
 private:
     void refresh();
     void check();
-    const std::vector<CorrelationEdit>& edits() const;
+    const std::vector<covaria::CorrelationEdit>& edits() const;
     double coefficient(const std::string& a, const std::string& b) const;
     std::vector<std::string> shown_components() const;
 

@@ -1,0 +1,58 @@
+// The runner over the real engine: an edit of an example becomes first-order results, then Monte Carlo.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/models/registry.h"
+#include "core/project/project_file.h"
+#include "tests/ui/qt_application.h"
+#include "ui/run/analysis_runner.h"
+
+namespace covaria::ui {
+namespace {
+
+Project example(const ModelDescriptor& model) {
+    const auto file = std::filesystem::path(COVARIA_SOURCE_DIR) / "projects" / model.example;
+    LoadedProject loaded = load_project(file);
+    EXPECT_FALSE(loaded.problems.has_errors()) << file;
+    for (AnalysisEntry& analysis : loaded.project.analyses) {
+        analysis.options.method = Method::monte_carlo;
+        analysis.options.trials = 20'000;
+        analysis.options.one_at_a_time_trials = 0;
+    }
+    return loaded.project;
+}
+
+TEST(LiveEdit, EveryExampleRunsAndFollowsAnEdit) {
+    test_application();
+    ASSERT_FALSE(model_registry().empty());
+    for (const ModelDescriptor& model : model_registry()) {
+        Project project = example(model);
+        ASSERT_FALSE(project.analyses.empty()) << model.id;
+        const QString id = QString::fromStdString(project.analyses.front().id);
+        AnalysisRunner runner;
+        runner.set_live(true);
+        std::vector<ResultStage> stages;
+        QObject::connect(&runner, &AnalysisRunner::result_changed, &runner, [&](const QString& changed) {
+            if (changed == id) stages.push_back(runner.status(id).stage);
+        });
+        runner.set_project(std::make_shared<const Project>(project));
+        ASSERT_TRUE(runner.wait_until_idle(60'000)) << model.id;
+        ASSERT_EQ(runner.status(id).state, RunState::up_to_date)
+            << model.id << ": " << runner.status(id).message.toStdString();
+        EXPECT_EQ(stages, (std::vector{ResultStage::first_order, ResultStage::complete})) << model.id;
+
+        const auto seed_1 = runner.status(id).result;
+        for (AnalysisEntry& analysis : project.analyses) ++analysis.options.seed;
+        runner.set_project(std::make_shared<const Project>(project));
+        ASSERT_TRUE(runner.wait_until_idle(60'000)) << model.id;
+        const auto seed_2 = runner.status(id).result;
+        EXPECT_TRUE(runner.status(id).is_current());
+        EXPECT_EQ(seed_1->outputs[0].first_order.standard_uncertainty,
+                  seed_2->outputs[0].first_order.standard_uncertainty);
+        EXPECT_NE(seed_1->outputs[0].standard_uncertainty, seed_2->outputs[0].standard_uncertainty);
+    }
+}
+
+}  // namespace
+}  // namespace covaria::ui
