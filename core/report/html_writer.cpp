@@ -55,7 +55,7 @@ struct HtmlWriter {
     void operator()(const FactsBlock& facts) {
         out += "<dl>\n";
         for (const auto& [key, value] : facts.facts)
-            out += element("dt", escape_html(key)) + element("dd", text_to_html(value)) + "\n";
+            out += element("dt", text_to_html(key)) + element("dd", text_to_html(value)) + "\n";
         out += "</dl>\n";
     }
     void operator()(const EquationBlock& equation) {

@@ -44,10 +44,11 @@ std::string without_negative_zero(std::string text) {
 }
 
 std::string without_trailing_zeros(std::string text) {
-    if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
+    const std::size_t end = std::min(text.find('e'), text.size());
+    if (text.find('.') >= end) return text;
+    std::size_t kept = text.find_last_not_of('0', end - 1) + 1;
+    if (text[kept - 1] == '.') --kept;
+    return text.erase(kept, end - kept);
 }
 
 }  // namespace

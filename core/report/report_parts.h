@@ -49,6 +49,9 @@ std::string setup_text(const FieldSpec& field, const SetupValue& value, const Re
 void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
                       const ReportSource& source);
 
+/// One paragraph per line of a note.
+void add_paragraphs(Blocks& blocks, const std::string& text);
+
 // --- words and selections (report_words.cpp)
 
 /// Grows a table column by column.

@@ -8,7 +8,7 @@ void add_asset(Blocks& blocks, const ReportSource& source, const std::string& id
                const AssetLibrary::Entry& entry) {
     blocks.push_back(HeadingBlock{3, entry.name});
     const AssetEntry* typed = source.project.find_asset(id);
-    if (typed && !typed->notes.empty()) blocks.push_back(ParagraphBlock{typed->notes});
+    if (typed) add_paragraphs(blocks, typed->notes);
     if (typed && entry.descriptor) add_setup_fields(blocks, entry.descriptor->schema, typed->setup, source);
     for (DataTable& table : entry.asset->evaluation()) blocks.push_back(TableBlock{std::move(table), {}});
     if (!entry.descriptor || entry.descriptor->references.empty()) return;

@@ -32,12 +32,21 @@ double shown_sensitivity(const BudgetRow& row, const Unit& component, const Unit
     return output.interval_from_si(row.sensitivity * component.interval_to_si(1.0));
 }
 
+/// Without components whose contribution is only rounding of a sensitivity coefficient of zero.
+std::vector<BudgetRow> rows_that_count(std::vector<BudgetRow> rows, double combined) {
+    std::erase_if(rows, [combined](const BudgetRow& row) {
+        return row.contribution < 1e-9 * combined &&
+               !(row.one_at_a_time && *row.one_at_a_time > 1e-9 * combined);
+    });
+    return rows;
+}
+
 class BudgetTable {
 public:
     BudgetTable(const EvaluatedAnalysis& evaluated, std::size_t output)
         : result_(*evaluated.result),
           output_(result_.outputs[output]),
-          rows_(result_.budget.rows[output]),
+          rows_(rows_that_count(result_.budget.rows[output], output_.first_order.standard_uncertainty)),
           table_("budget-" + evaluated.analysis->id + "-" +
                      file_name_part(output_.quantity.symbol + " " + output_.quantity.group),
                  "Budget of " + output_label(output_.quantity) + ", " + output_.quantity.name) {
@@ -49,7 +58,7 @@ public:
         table_.text("Symbol", true);
         table_.text("Component");
         table_.text("Unit");
-        table_.symbol("u(x_i)", 2);
+        table_.symbol("u(x_i)", 3);
         table_.text("Distribution");
         table_.symbol("nu_i", 3);
         table_.symbol("c_i", 3);
@@ -105,7 +114,7 @@ private:
 
     const UncertaintyResult& result_;
     const OutputResult& output_;
-    const std::vector<BudgetRow>& rows_;
+    std::vector<BudgetRow> rows_;
     TableBuilder table_;
     bool one_at_a_time_ = false;
 };

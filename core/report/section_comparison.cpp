@@ -59,8 +59,8 @@ void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     table.number("u Monte Carlo", 3);
     table.fixed("ratio", 3);
     table.symbol("delta", 1);
-    table.symbol("d_low", 2);
-    table.symbol("d_high", 2);
+    table.symbol("d_low", 0, 5);
+    table.symbol("d_high", 0, 5);
     table.text("Clause 8");
     table.fixed("skewness", 3);
     table.fixed("excess kurtosis", 3);

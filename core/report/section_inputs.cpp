@@ -11,21 +11,27 @@ namespace covaria::report_parts {
 namespace {
 
 constexpr std::size_t listed_one_by_one = 24;  // up to here every quantity has a row of its own
-constexpr std::size_t smallest_collapsed = 7;  // that many quantities with equal components share a row
+constexpr std::size_t smallest_collapsed = 5;  // so many quantities with equal components share a row
 
 std::string type_text(EvaluationType type) {
     return type == EvaluationType::type_a ? "A" : "B";
 }
 
-/// What must agree for two quantities to share a row.
-std::string signature(const InputSet& inputs, const InputQuantity& quantity) {
+/// What must agree for two quantities to share a row: their components with their uncertainties, or, where
+/// several components make one (the axes of a tilted frame), what the components are and the uncertainty they
+/// combine to.
+std::string signature(const InputSet& inputs, std::size_t index) {
+    const InputQuantity& quantity = inputs.quantities[index];
     std::string text = quantity.unit.text() + "\n" +
                        (quantity.combination == Combination::arithmetic ? "arithmetic" : "quadrature");
+    const bool combined = quantity.shares.size() > 1;
+    if (combined) text += "\n" + format_significant(standard_uncertainty_of(inputs, index), 4);
     for (const Share& share : quantity.shares) {
         const UncertaintyComponent& c = inputs.components[share.component];
         text += "\n" + c.name + "|" + std::string(c.distribution.kind()) + "|" + c.origin + "|" +
-                format_exact(std::abs(share.factor) * c.distribution.standard_uncertainty()) + "|" +
                 format_exact(c.degrees_of_freedom) + type_text(c.type) + (c.held ? "h" : "");
+        if (!combined)
+            text += "|" + format_exact(std::abs(share.factor) * c.distribution.standard_uncertainty());
     }
     return text;
 }
@@ -35,11 +41,10 @@ using Members = std::vector<std::size_t>;
 /// Quantities in order of first appearance; one list per row of the table.
 std::vector<Members> rows_of(const InputSet& inputs) {
     std::map<std::string, Members> alike;
-    for (std::size_t i = 0; i < inputs.quantities.size(); ++i)
-        alike[signature(inputs, inputs.quantities[i])].push_back(i);
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) alike[signature(inputs, i)].push_back(i);
     std::vector<Members> rows;
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
-        const Members& members = alike[signature(inputs, inputs.quantities[i])];
+        const Members& members = alike[signature(inputs, i)];
         const bool collapse =
             inputs.quantities.size() > listed_one_by_one && members.size() >= smallest_collapsed;
         if (!collapse)
@@ -68,6 +73,15 @@ std::vector<TableCell> component_cells(const UncertaintyComponent& c, double fac
             c.degrees_of_freedom, c.origin.empty() ? c.name : c.origin};
 }
 
+/// The origin that all components of the quantity have in common: "typed; ", else nothing.
+std::string origins_text(const InputSet& inputs, const InputQuantity& quantity) {
+    const std::string& origin = inputs.components[quantity.shares.front().component].origin;
+    const bool same = std::all_of(quantity.shares.begin(), quantity.shares.end(), [&](const Share& share) {
+        return inputs.components[share.component].origin == origin;
+    });
+    return same && !origin.empty() ? origin + "; " : "";
+}
+
 void add_quantity(TableBuilder& table, const InputSet& inputs, const Members& members) {
     const InputQuantity& quantity = inputs.quantities[members.front()];
     std::vector<TableCell> cells = {symbols_text(inputs, members), names_text(inputs, members), TableCell{},
@@ -89,8 +103,9 @@ void add_quantity(TableBuilder& table, const InputSet& inputs, const Members& me
         table.row(append(
             cells, {interval_in(quantity.unit, standard_uncertainty_of(inputs, members.front())),
                     std::string("combined"), TableCell{}, nu,
-                    std::to_string(quantity.shares.size()) +
+                    origins_text(inputs, quantity) + std::to_string(quantity.shares.size()) +
                         (linear ? " components, added arithmetically" : " components, in quadrature")}));
+        if (members.size() > 1) return;  // their shares differ from one to the next: see the CSV table
         for (const Share& share : quantity.shares) {
             const UncertaintyComponent& c = inputs.components[share.component];
             table.row(append({TableCell{}, "– " + c.name, TableCell{}, unit_text(quantity.unit)},
@@ -121,7 +136,7 @@ void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     table.text("Quantity");
     table.number("Estimate", 0, 4);
     table.text("Unit");
-    table.symbol("u(x_i)", 2);
+    table.symbol("u(x_i)", 3);
     table.text("Distribution");
     table.text("Type");
     table.symbol("nu_i", 3);

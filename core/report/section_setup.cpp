@@ -1,5 +1,6 @@
 // Set-ups as the schema lists them: fields with titles and units, tables as tables.
 #include <algorithm>
+#include <sstream>
 
 #include "core/report/number_format.h"
 #include "core/report/report_parts.h"
@@ -11,13 +12,13 @@ namespace {
 constexpr std::size_t most_rows = 60;  // of a set-up table; the file has them all
 
 std::string quantity_text(double value, const Unit& unit) {
-    return format_cell(Quantity{value, unit}, TableColumn{});
+    return typeset_number(format_cell(Quantity{value, unit}, TableColumn{}));
 }
 
 std::string triple_text(const std::array<double, 3>& values, const Unit& unit) {
-    const TableColumn plain;
-    return "(" + format_cell(values[0], plain) + ", " + format_cell(values[1], plain) + ", " +
-           format_cell(values[2], plain) + ")\u00a0" + unit.display();
+    const auto number = [](double value) { return typeset_number(format_cell(value, TableColumn{})); };
+    return "(" + number(values[0]) + ", " + number(values[1]) + ", " + number(values[2]) + ")\u00a0" +
+           unit.display();
 }
 
 std::string choice_title(const std::vector<Choice>& choices, const std::string& key) {
@@ -80,12 +81,21 @@ TableBlock setup_table(const FieldSpec& field, const SetupTable& table) {
     return block;
 }
 
+void add_paragraphs(Blocks& blocks, const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty()) blocks.push_back(ParagraphBlock{line});
+}
+
 void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
                       const ReportSource& source) {
     FactsBlock facts;
     Blocks tables;
-    std::string section;
+    std::string section, heading;
     const auto flush = [&] {
+        if (!heading.empty() && !(facts.facts.empty() && tables.empty()))
+            blocks.push_back(HeadingBlock{4, heading});
+        heading.clear();
         if (!facts.facts.empty()) blocks.push_back(std::move(facts));
         blocks.insert(blocks.end(), tables.begin(), tables.end());
         facts = {};
@@ -94,6 +104,7 @@ void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& se
     for (const FieldSpec& field : schema.fields()) {
         if (!is_shown(schema, field, setup)) continue;
         if (field.section != section) flush();
+        if (field.section != section && !field.section.empty()) heading = field.section;
         section = field.section;
         const SetupValue& value = value_of(field, setup);
         if (const auto* table = std::get_if<SetupTable>(&value)) {
@@ -109,7 +120,7 @@ void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
     if (!entry) return;
     blocks.push_back(HeadingBlock{2, "Set-up"});
-    if (!entry->notes.empty()) blocks.push_back(ParagraphBlock{entry->notes});
+    add_paragraphs(blocks, entry->notes);
     add_setup_fields(blocks, evaluated.analysis->descriptor->schema, entry->setup, source);
 }
 

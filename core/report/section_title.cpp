@@ -50,7 +50,7 @@ void add_title(Blocks& blocks, const ReportSource& source) {
                                  "Covaria " + source.analyses.front().result->provenance.covaria_version);
     facts.facts.emplace_back("Project fingerprint", project_fingerprint(source));
     blocks.push_back(std::move(facts));
-    if (!source.project.notes.empty()) blocks.push_back(ParagraphBlock{source.project.notes});
+    add_paragraphs(blocks, source.project.notes);
     for (const EvaluatedAnalysis& evaluated : source.analyses) add_glance(blocks, evaluated);
 }
 

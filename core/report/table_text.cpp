@@ -2,7 +2,9 @@
 #include "core/report/table_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdlib>
 
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
@@ -45,11 +47,13 @@ std::string unit_suffix(const TableColumn& column) {
     return column.unit.text() == "1" ? "" : " (" + column.unit.display() + ")";
 }
 
-std::string with_true_minus(std::string text) {
-    if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
-    const auto exponent = text.find("e-");
-    if (exponent != std::string::npos) text.replace(exponent + 1, 1, "−");
-    return text;
+/// "-05" -> "⁻⁵"
+std::string superscript(int exponent) {
+    static const std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string out = exponent < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(exponent)))
+        out += digits[static_cast<std::size_t>(digit - '0')];
+    return out;
 }
 
 }  // namespace
@@ -118,7 +122,7 @@ std::string cell_html(const TableBlock& block, std::size_t row, std::size_t colu
     if (style_of(block, column).symbol && !is_subhead(block, row)) return symbols_to_html(text);
     const auto& cells = block.table.rows[row];
     const bool number = column < cells.size() && shown_number(cells[column], block.table.columns[column]);
-    return number ? escape_html(with_true_minus(text)) : text_to_html(text);
+    return number ? escape_html(typeset_number(text)) : text_to_html(text);
 }
 
 std::string symbols_to_html(std::string_view text) {
@@ -149,6 +153,17 @@ std::string equation_to_html(std::string_view text) {
             return is_letter(word) || is_subscripted_letter(word) ? symbol_to_html(word) : escape_html(word);
         },
         [](std::string_view rest) { return escape_html(rest); });
+}
+
+std::string typeset_number(std::string text) {
+    const std::size_t e = text.find('e');
+    if (e != std::string::npos && e > 0 && e + 1 < text.size() &&
+        (text[e + 1] == '-' || text[e + 1] == '+')) {
+        const std::size_t end = std::min(text.find_first_not_of("0123456789", e + 2), text.size());
+        text.replace(e, end - e, "×10" + superscript(std::atoi(text.c_str() + e + 1)));
+    }
+    if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
+    return text;
 }
 
 std::string escape_html(std::string_view text) {

@@ -28,6 +28,8 @@ std::string cell_html(const TableBlock& block, std::size_t row, std::size_t colu
 /// Symbols among other marks ("b_1x, b_2x … b_9z"), each set as a symbol.
 std::string symbols_to_html(std::string_view text);
 std::string symbols_to_unicode(std::string_view text);
+/// A formatted number with a true minus sign and powers of ten: "−2.3×10⁻⁵" for "-2.3e-05".
+std::string typeset_number(std::string text);
 /// Running text as HTML, escaped; symbols with subscripts ("u_by", "alpha_7") set as symbols.
 std::string text_to_html(std::string_view text);
 /// The same for an equation, where single letters and names of Greek letters are symbols as well.

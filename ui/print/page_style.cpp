@@ -1,41 +1,10 @@
 // Paper, margins, fonts and greys of the printed report.
 #include "ui/print/page_style.h"
 
-#include <QFontDatabase>
-#include <QFontMetricsF>
-#include <QStringList>
+#include "ui/theme/fonts.h"
 
 namespace covaria::ui {
 namespace {
-
-const QStringList& sans_families() {
-    static const QStringList families = {"Inter", "Liberation Sans", "DejaVu Sans"};
-    return families;
-}
-
-QString first_installed(const QStringList& families) {
-    const QStringList installed = QFontDatabase::families();
-    for (const QString& family : families)
-        if (installed.contains(family)) return family;
-    return QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
-}
-
-bool has_tabular_figures(const QString& family, QPaintDevice* device) {
-    QFont font(family);
-    font.setPointSizeF(100.0);
-    const QFontMetricsF metrics(font, device);
-    const double width = metrics.horizontalAdvance('0');
-    for (char digit = '1'; digit <= '9'; ++digit)
-        if (std::abs(metrics.horizontalAdvance(digit) - width) > 0.01 * width) return false;
-    return true;
-}
-
-QString tabular_family(const QString& fallback, QPaintDevice* device) {
-    const QStringList installed = QFontDatabase::families();
-    for (const QString& family : sans_families())
-        if (installed.contains(family) && has_tabular_figures(family, device)) return family;
-    return fallback;
-}
 
 struct RoleSpec {
     double size;
@@ -78,8 +47,8 @@ PageStyle::PageStyle(QPaintDevice* device, PaperSize paper) : device_(device) {
     const QSizeF millimetres = page_size_of(paper).size(QPageSize::Millimeter);
     sheet_ = QRectF(0.0, 0.0, mm(millimetres.width()), mm(millimetres.height()));
     text_area_ = sheet_.adjusted(mm(20.0), mm(25.0), -mm(20.0), -mm(22.0));
-    text_family_ = first_installed(sans_families());
-    figures_family_ = tabular_family(text_family_, device);
+    text_family_ = text_family();
+    figures_family_ = figures_family();
 }
 
 double PageStyle::mm(double length) const {

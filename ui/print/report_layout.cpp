@@ -48,7 +48,8 @@ public:
         const bool first = heading.level == 1;
         const TextRole role = first                ? TextRole::heading_1
                               : heading.level == 2 ? TextRole::heading_2
-                                                   : TextRole::heading_3;
+                              : heading.level == 3 ? TextRole::heading_3
+                                                   : TextRole::caption;
         RichText text(style_, role, escaped(heading.text));
         text.set_width(width_);
         const double rule = text.height() + style_.mm(0.8), line = style_.points(0.5);
@@ -87,12 +88,11 @@ public:
     }
 
     void operator()(const FactsBlock& facts) {
-        double key_width = 0.0;
-        for (const auto& fact : facts.facts)
-            key_width =
-                std::max(key_width, RichText(style_, TextRole::body, escaped(fact.first)).natural_width());
-        key_width = std::min(key_width, style_.mm(62.0));
-        for (const auto& fact : facts.facts) add_fact(fact.first, fact.second, key_width);
+        bool first = true;
+        for (const auto& fact : facts.facts) {
+            add_fact(fact.first, fact.second, first ? style_.mm(1.6) : style_.mm(0.9));
+            first = false;
+        }
     }
 
     void operator()(const EquationBlock& equation) {
@@ -136,14 +136,15 @@ private:
                          {}});
     }
 
-    void add_fact(const std::string& name, const std::string& value, double key_width) {
-        RichText key(style_, TextRole::body, escaped(name));
+    void add_fact(const std::string& name, const std::string& value, double space_before) {
+        const double key_width = 0.34 * width_;
+        RichText key(style_, TextRole::body, html_of(name));
         key.set_width(key_width);
         const double x = key_width + style_.mm(5.0);
         RichText text(style_, TextRole::body, html_of(value));
         text.set_width(width_ - x);
         items.push_back({std::max(key.height(), text.height()),
-                         style_.mm(0.9),
+                         space_before,
                          false,
                          [key, text, x](QPainter& p, QPointF at) {
                              key.paint(p, at, PageStyle::quiet());

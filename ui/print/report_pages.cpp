@@ -1,3 +1,4 @@
+// Pages of a report: running head, foot and flowed items on any paint device; images for the preview.
 #include "ui/print/report_pages.h"
 
 #include <cmath>

@@ -90,6 +90,8 @@ TEST(FormatCell, ConvertsToTheColumnsUnitAndShowsForeignUnits) {
     EXPECT_EQ(format_cell(TableCell(std::string("a | b")), micrometres), "a | b");
     EXPECT_EQ(format_cell(TableCell{}, micrometres), "");
     EXPECT_EQ(format_cell(TableCell(688.0), TableColumn{}), "688");
+    EXPECT_EQ(format_cell(TableCell(2.3e-5), TableColumn{}), "2.3e-05");
+    EXPECT_EQ(format_cell(TableCell(2e-5), TableColumn{}), "2e-05");
 }
 
 TEST(FormatExact, ReadsBackToTheSameNumber) {

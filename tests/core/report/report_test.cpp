@@ -112,7 +112,7 @@ TEST(Report, InputsWithEqualComponentsShareARow) {
     ASSERT_NE(many, nullptr);
     ASSERT_EQ(many->table.rows.size(), 2U);
     EXPECT_EQ(cell_text(*many, 1, 0), "p_1_1x, p_1_1y … p_13_3z (117)");
-    EXPECT_EQ(cell_text(*many, 1, 4), "0.24");
+    EXPECT_EQ(cell_text(*many, 1, 4), "0.236");
     const ReportDocument short_report = test::sample_report({1, 3, 3, true, "pose"});
     const TableBlock* few = table_with_id(short_report, "inputs-typed");
     ASSERT_NE(few, nullptr);
@@ -233,6 +233,21 @@ TEST(TableText, RunningTextSetsSubscriptedLettersOnly) {
     EXPECT_EQ(
         equation_to_html("y = atan2(r_32, alpha)"),
         symbol_to_html("y") + " = atan2(" + symbol_to_html("r_32") + ", " + symbol_to_html("alpha") + ")");
+}
+
+TEST(TableText, NumbersAreTypeset) {
+    EXPECT_EQ(typeset_number("-2.3e-05"), "−2.3×10⁻⁵");
+    EXPECT_EQ(typeset_number("1.5e+12\u00a0mm"), "1.5×10¹²\u00a0mm");
+    EXPECT_EQ(typeset_number("0.066"), "0.066");
+}
+
+TEST(Report, ComponentsThatOnlyRoundingMakesCountAreLeftOut) {
+    UncertaintyResult result = test::sample_result({1, 3, 3, true, "pose"});
+    result.budget.rows[0][17].contribution = 1e-16 * result.outputs[0].standard_uncertainty;
+    const ReportDocument document =
+        build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)});
+    EXPECT_EQ(table_with_id(document, "budget-typed-x-pose-1")->table.rows.size(), 17U + 1U);
+    EXPECT_EQ(table_with_id(document, "budget-typed-y-pose-1")->table.rows.size(), 18U + 1U);
 }
 
 }  // namespace
