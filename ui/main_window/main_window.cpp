@@ -67,7 +67,7 @@ void MainWindow::make_panes() {
     QDockWidget* log = add_dock(Qt::BottomDockWidgetArea, tr("Log"), QStringLiteral("log"), log_);
     tabifyDockWidget(results, problems);
     tabifyDockWidget(problems, log);
-    resizeDocks({docks_[0], docks_[1]}, {220, 380}, Qt::Horizontal);
+    resizeDocks({docks_[0], docks_[1]}, {250, 360}, Qt::Horizontal);
     resizeDocks({results}, {290}, Qt::Vertical);
     statusBar()->addPermanentWidget(new RunStatus(runner_));
     exports_ = new ExportActions(document_, runner_, files_.dialogs, this);

@@ -1,5 +1,6 @@
 // Sessions as a user has them, through the real widgets.
 #include <QAction>
+#include <QClipboard>
 #include <QLineEdit>
 #include <QTableView>
 #include <QUndoStack>
