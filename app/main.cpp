@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", std::string("covaria ") + COVARIA_VERSION);
     app.require_subcommand(0, 1);
     std::string file;
-    app.add_option("FILE", file, "project file to open in the window");
+    app.add_option("FILE", file, "project file to open in the window")->check(CLI::ExistingFile);
     const std::vector<Command> commands = all_commands(app);
     try {
         app.parse(argc, argv);

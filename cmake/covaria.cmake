@@ -41,15 +41,20 @@ function(covaria_folder name)
     endif()
 endfunction()
 
-# covaria_test(name [DEPENDS ...]): an executable of GoogleTest cases from all *_test.cpp of the current folder.
+# covaria_test(name [QT] [DEPENDS ...]): an executable of GoogleTest cases from all *_test.cpp of the current folder.
+# QT: a QApplication lives while the tests run.
 function(covaria_test name)
-    cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+    cmake_parse_arguments(arg "QT" "" "DEPENDS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     if(NOT sources)
         return()
     endif()
     add_executable(test_${name} ${sources})
     target_link_libraries(test_${name} PRIVATE ${arg_DEPENDS} GTest::gtest GTest::gtest_main)
+    if(arg_QT)
+        target_sources(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/ui/qt_application.cpp)
+        target_link_libraries(test_${name} PRIVATE Qt6::Widgets Qt6::Test)
+    endif()
     target_compile_definitions(test_${name} PRIVATE COVARIA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
         COVARIA_BINARY_DIR="${PROJECT_BINARY_DIR}")
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60

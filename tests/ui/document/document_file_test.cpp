@@ -17,7 +17,6 @@ namespace covaria::ui {
 namespace {
 
 struct DocumentFileTest : testing::Test {
-    QApplication& application = test_application();  // before anything that needs it
     QString path(const QString& name) const { return folder.filePath(name); }
     QByteArray bytes(const QString& name) const {
         QFile file(path(name));

@@ -17,7 +17,6 @@ void check_title(const Project& project, Problems& problems) {
 }
 
 struct DocumentTest : testing::Test {
-    QApplication& application = test_application();  // before anything that needs it
     bool set_title(const std::string& title, const QString& key = {}) {
         return document.apply(
             "Change title", [&](Project& project) { project.title = title; }, key);
@@ -133,7 +132,6 @@ TEST_F(DocumentTest, ProblemsFollowInTheBackground) {
 }
 
 TEST(ProblemChecker, TheLatestSnapshotWins) {
-    test_application();
     std::atomic<int> checks = 0;
     ProblemChecker checker([&](const Project& project, Problems& problems) {
         ++checks;

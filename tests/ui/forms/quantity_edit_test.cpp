@@ -23,7 +23,6 @@ struct QuantityEditTest : testing::Test {
         QTest::keyClicks(&edit, text);
         QTest::keyClick(&edit, Qt::Key_Return);
     }
-    QApplication& application = test_application();  // before anything that needs it
     QuantityEdit edit;
     std::optional<Quantity> last;
     int count = 0;

@@ -14,7 +14,6 @@ namespace covaria::ui {
 namespace {
 
 struct RegistryFormsTest : testing::Test {
-    QApplication& application = test_application();  // before anything that needs it
     Document document;
 
     void expect_form(const SetupAddress& address, const SetupSchema& schema) {

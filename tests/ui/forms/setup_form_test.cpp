@@ -45,7 +45,6 @@ struct SetupFormTest : testing::Test {
         box->setFocus();
         QTest::keyClick(box, key);
     }
-    QApplication& application = test_application();  // before anything that needs it
     Problems found;
     Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
     std::unique_ptr<SetupForm> form;

@@ -47,7 +47,6 @@ ComponentEdit rectangular() {
 }
 
 TEST(DistributionEdit, EditsParametersAndSaysU) {
-    test_application();
     DistributionEdit edit;
     edit.set_component(rectangular());
     EXPECT_EQ(edit.summary(), QString::fromUtf8("u = 1.15 µm"));
@@ -60,7 +59,6 @@ TEST(DistributionEdit, EditsParametersAndSaysU) {
 }
 
 TEST(DistributionEdit, AnotherKindKeepsTheStandardUncertainty) {
-    test_application();
     for (const DistributionKindInfo& kind : distribution_kinds()) {
         DistributionEdit edit;
         edit.set_component(rectangular());
@@ -73,7 +71,6 @@ TEST(DistributionEdit, AnotherKindKeepsTheStandardUncertainty) {
 }
 
 TEST(DistributionEdit, AnotherUnitKeepsTheQuantity) {
-    test_application();
     DistributionEdit edit;
     edit.set_component(rectangular());
     choose(edit, "unit", "mm");
@@ -82,7 +79,6 @@ TEST(DistributionEdit, AnotherUnitKeepsTheQuantity) {
 }
 
 TEST(DensityPicture, PaintsEveryKind) {
-    test_application();
     DensityPicture picture;
     picture.resize(120, 60);
     picture.set_distribution(std::nullopt);
@@ -119,7 +115,6 @@ struct AnalysisFormsTest : testing::Test {
         analysis = prepared;
     }
     const AnalysisEntry& entry() const { return document.project().analyses[0]; }
-    QApplication& application = test_application();  // before anything that needs it
     Problems found;
     Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
     std::shared_ptr<const PreparedAnalysis> analysis;
@@ -183,7 +178,6 @@ TEST_F(AnalysisFormsTest, ImpossibleCorrelationsAreSaidAtOnce) {
 }
 
 struct CsvImportTest : testing::Test {
-    CsvImportTest() { test_application(); }
     QString file(const QByteArray& content) {
         QFile csv(folder.filePath("points.csv"));
         EXPECT_TRUE(csv.open(QIODevice::WriteOnly));

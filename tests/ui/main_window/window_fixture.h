@@ -18,7 +18,6 @@ namespace covaria::ui {
 class WindowFixture : public testing::Test {
 protected:
     WindowFixture() {
-        test_application();
         QCoreApplication::setOrganizationName(QStringLiteral("CovariaTest"));
         QCoreApplication::setApplicationName(QStringLiteral("CovariaTest"));
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());

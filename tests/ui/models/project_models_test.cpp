@@ -19,7 +19,6 @@ namespace {
 constexpr auto fatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
 
 struct ProjectModelsTest : testing::Test {
-    QApplication& application = test_application();  // before anything that needs it
     void add_analysis_entry(const std::string& id) {
         document.apply("Add", [&](Project& project) {
             project.analyses.push_back({id, "model", "Analysis " + id, {}, {}, {}, {}, {}, {}});

@@ -65,7 +65,6 @@ QString cell(const QAbstractItemModel& model, int row, const QString& head) {
 }
 
 TEST(ResultTableModel, RoundsByTheUncertaintyInTheUnitOfTheQuantity) {
-    test_application();
     ResultTableModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     model.set_result(sample_result(), true);
@@ -84,7 +83,6 @@ TEST(ResultTableModel, RoundsByTheUncertaintyInTheUnitOfTheQuantity) {
 }
 
 TEST(ResultTableModel, UnitsDigitsAndGroupCanBeChosen) {
-    test_application();
     ResultTableModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     model.set_result(sample_result(), true);
@@ -105,7 +103,6 @@ TEST(ResultTableModel, UnitsDigitsAndGroupCanBeChosen) {
 }
 
 TEST(ResultTableModel, SortsByNumbersAndMarksWhatIsOutOfDate) {
-    test_application();
     ResultTableModel model;
     model.set_result(sample_result(), true);
     QSortFilterProxyModel sorted;
@@ -123,7 +120,6 @@ TEST(ResultTableModel, SortsByNumbersAndMarksWhatIsOutOfDate) {
 }
 
 TEST(BudgetTableModel, ShowsComponentsAndContributions) {
-    test_application();
     BudgetTableModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     model.set_result(sample_result(), 0, true);
@@ -141,7 +137,6 @@ TEST(BudgetTableModel, ShowsComponentsAndContributions) {
 }
 
 TEST(CorrelationTableModel, ShowsTheMatrixOfAGroup) {
-    test_application();
     CorrelationTableModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     model.set_result(sample_result(), "pose 1", true);

@@ -22,7 +22,6 @@ struct SetupTableModelTest : testing::Test {
     const SetupTable& stored() const {
         return std::get<SetupTable>(document.project().assets[0].setup.values.at("points"));
     }
-    QApplication& application = test_application();  // before anything that needs it
     Problems found;
     Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
     SetupTableModel model{document, sample_address(), &sample_schema(), "points"};

@@ -18,14 +18,6 @@ namespace {
 
 class PdfReport : public testing::Test {
 protected:
-    static void SetUpTestSuite() {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-        static int count = 1;
-        static char name[] = "test_ui_print";
-        static char* arguments[] = {name, nullptr};
-        if (!QGuiApplication::instance()) new QGuiApplication(count, arguments);
-    }
-
     static PdfOptions options(PaperSize paper = PaperSize::a4) {
         PdfOptions made;
         made.paper = paper;

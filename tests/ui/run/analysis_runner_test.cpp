@@ -63,7 +63,6 @@ ProjectSnapshot project(const std::string& notes, std::vector<std::string> ids =
 }
 
 struct AnalysisRunnerTest : testing::Test {
-    QApplication& application = test_application();  // before anything that needs it
     const AnalysisStatus& status(const char* id = "x") { return runner.status(id); }
     bool settle() { return runner.wait_until_idle(5000); }
     Script script;
@@ -242,7 +241,6 @@ TEST_F(AnalysisRunnerTest, CanBeDestroyedWhileRunning) {
 }
 
 TEST(AnalysisRunnerInline, EverythingHappensAtOnce) {
-    test_application();
     Script script;
     AnalysisRunner runner(script.backend(), Execution::inline_execution);
     runner.set_live(true);

@@ -24,7 +24,6 @@ Project example(const ModelDescriptor& model) {
 }
 
 TEST(LiveEdit, EveryExampleRunsAndFollowsAnEdit) {
-    test_application();
     ASSERT_FALSE(model_registry().empty());
     for (const ModelDescriptor& model : model_registry()) {
         Project project = example(model);
