@@ -1,10 +1,6 @@
 #include "app/report_files.h"
 
-#include <QApplication>
-#include <cstdlib>
-#include <filesystem>
-#include <memory>
-
+#include "app/application.h"
 #include "ui/charts/chart_painter.h"
 #include "ui/export/report_export.h"
 #include "ui/export/scene_pictures.h"
@@ -12,16 +8,6 @@
 
 namespace covaria {
 namespace {
-
-/// Charts and fonts need an application object, but no display.
-std::unique_ptr<QApplication> headless_application() {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    setenv("XDG_RUNTIME_DIR", std::filesystem::temp_directory_path().c_str(), 0);  // else Qt complains on the terminal
-    static int argc = 1;
-    static char name[] = "covaria";
-    static char* argv[] = {name, nullptr};
-    return std::make_unique<QApplication>(argc, argv);
-}
 
 std::vector<ui::ReportFormat> formats_of(const std::vector<std::string>& names) {
     if (names.empty()) return {ui::ReportFormat::pdf, ui::ReportFormat::html, ui::ReportFormat::markdown};
@@ -37,7 +23,7 @@ std::vector<ui::ReportFormat> formats_of(const std::vector<std::string>& names) 
 
 Result<void> write_reports(const ReportSource& source, const ReportFiles& files,
                            const std::stop_token& stop) {
-    const auto application = headless_application();
+    const auto application = make_application(Platform::offscreen);
     const ui::Theme theme = ui::Theme::light();
     ui::ScenePictures scenes(source.analyses);
     ui::FigurePainters painters;

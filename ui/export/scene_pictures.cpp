@@ -4,6 +4,13 @@
 #include "viz/vtk/scene_renderer.h"
 
 namespace covaria::ui {
+namespace {
+
+/// Width of a figure in units of letters' pixels: at the width of the printed text letters come out at 7
+/// points, and the legend still finds room beside the scene.
+constexpr double printed_width = 860.0;
+
+}  // namespace
 
 struct ScenePictures::Renderer {
     SceneRenderer renderer;
@@ -27,6 +34,7 @@ QImage ScenePictures::render(const SceneBlock& block, QSize size) {
         }
         SceneRenderer& renderer = renderer_->renderer;
         renderer.set_size(size.width(), size.height());
+        renderer.set_pixel_ratio(size.width() / printed_width);
         renderer.set_scene(std::move(*scene));
         renderer.set_view(standard_view_from(block.view).value_or(StandardView::iso));
         const auto image = renderer.render(RenderQuality::fine);

@@ -61,9 +61,14 @@ void Overlay::paint_axis(int axis, const Vector& from, const Vector& to) {
     const double w = mask.letters.width, h = mask.letters.height;
     const double reach =
         std::max(farthest, px(8)) + px(3) + (std::abs(out.x()) * w + std::abs(out.y()) * h) / 2;
-    const double x = std::clamp((a.x + b.x) / 2 + reach * out.x() - w / 2, 2.0, canvas_.size().width - w - 2);
-    const double y = (a.y + b.y) / 2 + reach * out.y() - h / 2;
-    if (is_free({x, y, w, h})) put(title, x, y);
+    for (double along : {0.5, 0.62, 0.38, 0.74, 0.26}) {  // beside the middle, else where nothing stands yet
+        const double x = std::clamp(a.x + along * (b.x - a.x) + reach * out.x() - w / 2, 2.0,
+                                    canvas_.size().width - w - 2);
+        const double y = a.y + along * (b.y - a.y) + reach * out.y() - h / 2;
+        if (!is_free({x - px(6), y, w + px(12), h})) continue;
+        put(title, x, y);
+        return;
+    }
 }
 
 }  // namespace covaria::detail

@@ -47,7 +47,7 @@ void set_font(vtkTextProperty* property, bool bold) {
     property->SetFontFile(file.c_str());
 }
 
-Mask letters_of(const std::string& text, int pixels, bool bold) {
+Mask plain_letters(const std::string& text, int pixels, bool bold) {
     static std::mutex freetype;  // VTK keeps one FreeType for the process
     const std::lock_guard lock(freetype);
     vtkNew<vtkTextProperty> property;
@@ -68,6 +68,38 @@ Mask letters_of(const std::string& text, int pixels, bool bold) {
             mask.opacity.push_back(static_cast<const std::uint8_t*>(
                 data->GetScalarPointer(data->GetExtent()[0] + x, data->GetExtent()[2] + y, 0))[channels - 1]);
     return mask;
+}
+
+void copy(const Mask& part, int left, int top, Mask& whole) {
+    for (int y = 0; y < part.height; ++y)
+        for (int x = 0; x < part.width; ++x)
+            whole.opacity[static_cast<std::size_t>(y + top) * static_cast<std::size_t>(whole.width) +
+                          static_cast<std::size_t>(x + left)] = static_cast<std::uint8_t>(part.at(x, y));
+}
+
+/// Where the last word is a quantity's symbol with a subscript ("o_p"): the place of its underscore, else
+/// npos.
+std::size_t subscript_mark(const std::string& text) {
+    const std::size_t mark = text.rfind('_');
+    if (mark == std::string::npos || text.find(' ', mark) != std::string::npos) return std::string::npos;
+    const std::size_t space = text.rfind(' ', mark);
+    const std::size_t letters = mark - (space == std::string::npos ? 0 : space + 1);
+    const std::size_t subscript = text.size() - mark - 1;
+    return letters >= 1 && letters <= 2 && subscript >= 1 && subscript <= 4 ? mark : std::string::npos;
+}
+
+Mask letters_of(const std::string& text, int pixels, bool bold) {
+    const std::size_t mark = subscript_mark(text);
+    if (mark == std::string::npos) return plain_letters(text, pixels, bold);
+    const Mask base = plain_letters(text.substr(0, mark), pixels, bold);
+    const Mask low = plain_letters(text.substr(mark + 1), std::max(6, pixels * 3 / 4), bold);
+    const int drop = std::max(1, pixels / 4), gap = std::max(1, pixels / 12);
+    const int top = std::max(0, base.height + drop - low.height);
+    Mask whole{base.width + gap + low.width, std::max(base.height, top + low.height), {}};
+    whole.opacity.assign(static_cast<std::size_t>(whole.width) * static_cast<std::size_t>(whole.height), 0);
+    copy(base, 0, 0, whole);
+    copy(low, base.width + gap, top, whole);
+    return whole;
 }
 
 /// Each pixel takes the strongest within `reach`, fading at the rim.

@@ -1,0 +1,38 @@
+#include "app/application.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace covaria {
+namespace {
+
+/// Qt warns on the terminal where XDG_RUNTIME_DIR is missing or readable by others.
+void provide_runtime_folder() {
+    if (std::getenv("XDG_RUNTIME_DIR")) return;
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path folder =
+        fs::temp_directory_path(ignored) / ("covaria-runtime-" + std::to_string(getuid()));
+    fs::create_directory(folder, ignored);
+    fs::permissions(folder, fs::perms::owner_all, ignored);
+    setenv("XDG_RUNTIME_DIR", folder.c_str(), 0);
+}
+
+}  // namespace
+
+std::unique_ptr<QApplication> make_application(Platform platform) {
+    if (platform == Platform::offscreen) setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    provide_runtime_folder();
+    static int argc = 1;
+    static char name[] = "covaria";
+    static char* argv[] = {name, nullptr};
+    auto application = std::make_unique<QApplication>(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("Covaria"));
+    QApplication::setApplicationName(QStringLiteral("Covaria"));
+    QApplication::setApplicationVersion(QStringLiteral(COVARIA_VERSION));
+    return application;
+}
+
+}  // namespace covaria
