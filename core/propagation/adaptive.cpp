@@ -129,9 +129,10 @@ std::unique_ptr<BatchSummariser> AdaptiveProcedure::make_summariser(const TrialS
 
 std::vector<double> AdaptiveProcedure::tolerances(const Moments& all) const {
     std::vector<double> result;
-    for (std::size_t j : watched_.outputs) {
-        const double u = std::sqrt(all.variance(static_cast<Eigen::Index>(j)));
-        const double delta = options_.tolerance.value_or(numerical_tolerance(u, options_.significant_digits));
+    for (std::size_t i = 0; i < watched_.outputs.size(); ++i) {
+        const double u = std::sqrt(all.variance(static_cast<Eigen::Index>(watched_.outputs[i])));
+        const double delta = options_.tolerance.value_or(
+            numerical_tolerance(u, watched_.units[i], options_.significant_digits));
         result.insert(result.end(), watched_.per_output(), delta);
     }
     if (watched_.several())

@@ -21,6 +21,7 @@ struct BatchSummary {
 /// measurand, the greatest eigenvalue of their correlation matrix and k_p of each group (JCGM 102 7.8.3).
 struct WatchedStatistics {
     std::vector<std::size_t> outputs;
+    std::vector<Unit> units;              ///< of those outputs, as reported: they decide what a digit is
     std::vector<CoverageRegion> regions;  ///< that have an ellipsoid
     double probability = 0.95;
     bool several() const { return outputs.size() > 1; }

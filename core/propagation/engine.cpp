@@ -121,6 +121,7 @@ std::unique_ptr<AdaptiveProcedure> Evaluation::adaptive_procedure() const {
         if (model_.outputs()[j].role == OutputRole::measurand) watched.outputs.push_back(j);
     for (std::size_t j = 0; watched.outputs.empty() && j < model_.outputs().size(); ++j)
         watched.outputs.push_back(j);
+    for (std::size_t j : watched.outputs) watched.units.push_back(model_.outputs()[j].unit);
     for (const CoverageRegion& region : result_.regions) {
         const bool whole_group = watched.regions.empty() || watched.regions.back().group != region.group;
         if (whole_group && !region.singular) watched.regions.push_back(region);
@@ -160,7 +161,7 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
         OutputResult& output = result_.outputs[j];
         output.first_order.validation =
             validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
-                          options_.significant_digits);
+                          output.quantity.unit, options_.significant_digits);
         output.estimate = outputs[j].mean;
         output.standard_uncertainty = outputs[j].standard_uncertainty;
         output.expanded_uncertainty = output.coverage_factor * output.standard_uncertainty;

@@ -14,4 +14,8 @@ double numerical_tolerance(double z, int digits) {
     return 0.5 * std::pow(10.0, l);
 }
 
+double numerical_tolerance(double z, const Unit& unit, int digits) {
+    return unit.interval_to_si(numerical_tolerance(unit.interval_from_si(z), digits));
+}
+
 }  // namespace covaria::detail

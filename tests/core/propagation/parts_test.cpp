@@ -36,6 +36,9 @@ TEST(NumericalTolerance, FollowsJcgm101) {
     EXPECT_DOUBLE_EQ(numerical_tolerance(0.001, 1), 0.0005);
     EXPECT_DOUBLE_EQ(numerical_tolerance(1000, 3), 5);
     EXPECT_EQ(numerical_tolerance(0, 2), 0.0);
+    // 8.79e-4 rad is 0.050 deg: the last of its two digits is a thousandth of a degree.
+    const Unit degree = Unit::of("deg");
+    EXPECT_DOUBLE_EQ(degree.interval_from_si(numerical_tolerance(8.79e-4, degree, 2)), 0.0005);
 }
 
 TEST(Adaptive, BatchesOfWholeBlocks) {
