@@ -346,6 +346,8 @@ ChartFonts fonts_for(double width) {
     QFont font(text_family());
     font.setPixelSize(size);
     font.setHintingPreference(QFont::PreferNoHinting);
+    // As in the report: alternates of parentheses and signs would be lost when text is copied out of a PDF.
+    font.setStyleStrategy(QFont::PreferNoShaping);
     ChartFonts fonts{font, font, with_tabular_figures(font), size / 12.0};
     fonts.title.setPixelSize(size + 1);
     fonts.title.setWeight(QFont::DemiBold);
