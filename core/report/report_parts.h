@@ -49,6 +49,9 @@ std::string setup_text(const FieldSpec& field, const SetupValue& value, const Re
 void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,
                       const ReportSource& source);
 
+/// A chart; its id, which names files, begins with the analysis' id and so is unique in a report.
+PlotBlock figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated, std::string caption);
+
 /// One paragraph per line of a note.
 void add_paragraphs(Blocks& blocks, const std::string& text);
 

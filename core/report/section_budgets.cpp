@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/symbol.h"
+#include "core/report/plots.h"
 #include "core/report/report_parts.h"
 
 namespace covaria::report_parts {
@@ -134,9 +135,14 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
                  ", which has the largest expanded uncertainties of the " + std::to_string(groups.size()) +
                  " groups; the CSV table of budgets has every group.";
     blocks.push_back(ParagraphBlock{words});
-    for (const std::string& group : shown)
+    for (const std::string& group : shown) {
         for (const std::size_t output : measurands_of(result, group))
             blocks.push_back(BudgetTable(evaluated, output).make());
+        for (const std::size_t output : measurands_of(result, group))
+            blocks.push_back(figure(
+                contribution_plot(result, output), evaluated,
+                "Contributions to the variance of " + output_label(result.outputs[output].quantity) + "."));
+    }
 }
 
 }  // namespace covaria::report_parts

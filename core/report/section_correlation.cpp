@@ -8,7 +8,7 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t largest_matrix = 12;  // beyond it a map is easier to read than numbers
+constexpr std::size_t largest_matrix = 12;  // beyond it the map alone can be read
 
 double coefficient(const Eigen::MatrixXd& matrix, std::size_t i, std::size_t j) {
     return matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
@@ -62,14 +62,11 @@ void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     for (const std::string& group : groups_in_full(result)) {
         const std::vector<std::size_t> outputs = measurands_of(result, group);
         const std::string id = "correlation-" + evaluated.analysis->id + "-" + file_name_part(group);
-        if (outputs.size() > largest_matrix) {
-            PlotSpecification plot = correlation_plot(result, group);
-            plot.id = file_name_part(evaluated.analysis->id) + "-" + plot.id;
-            blocks.push_back(PlotBlock{
-                std::move(plot), "Correlation coefficients" + (group.empty() ? "." : ", " + group + ".")});
-        } else if (outputs.size() > 1) {
+        if (outputs.size() < 2) continue;
+        if (outputs.size() <= largest_matrix)
             blocks.push_back(matrix_block(result, correlation, outputs, id));
-        }
+        blocks.push_back(figure(correlation_plot(result, group), evaluated,
+                                "Correlation coefficients" + (group.empty() ? "." : ", " + group + ".")));
     }
     add_between_groups(blocks, result, correlation);
 }

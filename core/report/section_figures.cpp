@@ -5,13 +5,13 @@
 #include "core/report/report_parts.h"
 
 namespace covaria::report_parts {
-namespace {
 
-/// File names of charts are unique in a report: the analysis' id comes first.
 PlotBlock figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated, std::string caption) {
     plot.id = file_name_part(evaluated.analysis->id) + "-" + plot.id;
     return {std::move(plot), std::move(caption)};
 }
+
+namespace {
 
 std::size_t least_normal(const UncertaintyResult& result, const std::vector<std::size_t>& outputs) {
     return *std::max_element(outputs.begin(), outputs.end(), [&](std::size_t a, std::size_t b) {

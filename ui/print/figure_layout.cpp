@@ -47,6 +47,12 @@ bool is_map(const PlotSpecification& plot) {
                        [](const PlotSeries& series) { return series.kind == SeriesKind::heat_map; });
 }
 
+/// Of a figure that stands alone, in mm: a map grows with its cells.
+double lone_width(const PlotSpecification& plot) {
+    if (!is_map(plot)) return 125.0;
+    return std::clamp(30.0 + 8.0 * static_cast<double>(plot.x.categories.size()), 60.0, 115.0);
+}
+
 }  // namespace
 
 void append_plots(std::vector<FlowItem>& items, const std::vector<const PlotBlock*>& plots,
@@ -59,7 +65,7 @@ void append_plots(std::vector<FlowItem>& items, const std::vector<const PlotBloc
         std::vector<Figure> row;
         for (std::size_t side = 0; side < (pair ? 2U : 1U); ++side) {
             const PlotBlock& block = *plots[i + side];
-            const double width = pair ? half : style.mm(is_map(block.plot) ? 115.0 : 125.0);
+            const double width = pair ? half : style.mm(lone_width(block.plot));
             const double height = width * (pair ? 0.68 : is_map(block.plot) ? 0.9 : 0.6);
             const QRectF rect(static_cast<double>(side) * (half + gap), 0.0, width, height);
             row.push_back({rect, block.plot, caption_of(block.caption, style, pair ? half : whole)});

@@ -168,7 +168,7 @@ TEST(Report, FigureNamesAreUniqueAndCarryTheAnalysis) {
         EXPECT_EQ(
             (plot ? plot->caption : scene->caption).rfind("Figure " + std::to_string(figures) + ". ", 0), 0U);
     }
-    EXPECT_EQ(figures, 6U + 2U + 1U);
+    EXPECT_EQ(figures, 6U + 6U + 2U + 1U + 1U) << "budgets, distributions, quantiles and convergence, scene, correlation";
     EXPECT_EQ(ids.size(), figures);
 }
 
