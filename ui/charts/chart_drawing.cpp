@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/charts/label_text.h"
+#include "ui/theme/label_text.h"
 
 namespace covaria::ui {
 namespace {

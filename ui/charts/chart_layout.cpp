@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/charts/label_text.h"
 #include "ui/charts/mark_labels.h"
 #include "ui/theme/fonts.h"
+#include "ui/theme/label_text.h"
 
 namespace covaria::ui {
 namespace {
@@ -26,6 +26,19 @@ double widest(const Ticks& ticks, const QFont& font) {
     double width = 0.0;
     for (const Tick& tick : ticks.ticks) width = std::max(width, text_width(tick.text, font));
     return width;
+}
+
+/// The first of these that fits: "probability density (1/mm)", "density (1/mm)", "(1/mm)"; of "share of the
+/// variance (%)" the words from "of" on are left out first.
+QString fitting_title(const QString& title, const QFont& font, double room) {
+    if (text_width(title, font) <= room) return title;
+    const qsizetype unit_at = title.lastIndexOf(QStringLiteral(" ("));
+    const QString words = title.left(unit_at), unit = unit_at < 0 ? QString() : title.mid(unit_at);
+    const qsizetype of = words.indexOf(QStringLiteral(" of "));
+    const QString noun = of > 0 ? words.left(of) : words.section(QLatin1Char(' '), -1);
+    if (text_width(noun + unit, font) <= room) return noun + unit;
+    if (!unit.isEmpty() && text_width(unit.trimmed(), font) <= room) return unit.trimmed();
+    return shortened(noun, font, room);
 }
 
 class LayoutBuilder {
@@ -308,7 +321,7 @@ private:
         if (plot_.y.title.empty()) return;
         const double room = size_.height() - top_of_body_ - edge_;
         const QString title =
-            shortened(title_with_exponent(to_qt(plot_.y.title), out_.y.exponent), out_.fonts.label, room);
+            fitting_title(title_with_exponent(to_qt(plot_.y.title), out_.y.exponent), out_.fonts.label, room);
         const double length = text_width(title, out_.fonts.label);
         const double top = std::clamp(out_.geometry.area.center().y() - 0.5 * length, top_of_body_,
                                       std::max(top_of_body_, size_.height() - edge_ - length));

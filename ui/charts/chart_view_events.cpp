@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "ui/charts/chart_view.h"
-#include "ui/charts/label_text.h"
+#include "ui/theme/label_text.h"
 
 namespace covaria::ui {
 

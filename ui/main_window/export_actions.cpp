@@ -8,6 +8,7 @@
 #include "ui/document/strings.h"
 #include "ui/export/scene_pictures.h"
 #include "ui/pages/current_results.h"
+#include "ui/theme/icons.h"
 
 namespace covaria::ui {
 namespace {
@@ -52,15 +53,19 @@ QString write_report(const RecordedReport& report, const ReportTarget& target) {
 
 ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs& dialogs, QObject* parent)
     : QObject(parent),
+      pdf_action(new QAction(icon(QStringLiteral("export")), tr("Report as &PDF …"), this)),
       document_(document),
       runner_(runner),
       dialogs_(dialogs),
-      jobs_(this, Execution::threads) {}
+      jobs_(this, Execution::threads) {
+    pdf_action->setShortcut(Qt::CTRL | Qt::Key_P);
+    connect(pdf_action, &QAction::triggered, this, [this] { ask_report(ReportFormat::pdf); });
+}
 
 QMenu* ExportActions::make_menu(QWidget* parent) {
     auto* menu = new QMenu(tr("&Export"), parent);
-    menu->addAction(tr("Report as &PDF …"), QKeySequence(Qt::CTRL | Qt::Key_P), this,
-                    [this] { ask_report(ReportFormat::pdf); });
+    menu->setIcon(icon(QStringLiteral("export")));
+    menu->addAction(pdf_action);
     menu->addAction(tr("Report as &HTML …"), this, [this] { ask_report(ReportFormat::html); });
     menu->addAction(tr("Report as &Markdown …"), this, [this] { ask_report(ReportFormat::markdown); });
     menu->addSeparator();

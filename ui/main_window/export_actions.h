@@ -1,6 +1,7 @@
 // Export: report, tables and results of what has been evaluated, without holding up the window.
 #pragma once
 
+#include <QAction>
 #include <QObject>
 
 #include "core/report/report.h"
@@ -21,6 +22,7 @@ public:
     ExportActions(Document& document, AnalysisRunner& runner, Dialogs& dialogs, QObject* parent = nullptr);
 
     QMenu* make_menu(QWidget* parent);
+    QAction* pdf_action;
 
     void ask_report(ReportFormat format);
     void ask_tables();

@@ -8,6 +8,7 @@
 
 #include "ui/document/strings.h"
 #include "ui/pages/start_page.h"
+#include "ui/theme/icons.h"
 
 namespace covaria::ui {
 namespace {
@@ -15,8 +16,9 @@ namespace {
 const QString recent_key = QStringLiteral("recentFiles");
 constexpr int most_recent_files = 10;
 
-QAction* make_action(QObject* parent, const QString& text, QKeySequence::StandardKey key) {
-    auto* action = new QAction(text, parent);
+QAction* make_action(QObject* parent, const char* picture, const QString& text,
+                     QKeySequence::StandardKey key) {
+    auto* action = new QAction(icon(QString::fromLatin1(picture)), text, parent);
     action->setShortcut(key);
     return action;
 }
@@ -36,10 +38,10 @@ QString errors_in_words(const Problems& problems) {
 
 FileActions::FileActions(Document& document, RecoveryStore store, QObject* parent)
     : QObject(parent), document_(document), store_(store), autosave_(document, std::move(store), this) {
-    new_action = make_action(this, tr("&New Project"), QKeySequence::New);
-    open_action = make_action(this, tr("&Open …"), QKeySequence::Open);
-    save_action = make_action(this, tr("&Save"), QKeySequence::Save);
-    save_as_action = make_action(this, tr("Save &As …"), QKeySequence::SaveAs);
+    new_action = make_action(this, "new", tr("&New Project"), QKeySequence::New);
+    open_action = make_action(this, "open", tr("&Open …"), QKeySequence::Open);
+    save_action = make_action(this, "save", tr("&Save"), QKeySequence::Save);
+    save_as_action = make_action(this, "save-as", tr("Save &As …"), QKeySequence::SaveAs);
     connect(new_action, &QAction::triggered, this, &FileActions::new_project);
     connect(open_action, &QAction::triggered, this, &FileActions::open);
     connect(save_action, &QAction::triggered, this, &FileActions::save);
@@ -52,6 +54,8 @@ FileActions::FileActions(Document& document, RecoveryStore store, QObject* paren
 
 QMenu* FileActions::make_recent_menu(QWidget* parent) {
     auto* menu = new QMenu(tr("Open &Recent"), parent);
+    menu->setIcon(icon(QStringLiteral("recent")));
+    menu->setToolTipsVisible(true);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
         menu->clear();
         for (const QString& file : recent_files())

@@ -8,10 +8,13 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QToolBar>
 
 #include "ui/document/strings.h"
+#include "ui/main_window/dock_title.h"
 #include "ui/main_window/export_actions.h"
 #include "ui/main_window/help_actions.h"
+#include "ui/main_window/run_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/window_state.h"
 #include "ui/pages/message_panes.h"
@@ -21,20 +24,39 @@
 #include "ui/pages/run_status.h"
 #include "ui/pages/start_page.h"
 #include "ui/scene_view/scene_panel.h"
+#include "ui/theme/icons.h"
 
 namespace covaria::ui {
+namespace {
+
+/// The tooltip names the shortcut, and follows the text ("Undo Change x").
+void show_shortcut(QAction* action) {
+    const auto update = [action] {
+        QString text = action->text();
+        text.remove(QLatin1Char('&')).remove(QStringLiteral(" …"));
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        action->setToolTip(keys.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, keys));
+    };
+    QObject::connect(action, &QAction::changed, action, update);
+    update();
+}
+
+}  // namespace
 
 MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     : QMainWindow(parent), files_(document_, std::move(store), this) {
     files_.dialogs = standard_dialogs(this);
     setObjectName(QStringLiteral("MainWindow"));
+    setAccessibleName(tr("Covaria"));
     setAcceptDrops(true);
     setDockNestingEnabled(true);
-    setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
+    setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::South);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     resize(1280, 800);
     make_panes();
+    make_actions();
+    make_toolbar();
     make_menus();
     connect_panes();
     for (QDockWidget* dock : docks_) dock->hide();
@@ -60,27 +82,72 @@ void MainWindow::make_panes() {
     log_ = new LogPane;
     add_dock(Qt::LeftDockWidgetArea, tr("Project"), QStringLiteral("project"), project_);
     add_dock(Qt::RightDockWidgetArea, tr("Properties"), QStringLiteral("properties"), properties_);
-    QDockWidget* results =
-        add_dock(Qt::BottomDockWidgetArea, tr("Results"), QStringLiteral("results"), results_);
+    QDockWidget* results = add_dock(Qt::BottomDockWidgetArea, tr("Analysis"), QStringLiteral("results"),
+                                    results_, &results_->head());
     QDockWidget* problems =
         add_dock(Qt::BottomDockWidgetArea, tr("Problems"), QStringLiteral("problems"), problems_);
     QDockWidget* log = add_dock(Qt::BottomDockWidgetArea, tr("Log"), QStringLiteral("log"), log_);
     tabifyDockWidget(results, problems);
     tabifyDockWidget(problems, log);
-    resizeDocks({docks_[0], docks_[1]}, {250, 360}, Qt::Horizontal);
-    resizeDocks({results}, {290}, Qt::Vertical);
-    statusBar()->addPermanentWidget(new RunStatus(runner_));
+    statusBar()->addPermanentWidget(new RunStatus(document_, runner_, selection_));
     exports_ = new ExportActions(document_, runner_, files_.dialogs, this);
 }
 
 QDockWidget* MainWindow::add_dock(Qt::DockWidgetArea area, const QString& title, const QString& name,
-                                  QWidget* content) {
+                                  QWidget* content, QWidget* controls) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
+    dock->setAccessibleName(title);
+    dock->setTitleBarWidget(new DockTitle(*dock, controls));
     dock->setWidget(content);
     addDockWidget(area, dock);
     docks_ << dock;
     return dock;
+}
+
+void MainWindow::arrange() {
+    const Qt::DockWidgetArea areas[] = {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea,
+                                        Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea,
+                                        Qt::BottomDockWidgetArea};
+    for (int i = 0; i < docks_.size(); ++i) {
+        docks_[i]->setFloating(false);
+        addDockWidget(areas[i], docks_[i]);
+        docks_[i]->show();
+    }
+    tabifyDockWidget(docks_[2], docks_[3]);
+    tabifyDockWidget(docks_[3], docks_[4]);
+    docks_[2]->raise();
+    resizeDocks({docks_[0], docks_[1]}, {210, 350}, Qt::Horizontal);
+    resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
+    addToolBar(Qt::TopToolBarArea, toolbar_);
+    toolbar_->show();
+}
+
+void MainWindow::make_actions() {
+    undo_ = document_.undo_stack().createUndoAction(this, tr("&Undo"));
+    redo_ = document_.undo_stack().createRedoAction(this, tr("&Redo"));
+    undo_->setIcon(icon(QStringLiteral("undo")));
+    redo_->setIcon(icon(QStringLiteral("redo")));
+    undo_->setShortcut(QKeySequence::Undo);
+    redo_->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    run_ = new RunActions(document_, runner_, selection_, this);
+}
+
+void MainWindow::make_toolbar() {
+    toolbar_ = addToolBar(tr("Tools"));
+    toolbar_->setObjectName(QStringLiteral("tools"));
+    toolbar_->setAccessibleName(tr("Tools"));
+    toolbar_->setIconSize({20, 20});
+    const QList<QList<QAction*>> groups{{files_.new_action, files_.open_action, files_.save_action},
+                                        {undo_, redo_},
+                                        {run_->run, run_->stop, run_->live},
+                                        {exports_->pdf_action}};
+    for (const QList<QAction*>& group : groups) {
+        if (group != groups.front()) toolbar_->addSeparator();
+        toolbar_->addActions(group);
+        for (QAction* action : group) show_shortcut(action);
+    }
+    project_actions_ << exports_->pdf_action;
 }
 
 void MainWindow::make_menus() {
@@ -103,17 +170,13 @@ void MainWindow::make_file_menu() {
     QMenu* exported = exports_->make_menu(menu);
     menu->addMenu(exported);
     menu->addSeparator();
-    menu->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+    menu->addAction(icon(QStringLiteral("quit")), tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
     project_actions_ << files_.save_action << files_.save_as_action << exported->menuAction();
 }
 
 void MainWindow::make_edit_menu() {
     QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-    QAction* undo = document_.undo_stack().createUndoAction(this, tr("&Undo"));
-    QAction* redo = document_.undo_stack().createRedoAction(this, tr("&Redo"));
-    undo->setShortcut(QKeySequence::Undo);
-    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-    menu->addActions({undo, redo});
+    menu->addActions({undo_, redo_});
     menu->addSeparator();
     QMenu* add = project_->make_add_menu(menu);
     menu->addMenu(add);
@@ -122,31 +185,23 @@ void MainWindow::make_edit_menu() {
 }
 
 void MainWindow::make_run_menu() {
-    QMenu* menu = menuBar()->addMenu(tr("&Run"));
-    QAction* run = menu->addAction(tr("&Run This Analysis"), QKeySequence(Qt::Key_F5), this,
-                                   [this] { runner_.run(selection_.analysis()); });
-    QAction* all = menu->addAction(tr("Run &All"), QKeySequence(Qt::CTRL | Qt::Key_F5), &runner_,
-                                   &AnalysisRunner::run_all);
-    QAction* stop =
-        menu->addAction(tr("&Stop"), QKeySequence(Qt::Key_Escape), &runner_, &AnalysisRunner::stop_all);
-    menu->addSeparator();
-    QAction* live = menu->addAction(tr("&Live"));
-    live->setCheckable(true);
-    live->setStatusTip(tr("Each edit computes first-order results at once, then Monte Carlo"));
-    connect(live, &QAction::toggled, &runner_, &AnalysisRunner::set_live);
-    live->setChecked(true);
-    project_actions_ << run << all << stop;
+    run_->add_to(*menuBar()->addMenu(tr("&Run")));
 }
 
 void MainWindow::make_view_menu() {
     QMenu* menu = menuBar()->addMenu(tr("&View"));
+    menu->addAction(toolbar_->toggleViewAction());
     for (QDockWidget* dock : docks_) {
         menu->addAction(dock->toggleViewAction());
         project_actions_ << dock->toggleViewAction();
     }
     menu->addSeparator();
-    menu->addAction(tr("Start Page"), this, [this] { pages_->setCurrentWidget(start_); });
-    QAction* scene = menu->addAction(tr("3D Scene"), this, [this] { pages_->setCurrentWidget(scene_); });
+    project_actions_ << menu->addAction(tr("&Reset Layout"), this, &MainWindow::arrange);
+    menu->addSeparator();
+    menu->addAction(icon(QStringLiteral("start")), tr("Start Page"), this,
+                    [this] { pages_->setCurrentWidget(start_); });
+    QAction* scene = menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this,
+                                     [this] { pages_->setCurrentWidget(scene_); });
     project_actions_ << scene;
     menu->addSeparator();
     theme_ = new ThemeSwitch(this);
@@ -173,6 +228,7 @@ void MainWindow::connect_panes() {
     connect(&files_, &FileActions::message, this, say);
     connect(exports_, &ExportActions::message, this, say);
     connect(&document_, &Document::project_changed, this, &MainWindow::follow_document);
+    connect(&problems_->problems(), &QAbstractItemModel::modelReset, this, &MainWindow::count_problems);
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
     connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
     connect(problems_, &ProblemsPane::place_wanted, this, &MainWindow::go_to);
@@ -207,8 +263,7 @@ void MainWindow::show_project() {
     pages_->setCurrentWidget(scene_);
     for (QAction* action : project_actions_) action->setEnabled(true);
     if (first) {
-        for (QDockWidget* dock : docks_) dock->show();
-        docks_[2]->raise();
+        arrange();
         restore_window(*this);
     }
     runner_.reset(document_.snapshot());
@@ -223,6 +278,11 @@ void MainWindow::show_project() {
 
 void MainWindow::follow_document() {
     runner_.set_project(document_.snapshot());
+}
+
+void MainWindow::count_problems() {
+    const int count = problems_->problems().rowCount();
+    docks_[3]->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
 }
 
 void MainWindow::go_to(const QString& path) {

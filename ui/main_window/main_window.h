@@ -12,6 +12,7 @@
 class QAction;
 class QDockWidget;
 class QStackedWidget;
+class QToolBar;
 
 namespace covaria::ui {
 
@@ -21,6 +22,7 @@ class ProblemsPane;
 class ProjectPane;
 class PropertiesPane;
 class ResultsPane;
+class RunActions;
 class ScenePanel;
 class StartPage;
 class ThemeSwitch;
@@ -52,8 +54,13 @@ protected:
 private:
     void make_panes();
     QDockWidget* add_dock(Qt::DockWidgetArea area, const QString& title, const QString& name,
-                          QWidget* content);
+                          QWidget* content, QWidget* controls = nullptr);
+    /// As at the first start.
+    void arrange();
+    void count_problems();
     void make_menus();
+    void make_actions();
+    void make_toolbar();
     void make_file_menu();
     void make_edit_menu();
     void make_run_menu();
@@ -78,8 +85,12 @@ private:
     ProblemsPane* problems_ = nullptr;
     LogPane* log_ = nullptr;
     ExportActions* exports_ = nullptr;
+    RunActions* run_ = nullptr;
     ThemeSwitch* theme_ = nullptr;
-    QList<QDockWidget*> docks_;
+    QAction* undo_ = nullptr;
+    QAction* redo_ = nullptr;
+    QToolBar* toolbar_ = nullptr;
+    QList<QDockWidget*> docks_;        ///< project, properties, analysis, problems, log
     QList<QAction*> project_actions_;  ///< enabled only with a project
 };
 

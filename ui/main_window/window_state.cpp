@@ -6,13 +6,14 @@
 namespace covaria::ui {
 
 namespace {
-constexpr int state_version = 1;  // of the set of docks: an older arrangement is not applied to a newer set
+constexpr int state_version =
+    2;  // of the set of docks and bars: an older arrangement is not applied to a newer set
 }
 
-void restore_window(QMainWindow& window) {
+bool restore_window(QMainWindow& window) {
     const QSettings settings;
     window.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    window.restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), state_version);
+    return window.restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), state_version);
 }
 
 void remember_window(const QMainWindow& window) {

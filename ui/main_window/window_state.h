@@ -5,7 +5,8 @@ class QMainWindow;
 
 namespace covaria::ui {
 
-void restore_window(QMainWindow& window);
+/// False: nothing was remembered.
+bool restore_window(QMainWindow& window);
 void remember_window(const QMainWindow& window);
 
 }  // namespace covaria::ui

@@ -34,6 +34,7 @@ void BudgetTableModel::rebuild() {
     if (shown) {
         add_component_columns(columns);
         add_contribution_columns(columns);
+        add_origin_columns(columns);
     }
     set_contents(std::move(columns), shown ? result_->budget.rows[output_].size() : 0, current_result_);
 }
@@ -46,28 +47,14 @@ void BudgetTableModel::add_component_columns(std::vector<Column>& columns) const
     columns.push_back({tr("Input quantity"), {}, [this](std::size_t row) {
                            return to_qt(symbol_to_unicode(component(row).quantity));
                        }});
-    columns.push_back(
-        {tr("Component of uncertainty"), {}, [this](std::size_t row) { return to_qt(component(row).name); }});
-    columns.push_back({tr("Origin"), tr("Where the figure comes from"),
-                       [this](std::size_t row) { return to_qt(component(row).origin); }});
-    columns.push_back(
-        {tr("Type"), tr("Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)"), [this](std::size_t row) {
-             return component(row).type == EvaluationType::type_a ? QStringLiteral("A") : QStringLiteral("B");
-         }});
-    columns.push_back(
-        {tr("Distribution"), {}, [this](std::size_t row) { return to_qt(component(row).distribution); }});
-    columns.push_back({tr("Unit"), tr("Of the component's u"),
-                       [this](std::size_t row) { return to_qt(component_unit(row).display()); }});
     columns.push_back({QStringLiteral("u"), tr("Standard uncertainty of the component"),
                        [this](std::size_t row) {
                            return number(
                                component_unit(row).interval_from_si(component(row).standard_uncertainty));
                        },
                        [this](std::size_t row) { return component(row).standard_uncertainty; }});
-    columns.push_back(
-        {to_qt(symbol_to_unicode("nu")), tr("Degrees of freedom"),
-         [this](std::size_t row) { return degrees_of_freedom_text(component(row).degrees_of_freedom); },
-         [this](std::size_t row) { return component(row).degrees_of_freedom; }});
+    columns.push_back({tr("Unit"), tr("Of the component's u"),
+                       [this](std::size_t row) { return to_qt(component_unit(row).display()); }});
 }
 
 void BudgetTableModel::add_contribution_columns(std::vector<Column>& columns) const {
@@ -97,6 +84,23 @@ void BudgetTableModel::add_contribution_columns(std::vector<Column>& columns) co
                            return value ? number(output_unit().interval_from_si(*value)) : QString();
                        },
                        [this](std::size_t row) { return row_at(row).one_at_a_time.value_or(0.0); }});
+}
+
+void BudgetTableModel::add_origin_columns(std::vector<Column>& columns) const {
+    columns.push_back(
+        {to_qt(symbol_to_unicode("nu")), tr("Degrees of freedom"),
+         [this](std::size_t row) { return degrees_of_freedom_text(component(row).degrees_of_freedom); },
+         [this](std::size_t row) { return component(row).degrees_of_freedom; }});
+    columns.push_back(
+        {tr("Type"), tr("Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)"), [this](std::size_t row) {
+             return component(row).type == EvaluationType::type_a ? QStringLiteral("A") : QStringLiteral("B");
+         }});
+    columns.push_back(
+        {tr("Distribution"), {}, [this](std::size_t row) { return to_qt(component(row).distribution); }});
+    columns.push_back(
+        {tr("Component of uncertainty"), {}, [this](std::size_t row) { return to_qt(component(row).name); }});
+    columns.push_back({tr("Origin"), tr("Where the figure comes from"),
+                       [this](std::size_t row) { return to_qt(component(row).origin); }});
 }
 
 QVariant BudgetTableModel::extra(std::size_t row, std::size_t, int role) const {

@@ -25,6 +25,7 @@ private:
     void rebuild();
     void add_component_columns(std::vector<Column>& columns) const;
     void add_contribution_columns(std::vector<Column>& columns) const;
+    void add_origin_columns(std::vector<Column>& columns) const;
     const BudgetRow& row_at(std::size_t row) const { return result_->budget.rows[output_][row]; }
     const BudgetComponent& component(std::size_t row) const {
         return result_->budget.components[row_at(row).component];

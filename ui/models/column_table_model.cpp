@@ -54,6 +54,7 @@ QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, 
     if (section < 0 || section >= columnCount()) return {};
     const Column& column = columns_[static_cast<std::size_t>(section)];
     if (role == Qt::DisplayRole) return column.title;
+    if (role == id_role) return column.title.section(QStringLiteral(" / "), 0, 0);
     if (role == Qt::ToolTipRole) return column.help;
     if (role == Qt::TextAlignmentRole)
         return QVariant((column.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);

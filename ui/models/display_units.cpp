@@ -31,4 +31,12 @@ std::vector<Unit> DisplayUnits::choices(const Unit& unit) {
     return units;
 }
 
+std::shared_ptr<const UncertaintyResult> in_units(const std::shared_ptr<const UncertaintyResult>& result,
+                                                  const DisplayUnits& units) {
+    if (!result || units.chosen().empty()) return result;
+    auto shown = std::make_shared<UncertaintyResult>(*result);
+    for (OutputResult& output : shown->outputs) output.quantity.unit = units.of(output.quantity.unit);
+    return shown;
+}
+
 }  // namespace covaria::ui

@@ -96,19 +96,19 @@ void ResultTableModel::add_result_columns(std::vector<Column>& columns) const {
          [this](std::size_t row) { return uncertainty_text(row, output(row).standard_uncertainty); },
          [this](std::size_t row) { return output(row).standard_uncertainty; }});
     columns.push_back(
-        {to_qt(symbol_to_unicode("nu_eff")), tr("Effective degrees of freedom (JCGM 100 G.4)"),
-         [this](std::size_t row) {
-             return degrees_of_freedom_text(output(row).first_order.effective_degrees_of_freedom);
-         },
-         [this](std::size_t row) { return output(row).first_order.effective_degrees_of_freedom; }});
+        {QStringLiteral("U"), tr("Expanded uncertainty, U = k·u"),
+         [this](std::size_t row) { return uncertainty_text(row, output(row).expanded_uncertainty); },
+         [this](std::size_t row) { return output(row).expanded_uncertainty; }});
     columns.push_back(
         {QStringLiteral("k"), tr("Coverage factor"),
          [this](std::size_t row) { return localized(format_decimals(output(row).coverage_factor, 2)); },
          [this](std::size_t row) { return output(row).coverage_factor; }});
     columns.push_back(
-        {QStringLiteral("U"), tr("Expanded uncertainty, U = k·u"),
-         [this](std::size_t row) { return uncertainty_text(row, output(row).expanded_uncertainty); },
-         [this](std::size_t row) { return output(row).expanded_uncertainty; }});
+        {to_qt(symbol_to_unicode("nu_eff")), tr("Effective degrees of freedom (JCGM 100 G.4)"),
+         [this](std::size_t row) {
+             return degrees_of_freedom_text(output(row).first_order.effective_degrees_of_freedom);
+         },
+         [this](std::size_t row) { return output(row).first_order.effective_degrees_of_freedom; }});
     const auto limit = [this](double CoverageInterval::*side) {
         return [this, side](std::size_t row) {
             const auto interval = interval_of(row);

@@ -8,14 +8,14 @@ namespace covaria::ui {
 enum Role : int {
     sort_role = Qt::UserRole + 1,  ///< the number or text to sort by
     path_role,                     ///< JSON pointer into the project
-    id_role,                       ///< of the asset or analysis; symbol of the quantity
-    state_role,                    ///< int of RunState
-    category_role,                 ///< of the project tree
-    problem_role,                  ///< what is wrong with the item, in words; empty when nothing is
-    severity_role,                 ///< int of Severity
-    choices_role,                  ///< QStringList of what the cell may be set to
-    group_role,                    ///< of an output or input quantity ("pose 7")
-    index_role,                    ///< of an output among the result's outputs
+    id_role,        ///< of the asset or analysis; symbol of the quantity; head of a column without its unit
+    state_role,     ///< int of RunState
+    category_role,  ///< of the project tree
+    problem_role,   ///< what is wrong with the item, in words; empty when nothing is
+    severity_role,  ///< int of Severity
+    choices_role,   ///< QStringList of what the cell may be set to
+    group_role,     ///< of an output or input quantity ("pose 7")
+    index_role,     ///< of an output among the result's outputs
 };
 
 }  // namespace covaria::ui

@@ -4,6 +4,7 @@
 #include <QTime>
 
 #include "ui/models/roles.h"
+#include "ui/pages/entry_delegate.h"
 
 namespace covaria::ui {
 
@@ -13,6 +14,7 @@ constexpr int most_log_lines = 5000;
 
 ProblemsPane::ProblemsPane(Document& document, QWidget* parent) : QTreeView(parent), model_(document) {
     setModel(&model_);
+    setItemDelegate(new EntryDelegate(this));
     setAccessibleName(tr("Problems"));
     setRootIsDecorated(false);
     setUniformRowHeights(true);

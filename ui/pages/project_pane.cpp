@@ -9,6 +9,8 @@
 #include "core/models/registry.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/strings.h"
+#include "ui/pages/entry_delegate.h"
+#include "ui/theme/icons.h"
 
 namespace covaria::ui {
 
@@ -23,11 +25,13 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
     setHeaderHidden(true);
     setUniformRowHeights(true);
     setEditTriggers(QAbstractItemView::EditKeyPressed);
-    duplicate_action = new QAction(tr("D&uplicate"), this);
+    setItemDelegate(new EntryDelegate(this));
+    setIndentation(14);
+    duplicate_action = new QAction(icon(QStringLiteral("duplicate")), tr("D&uplicate"), this);
     duplicate_action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_D));
-    rename_action = new QAction(tr("Re&name"), this);
+    rename_action = new QAction(icon(QStringLiteral("rename")), tr("Re&name"), this);
     rename_action->setShortcut(QKeySequence(Qt::Key_F2));
-    delete_action = new QAction(tr("&Delete …"), this);
+    delete_action = new QAction(icon(QStringLiteral("delete")), tr("&Delete …"), this);
     delete_action->setShortcut(QKeySequence::Delete);
     for (QAction* action : {duplicate_action, rename_action, delete_action}) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -50,6 +54,7 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
 
 QMenu* ProjectPane::make_add_menu(QWidget* parent) {
     auto* menu = new QMenu(tr("&Add"), parent);
+    menu->setIcon(icon(QStringLiteral("add")));
     for (const ModelDescriptor& model : model_registry())
         menu->addAction(tr("Analysis: %1").arg(to_qt(model.title)), this,
                         [this, id = model.id] { add_analysis(id); });
@@ -107,7 +112,8 @@ void ProjectPane::contextMenuEvent(QContextMenuEvent* event) {
     menu.addMenu(make_add_menu(&menu));
     const SetupAddress address = model_.address(indexAt(event->pos()));
     if (address.owner == SetupOwner::analysis && !address.id.empty())
-        menu.addAction(tr("Run"), this, [this, address] { runner_.run(to_qt(address.id)); });
+        menu.addAction(icon(QStringLiteral("run")), tr("Run"), this,
+                       [this, address] { runner_.run(to_qt(address.id)); });
     menu.addSeparator();
     menu.addActions({duplicate_action, rename_action, delete_action});
     menu.exec(event->globalPos());

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QSplitter>
@@ -15,18 +16,21 @@
 #include "ui/document/strings.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/unit_button.h"
 #include "ui/theme/theme.h"
+#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 namespace {
 
-QSplitter* side_by_side(QWidget* left, QWidget* right) {
+QSplitter* side_by_side(QWidget* left, QWidget* right, int left_part = 1, int right_part = 1) {
     auto* splitter = new QSplitter(Qt::Horizontal);
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(left);
     splitter->addWidget(right);
-    splitter->setStretchFactor(0, 1);
-    splitter->setStretchFactor(1, 1);
+    splitter->setStretchFactor(0, left_part);
+    splitter->setStretchFactor(1, right_part);
+    splitter->setSizes({1000 * left_part, 1000 * right_part});
     return splitter;
 }
 
@@ -46,19 +50,23 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(make_head());
+    make_head();
     column->addWidget(tabs_, 1);
     connect_selection();
+    take_units();
     connect(tabs_, &QTabWidget::currentChanged, this, &ResultsPane::refresh_charts);
     take_result();
 }
 
-QWidget* ResultsPane::make_head() {
-    auto* head = new QWidget;
-    auto* row = new QHBoxLayout(head);
-    row->setContentsMargins(8, 3, 8, 3);
+void ResultsPane::make_head() {
+    head_ = new QWidget(this);
+    auto* row = new QHBoxLayout(head_);
+    row->setContentsMargins(0, 0, 0, 0);
     state_ = new QLabel;
-    output_ = new QComboBox;
+    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    units_ = new UnitButton;
+    connect(units_, &UnitButton::units_changed, this, &ResultsPane::take_units);
+    output_ = new TypesetComboBox;
     output_->setToolTip(tr("Output quantity of the budget and the charts"));
     output_->setAccessibleName(tr("Output quantity"));
     output_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -66,9 +74,11 @@ QWidget* ResultsPane::make_head() {
     digits_->setRange(1, 6);
     digits_->setValue(2);
     digits_->setPrefix(tr("digits of U: "));
+    digits_->setAccessibleName(tr("Significant digits of uncertainties"));
     digits_->setToolTip(tr("Significant digits of uncertainties; estimates are rounded to match"));
     row->addWidget(state_, 1);
     row->addWidget(output_);
+    row->addWidget(units_);
     row->addWidget(digits_);
     connect(output_, &QComboBox::activated, this,
             [this](int index) { selection_.select_output(output_->itemData(index).toInt()); });
@@ -76,11 +86,16 @@ QWidget* ResultsPane::make_head() {
         result_model_.set_digits(digits);
         budget_model_.set_digits(digits);
     });
-    return head;
 }
 
 QWidget* ResultsPane::make_results_tab() {
     results_ = new SortableTable(result_model_, tr("results"));
+    results_->set_columns(QStringLiteral("results"),
+                          {tr("Group"), tr("Estimate (first order)"), tr("U (first order)")});
+    results_->extend_menu = [this](QMenu& menu, int row) {
+        const std::size_t output = result_model_.output_of(row);
+        units_->add_choices(*menu.addMenu(tr("Unit")), result_->outputs[output].quantity.unit);
+    };
     connect(results_, &SortableTable::row_selected, this,
             [this](int row) { selection_.select_output(int(result_model_.output_of(row))); });
     return results_;
@@ -88,8 +103,9 @@ QWidget* ResultsPane::make_results_tab() {
 
 QWidget* ResultsPane::make_budget_tab() {
     budget_ = new SortableTable(budget_model_, tr("budget"));
+    budget_->set_columns(QStringLiteral("budget"), {});
     contributions_ = new ChartView;
-    return side_by_side(budget_, contributions_);
+    return side_by_side(budget_, contributions_, 3, 2);
 }
 
 QWidget* ResultsPane::make_distributions_tab() {
@@ -145,10 +161,20 @@ void ResultsPane::take_result() {
     result_ = status.result;
     current_ = status.is_current();
     state_->setText(state_words());
+    state_->setToolTip(state_->text());
+    units_->set_result(result_);
     result_model_.set_group(to_std(selection_.group()));
     result_model_.set_result(result_, current_);
+    plotted_ = in_units(result_, units_->units());
     refresh_outputs();
     show_group(selection_.group());
+}
+
+void ResultsPane::take_units() {
+    result_model_.set_units(units_->units());
+    budget_model_.set_units(units_->units());
+    plotted_ = in_units(result_, units_->units());
+    refresh_charts();
 }
 
 void ResultsPane::refresh_outputs() {
@@ -194,14 +220,14 @@ void ResultsPane::refresh_charts() {
     }
     const auto index = std::size_t(output);
     const QWidget* shown = tabs_->currentWidget();
-    if (shown->isAncestorOf(contributions_)) contributions_->set_plot(contribution_plot(*result_, index));
+    if (shown->isAncestorOf(contributions_)) contributions_->set_plot(contribution_plot(*plotted_, index));
     if (shown->isAncestorOf(histogram_)) {
-        histogram_->set_plot(histogram_plot(*result_, index));
-        quantiles_->set_plot(normal_quantile_plot(*result_, index));
+        histogram_->set_plot(histogram_plot(*plotted_, index));
+        quantiles_->set_plot(normal_quantile_plot(*plotted_, index));
     }
     if (shown->isAncestorOf(correlation_map_))
-        correlation_map_->set_plot(correlation_plot(*result_, result_->outputs[index].quantity.group));
-    if (shown == convergence_) convergence_->set_plot(convergence_plot(*result_, index));
+        correlation_map_->set_plot(correlation_plot(*plotted_, plotted_->outputs[index].quantity.group));
+    if (shown == convergence_) convergence_->set_plot(convergence_plot(*plotted_, index));
 }
 
 void ResultsPane::set_dark(bool dark) {

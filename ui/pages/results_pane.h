@@ -21,6 +21,7 @@ namespace covaria::ui {
 class ChartView;
 class ReportPreview;
 class SortableTable;
+class UnitButton;
 
 class ResultsPane : public QWidget {
     Q_OBJECT
@@ -28,12 +29,15 @@ public:
     ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
 
     void set_dark(bool dark);
+    /// State of the analysis, output quantity, units, digits: for the dock's title bar.
+    QWidget& head() { return *head_; }
     QTabWidget& tabs() { return *tabs_; }
     SortableTable& result_table() { return *results_; }
     SortableTable& budget_table() { return *budget_; }
+    UnitButton& units() { return *units_; }
 
 private:
-    QWidget* make_head();
+    void make_head();
     QWidget* make_results_tab();
     QWidget* make_budget_tab();
     QWidget* make_distributions_tab();
@@ -41,6 +45,7 @@ private:
     QWidget* make_convergence_tab();
     void connect_selection();
     void take_result();
+    void take_units();
     void refresh_outputs();
     void show_group(const QString& group);
     void show_output(int output);
@@ -50,12 +55,15 @@ private:
     AnalysisRunner& runner_;
     Selection& selection_;
     ResultPointer result_;
+    ResultPointer plotted_;  ///< the same in the units chosen
     bool current_ = true;
     ResultTableModel result_model_;
     BudgetTableModel budget_model_;
     CorrelationTableModel correlation_model_;
 
+    QWidget* head_ = nullptr;
     QLabel* state_ = nullptr;
+    UnitButton* units_ = nullptr;
     QComboBox* output_ = nullptr;
     QSpinBox* digits_ = nullptr;
     QTabWidget* tabs_ = nullptr;

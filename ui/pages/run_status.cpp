@@ -7,6 +7,11 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "ui/document/strings.h"
+#include "ui/models/project_tree_model.h"
+#include "ui/pages/entry_delegate.h"
+#include "ui/theme/icons.h"
+
 namespace covaria::ui {
 
 QString progress_words(const RunProgress& progress) {
@@ -19,28 +24,52 @@ QString progress_words(const RunProgress& progress) {
     return words;
 }
 
-RunStatus::RunStatus(AnalysisRunner& runner, QWidget* parent) : QWidget(parent) {
+RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
+    : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    row->setContentsMargins(0, 0, 4, 0);
+    picture_ = new QLabel(this);
     text_ = new QLabel(this);
     bar_ = new QProgressBar(this);
     bar_->setFixedWidth(160);
+    bar_->setFixedHeight(fontMetrics().height());
     bar_->setTextVisible(false);
     bar_->setAccessibleName(tr("Progress of the run"));
     stop_ = new QToolButton(this);
-    stop_->setText(tr("Stop"));
+    stop_->setIcon(icon(QStringLiteral("stop")));
+    stop_->setAutoRaise(true);
     stop_->setToolTip(tr("Stop all runs (Esc)"));
-    row->addWidget(text_);
-    row->addWidget(bar_);
-    row->addWidget(stop_);
-    connect(stop_, &QToolButton::clicked, &runner, &AnalysisRunner::stop_all);
-    connect(&runner, &AnalysisRunner::progress_changed, this, &RunStatus::show_progress);
-    connect(&runner, &AnalysisRunner::idle, this, &RunStatus::show_idle);
+    stop_->setAccessibleName(tr("Stop all runs"));
+    for (QWidget* widget : std::initializer_list<QWidget*>{picture_, text_, bar_, stop_})
+        row->addWidget(widget);
+    connect(stop_, &QToolButton::clicked, &runner_, &AnalysisRunner::stop_all);
+    connect(&runner_, &AnalysisRunner::progress_changed, this, &RunStatus::show_progress);
+    connect(&runner_, &AnalysisRunner::state_changed, this, &RunStatus::show_state);
+    connect(&runner_, &AnalysisRunner::idle, this, &RunStatus::show_idle);
+    connect(&selection_, &Selection::analysis_changed, this, &RunStatus::show_state);
+    connect(&document_, &Document::project_changed, this, &RunStatus::show_state);
     show_idle();
 }
 
+QString RunStatus::words() const {
+    return text_->text();
+}
+
+QString RunStatus::name_of(const QString& id) const {
+    const AnalysisEntry* analysis = document_.project().find_analysis(to_std(id));
+    return analysis ? to_qt(analysis->name) : id;
+}
+
+void RunStatus::set_picture(const QString& name) {
+    const int size = fontMetrics().height();
+    picture_->setPixmap(name.isEmpty() ? QPixmap()
+                                       : icon(name).pixmap(QSize(size, size), devicePixelRatioF()));
+}
+
 void RunStatus::show_progress(const QString& id, const RunProgress& progress) {
-    text_->setText(id + QStringLiteral(": ") + progress_words(progress));
+    running_ = true;
+    set_picture(state_icon(RunState::running));
+    text_->setText(name_of(id) + QStringLiteral(": ") + progress_words(progress));
     bar_->setRange(0, progress.trials_planned > 0 ? 1000 : 0);
     if (progress.trials_planned > 0)
         bar_->setValue(int(1000.0 * double(progress.trials_done) / double(progress.trials_planned)));
@@ -48,10 +77,28 @@ void RunStatus::show_progress(const QString& id, const RunProgress& progress) {
     stop_->show();
 }
 
+void RunStatus::show_state() {
+    if (running_) return;
+    const QString& id = selection_.analysis();
+    if (!document_.project().find_analysis(to_std(id))) {
+        set_picture({});
+        text_->setText(document_.project().analyses.empty() ? QString() : tr("No analysis selected"));
+        return;
+    }
+    const AnalysisStatus& status = runner_.status(id);
+    QString words = ProjectTreeModel::words(status.state);
+    if (!status.prepared && status.state != RunState::failed) words = tr("has problems");
+    if (status.state == RunState::up_to_date && status.result && status.result->trials > 0)
+        words += tr(", %1 trials").arg(QLocale().toString(qulonglong(status.result->trials)));
+    set_picture(state_icon(status.state));
+    text_->setText(name_of(id) + QStringLiteral(": ") + words);
+}
+
 void RunStatus::show_idle() {
-    text_->clear();
+    running_ = false;
     bar_->hide();
     stop_->hide();
+    show_state();
 }
 
 }  // namespace covaria::ui

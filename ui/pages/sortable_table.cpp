@@ -6,11 +6,15 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QMenu>
+#include <QSettings>
+#include <algorithm>
 
 #include "core/project/project_file.h"
 #include "ui/document/strings.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 namespace {
@@ -22,10 +26,15 @@ QString quoted(QString cell) {
     return QLatin1Char('"') + cell.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
 }
 
+constexpr int widest_column = 260;  ///< that a column gets by itself
+
 }  // namespace
 
 SortableTable::SortableTable(QAbstractItemModel& model, const QString& name, QWidget* parent)
     : QTableView(parent), name_(name) {
+    setHorizontalHeader(new TypesetHeader(Qt::Horizontal, this));
+    setVerticalHeader(new TypesetHeader(Qt::Vertical, this));
+    setItemDelegate(new TypesetDelegate(this));
     proxy_.setSourceModel(&model);
     proxy_.setSortRole(sort_role);
     setModel(&proxy_);
@@ -38,14 +47,72 @@ SortableTable::SortableTable(QAbstractItemModel& model, const QString& name, QWi
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     setWordWrap(false);
     setFrameShape(QFrame::NoFrame);
+    setTabKeyNavigation(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     verticalHeader()->hide();
-    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(horizontalHeader(), &QWidget::customContextMenuRequested, this, &SortableTable::show_header_menu);
+    QHeaderView* head = horizontalHeader();
+    head->setContextMenuPolicy(Qt::CustomContextMenu);
+    head->setToolTip(tr("Click to sort, right click to choose columns"));
+    connect(head, &QWidget::customContextMenuRequested, this, &SortableTable::show_header_menu);
+    connect(head, &QHeaderView::sectionResized, this,
+            [this](int column, int, int width) { remember_width(column, width); });
+    connect(&proxy_, &QAbstractItemModel::modelReset, this, &SortableTable::apply_columns);
+    connect(&proxy_, &QAbstractItemModel::dataChanged, this, &SortableTable::fit_columns);
     connect(this, &QTableView::activated, this,
             [this](const QModelIndex& index) { emit row_activated(proxy_.mapToSource(index).row()); });
+}
+
+void SortableTable::set_columns(const QString& key, const QStringList& hidden) {
+    key_ = QStringLiteral("tables/") + key;
+    hidden_ = hidden;
+    const QSettings settings;
+    if (settings.contains(key_ + QStringLiteral("/hidden")))
+        hidden_ = settings.value(key_ + QStringLiteral("/hidden")).toStringList();
+    widths_ = settings.value(key_ + QStringLiteral("/widths")).toMap();
+    apply_columns();
+}
+
+QString SortableTable::column_name(int column) const {
+    const QString name = proxy_.headerData(column, Qt::Horizontal, id_role).toString();
+    return name.isEmpty() ? proxy_.headerData(column, Qt::Horizontal).toString() : name;
+}
+
+void SortableTable::apply_columns() {
+    for (int column = 0; column < proxy_.columnCount(); ++column)
+        setColumnHidden(column, hidden_.contains(column_name(column)));
+    fit_columns();
+}
+
+void SortableTable::fit_columns() {
+    fitting_ = true;
+    for (int column = 0; column < proxy_.columnCount(); ++column) {
+        if (isColumnHidden(column)) continue;
+        const QVariant given = widths_.value(column_name(column));
+        const int wanted = std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column));
+        setColumnWidth(column, given.isValid() ? given.toInt() : std::min(wanted, widest_column));
+    }
+    fitting_ = false;
+}
+
+void SortableTable::remember_width(int column, int width) {
+    if (fitting_ || width == 0 || key_.isEmpty()) return;
+    widths_[column_name(column)] = width;
+    QSettings().setValue(key_ + QStringLiteral("/widths"), widths_);
+}
+
+void SortableTable::set_column_shown(int column, bool shown) {
+    const QString name = column_name(column);
+    hidden_.removeAll(name);
+    if (!shown) hidden_ << name;
+    if (!key_.isEmpty()) QSettings().setValue(key_ + QStringLiteral("/hidden"), hidden_);
+    setColumnHidden(column, !shown);
+    fit_columns();
+}
+
+void SortableTable::forget_columns() {
+    widths_.clear();
+    if (!key_.isEmpty()) QSettings().remove(key_ + QStringLiteral("/widths"));
+    fit_columns();
 }
 
 void SortableTable::copy_selection() {
@@ -103,23 +170,34 @@ void SortableTable::keyPressEvent(QKeyEvent* event) {
 
 void SortableTable::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu(this);
-    menu.addAction(tr("Copy"), QKeySequence::Copy, this, &SortableTable::copy_selection);
+    menu.addAction(icon(QStringLiteral("copy")), tr("Copy"), QKeySequence::Copy, this,
+                   &SortableTable::copy_selection);
     menu.addAction(tr("Select All"), QKeySequence::SelectAll, this, &QTableView::selectAll);
     menu.addSeparator();
-    menu.addAction(tr("Original Order"), this, [this] { sortByColumn(-1, Qt::AscendingOrder); });
-    menu.addAction(tr("Save as CSV …"), this, &SortableTable::ask_and_save);
+    const QModelIndex cell = indexAt(event->pos());
+    if (extend_menu && cell.isValid()) extend_menu(menu, proxy_.mapToSource(cell).row());
+    fill_column_menu(*menu.addMenu(tr("Columns")));
+    if (isSortingEnabled())
+        menu.addAction(tr("Original Order"), this, [this] { sortByColumn(-1, Qt::AscendingOrder); });
+    menu.addAction(icon(QStringLiteral("export")), tr("Save as CSV …"), this, &SortableTable::ask_and_save);
     menu.exec(event->globalPos());
 }
 
-void SortableTable::show_header_menu(QPoint at) {
-    QMenu menu(this);
+void SortableTable::fill_column_menu(QMenu& menu) {
     for (int column = 0; column < proxy_.columnCount(); ++column) {
         QAction* action = menu.addAction(proxy_.headerData(column, Qt::Horizontal).toString());
         action->setCheckable(true);
         action->setChecked(!isColumnHidden(column));
         connect(action, &QAction::toggled, this,
-                [this, column](bool shown) { setColumnHidden(column, !shown); });
+                [this, column](bool shown) { set_column_shown(column, shown); });
     }
+    menu.addSeparator();
+    menu.addAction(tr("Fit Widths"), this, &SortableTable::forget_columns);
+}
+
+void SortableTable::show_header_menu(QPoint at) {
+    QMenu menu(this);
+    fill_column_menu(menu);
     menu.exec(horizontalHeader()->mapToGlobal(at));
 }
 

@@ -3,6 +3,9 @@
 
 #include <QSortFilterProxyModel>
 #include <QTableView>
+#include <functional>
+
+class QMenu;
 
 namespace covaria::ui {
 
@@ -11,6 +14,15 @@ class SortableTable : public QTableView {
 public:
     /// `name` names the saved file ("results") and the table to screen readers.
     SortableTable(QAbstractItemModel& model, const QString& name, QWidget* parent = nullptr);
+
+    /// Columns hidden until the user shows them. The choice and the widths the user gave are remembered under
+    /// `key`.
+    void set_columns(const QString& key, const QStringList& hidden);
+    void set_column_shown(int column, bool shown);
+    /// Columns to tick, as on a right click on the head.
+    void fill_column_menu(QMenu& menu);
+    /// Further entries of the context menu, for a row of the model.
+    std::function<void(QMenu& menu, int row)> extend_menu;
 
     void copy_selection();
     /// Everything shown, in the order shown.
@@ -31,12 +43,20 @@ protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
 
 private:
+    QString column_name(int column) const;
+    void apply_columns();
+    void fit_columns();
+    void remember_width(int column, int width);
+    void forget_columns();
     void show_header_menu(QPoint at);
     void ask_and_save();
 
-    QString name_;
+    QString name_, key_;
+    QStringList hidden_;
+    QMap<QString, QVariant> widths_;  ///< that the user gave
     QSortFilterProxyModel proxy_;
     bool selecting_ = false;
+    bool fitting_ = false;
 };
 
 }  // namespace covaria::ui

@@ -5,19 +5,26 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/base/resource_path.h"
 #include "core/project/project_file.h"
 #include "ui/document/strings.h"
+#include "ui/pages/example_card.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/theme.h"
 
 namespace covaria::ui {
 namespace {
 
-constexpr QSize thumbnail_size(320, 200);
-constexpr int examples_in_a_row = 3;
+constexpr int gap = 20;
+constexpr int widest_page = 1500;
 
 QLabel* heading(const QString& text) {
     auto* label = new QLabel(text);
@@ -28,16 +35,59 @@ QLabel* heading(const QString& text) {
     return label;
 }
 
+/// Of the first line; the full stop after an initial ("M. C. Porath") ends nothing.
 QString first_sentence(const QString& text) {
-    const qsizetype end = text.indexOf(QStringLiteral(". "));
-    return end < 0 ? text : text.left(end + 1);
+    const QString line = text.section(QLatin1Char('\n'), 0, 0);
+    static const QRegularExpression end(QStringLiteral("(?<!\\b\\p{Lu})\\. "));
+    const auto found = end.match(line);
+    return found.hasMatch() ? line.left(found.capturedStart() + 1) : line;
 }
 
-QPushButton* link_button(const QString& text, const QString& tip) {
-    auto* button = new QPushButton(text);
-    button->setToolTip(tip);
-    button->setFlat(true);
-    button->setStyleSheet(QStringLiteral("text-align: left; padding: 3px 6px;"));
+QLabel* quiet(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setEnabled(false);
+    return label;
+}
+
+/// A recent file: its name, and under it the folder.
+class RecentButton : public QToolButton {
+public:
+    explicit RecentButton(const QString& file) : folder_(QDir::toNativeSeparators(QFileInfo(file).path())) {
+        if (folder_.startsWith(QDir::homePath()))
+            folder_.replace(0, QDir::homePath().size(), QLatin1Char('~'));
+        setText(QFileInfo(file).completeBaseName());
+        setToolTip(QDir::toNativeSeparators(file));
+        setAccessibleName(text());
+        setAccessibleDescription(folder_);
+        setAutoRaise(true);
+        setCursor(Qt::PointingHandCursor);
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    }
+    QSize sizeHint() const override { return {200, 2 * fontMetrics().lineSpacing() + 8}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QStylePainter painter(this);
+        QStyleOptionToolButton option;
+        initStyleOption(&option);
+        option.text.clear();
+        painter.drawComplexControl(QStyle::CC_ToolButton, option);
+        const QRect area = rect().adjusted(6, 4, -6, -4);
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(area, Qt::AlignLeft | Qt::AlignTop,
+                         fontMetrics().elidedText(text(), Qt::ElideRight, area.width()));
+        painter.setPen(mix(palette().color(QPalette::Window), palette().color(QPalette::Text), 0.6));
+        painter.drawText(area, Qt::AlignLeft | Qt::AlignBottom,
+                         fontMetrics().elidedText(folder_, Qt::ElideMiddle, area.width()));
+    }
+
+private:
+    QString folder_;
+};
+
+QPushButton* action_button(const QString& picture, const QString& text) {
+    auto* button = new QPushButton(icon(picture), text);
+    button->setMinimumHeight(34);
     return button;
 }
 
@@ -58,16 +108,22 @@ std::vector<Example> shipped_examples() {
 }
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+    setAccessibleName(tr("Start page"));
     auto* inner = new QWidget;
+    inner->setMaximumWidth(widest_page);
     auto* row = new QHBoxLayout(inner);
     row->setContentsMargins(48, 40, 48, 40);
-    row->setSpacing(48);
+    row->setSpacing(56);
     row->addWidget(make_actions(), 0, Qt::AlignTop);
     row->addWidget(make_examples(), 1, Qt::AlignTop);
     auto* scroll = new QScrollArea(this);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
-    scroll->setWidget(inner);
+    auto* centred = new QWidget;
+    auto* middle = new QHBoxLayout(centred);
+    middle->setContentsMargins(0, 0, 0, 0);
+    middle->addWidget(inner, 0, Qt::AlignTop);
+    scroll->setWidget(centred);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(scroll);
@@ -75,7 +131,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 
 QWidget* StartPage::make_actions() {
     auto* box = new QWidget;
-    box->setMinimumWidth(240);
+    box->setFixedWidth(260);
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     auto* name = heading(tr("Covaria"));
@@ -85,8 +141,8 @@ QWidget* StartPage::make_actions() {
     column->addWidget(name);
     column->addWidget(new QLabel(tr("Measurement uncertainty of robots\nand large-scale metrology")));
     column->addSpacing(20);
-    auto* new_project = new QPushButton(tr("New Project"));
-    auto* open = new QPushButton(tr("Open …"));
+    auto* new_project = action_button(QStringLiteral("new"), tr("New Project"));
+    auto* open = action_button(QStringLiteral("open"), tr("Open …"));
     connect(new_project, &QPushButton::clicked, this, &StartPage::new_wanted);
     connect(open, &QPushButton::clicked, this, &StartPage::open_wanted);
     column->addWidget(new_project);
@@ -105,26 +161,35 @@ QWidget* StartPage::make_examples() {
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(heading(tr("Examples")));
-    auto* grid = new QGridLayout;
-    grid->setSpacing(16);
-    int index = 0;
+    column->addWidget(quiet(tr("They open as new projects; the shipped files stay as they are.")));
+    column->addSpacing(8);
+    examples_ = new QGridLayout;
+    examples_->setSpacing(gap);
     for (const Example& example : shipped_examples()) {
-        auto* button = new QToolButton;
-        button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        button->setIcon(QIcon(example.picture));
-        button->setIconSize(thumbnail_size);
-        button->setText(fontMetrics().elidedText(example.title, Qt::ElideRight, thumbnail_size.width()));
-        button->setToolTip(example.title + QStringLiteral("\n\n") + example.summary);
-        button->setAccessibleName(example.title);
-        button->setAutoRaise(true);
-        connect(button, &QToolButton::clicked, this,
+        auto* card = new ExampleCard(example.title, example.summary, example.picture);
+        connect(card, &ExampleCard::clicked, this,
                 [this, file = example.file] { emit example_wanted(file); });
-        grid->addWidget(button, index / examples_in_a_row, index % examples_in_a_row);
-        ++index;
+        cards_ << card;
     }
-    grid->setColumnStretch(examples_in_a_row, 1);
-    column->addLayout(grid);
+    column->addLayout(examples_);
+    place_cards(3);
     return box;
+}
+
+void StartPage::place_cards(int in_a_row) {
+    if (in_a_row == in_a_row_) return;
+    in_a_row_ = in_a_row;
+    for (qsizetype i = 0; i < cards_.size(); ++i)
+        examples_->addWidget(cards_[i], int(i) / in_a_row, int(i) % in_a_row, Qt::AlignLeft | Qt::AlignTop);
+    for (int column = 0; column <= cards_.size(); ++column)
+        examples_->setColumnStretch(column, column == in_a_row ? 1 : 0);
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (cards_.isEmpty()) return;
+    const int room = std::min(width(), widest_page) - 2 * 48 - 260 - 56;
+    place_cards(std::max(1, (room + gap) / (cards_.front()->sizeHint().width() + gap)));
 }
 
 void StartPage::set_recent_files(const QStringList& files) {
@@ -133,14 +198,12 @@ void StartPage::set_recent_files(const QStringList& files) {
         delete item;
     }
     for (const QString& file : files) {
-        QPushButton* button = link_button(QFileInfo(file).completeBaseName(), QDir::toNativeSeparators(file));
-        connect(button, &QPushButton::clicked, this, [this, file] { emit file_wanted(file); });
+        auto* button = new RecentButton(file);
+        connect(button, &QToolButton::clicked, this, [this, file] { emit file_wanted(file); });
         recent_->addWidget(button);
     }
     if (files.isEmpty()) {
-        auto* none = new QLabel(tr("Projects that you open are listed here."));
-        none->setEnabled(false);
-        recent_->addWidget(none);
+        recent_->addWidget(quiet(tr("Projects that you open are listed here.")));
     }
 }
 

@@ -4,9 +4,12 @@
 #include <QStringList>
 #include <QWidget>
 
+class QGridLayout;
 class QVBoxLayout;
 
 namespace covaria::ui {
+
+class ExampleCard;
 
 class StartPage : public QWidget {
     Q_OBJECT
@@ -21,11 +24,18 @@ signals:
     /// Opens as a new project, so that the shipped file stays as it is.
     void example_wanted(const QString& file);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QWidget* make_actions();
     QWidget* make_examples();
+    void place_cards(int in_a_row);
 
     QVBoxLayout* recent_ = nullptr;
+    QGridLayout* examples_ = nullptr;
+    QList<ExampleCard*> cards_;
+    int in_a_row_ = 0;
 };
 
 /// A shipped example: its file, title and the picture beside it.

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ui/document/strings.h"
+#include "ui/theme/icons.h"
 #include "viz/scene/analysis_scene.h"
 
 namespace covaria::ui {
@@ -54,16 +55,19 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
 }
 
 void ScenePanel::make_toolbar() {
+    toolbar_->setIconSize({18, 18});
     group_ = new QComboBox(this);
     group_->setToolTip(tr("Which pose or group of outputs to show"));
     group_->setAccessibleName(tr("Group"));
     group_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     toolbar_->addWidget(group_);
-    add_view_action(tr("Iso"), tr("View from the front right, from above (1)"), StandardView::iso);
-    add_view_action(tr("Top"), tr("View from above (2)"), StandardView::top);
-    add_view_action(tr("Front"), tr("View from the front (3)"), StandardView::front);
-    add_view_action(tr("Right"), tr("View from the right (4)"), StandardView::right);
-    toolbar_->addAction(tr("Fit"), view_, &SceneView::fit)->setToolTip(tr("Everything in the picture (F)"));
+    add_view_action("view-iso", tr("Iso"), tr("View from the front right, from above (1)"),
+                    StandardView::iso);
+    add_view_action("view-top", tr("Top"), tr("View from above (2)"), StandardView::top);
+    add_view_action("view-front", tr("Front"), tr("View from the front (3)"), StandardView::front);
+    add_view_action("view-right", tr("Right"), tr("View from the right (4)"), StandardView::right);
+    toolbar_->addAction(icon(QStringLiteral("fit")), tr("Fit"), view_, &SceneView::fit)
+        ->setToolTip(tr("Everything in the picture (F)"));
     toolbar_->addSeparator();
     make_layers_menu();
     magnification_ = new QComboBox(this);
@@ -88,8 +92,11 @@ void ScenePanel::make_toolbar() {
     });
 }
 
-void ScenePanel::add_view_action(const QString& text, const QString& tip, StandardView view) {
-    toolbar_->addAction(text, this, [this, view] { view_->set_view(view); })->setToolTip(tip);
+void ScenePanel::add_view_action(const char* picture, const QString& text, const QString& tip,
+                                 StandardView view) {
+    toolbar_
+        ->addAction(icon(QString::fromLatin1(picture)), text, this, [this, view] { view_->set_view(view); })
+        ->setToolTip(tip);
 }
 
 void ScenePanel::make_layers_menu() {
@@ -112,6 +119,8 @@ void ScenePanel::make_layers_menu() {
         });
     }
     button->setText(tr("Layers"));
+    button->setIcon(icon(QStringLiteral("layers")));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setToolTip(tr("What the picture shows"));
     button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);

@@ -44,7 +44,7 @@ signals:
 
 private:
     void make_toolbar();
-    void add_view_action(const QString& text, const QString& tip, StandardView view);
+    void add_view_action(const char* picture, const QString& text, const QString& tip, StandardView view);
     void make_layers_menu();
     void refresh();
     void refresh_groups();

@@ -2,10 +2,10 @@
 #include <QApplication>
 #include <QPalette>
 #include <QStyle>
-#include <QStyleFactory>
 #include <QToolTip>
 
 #include "ui/theme/fonts.h"
+#include "ui/theme/style.h"
 #include "ui/theme/theme.h"
 
 namespace covaria::ui {
@@ -40,8 +40,7 @@ QPalette palette_of(const Neutrals& n, bool dark) {
 
 void apply_theme(QApplication& application, const Theme& theme) {
     const QPalette palette = palette_of(theme.neutrals(), theme.is_dark());
-    if (!application.style() || application.style()->name() != QLatin1String("fusion"))
-        application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (!dynamic_cast<Style*>(application.style())) application.setStyle(new Style);
     application.setPalette(palette);
     application.setFont(application_font());
     QToolTip::setPalette(palette);

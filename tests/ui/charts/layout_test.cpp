@@ -2,9 +2,9 @@
 #include "ui/charts/chart_layout.h"
 
 #include "tests/ui/charts/chart_test.h"
-#include "ui/charts/label_text.h"
 #include "ui/charts/mark_labels.h"
 #include "ui/charts/visible_part.h"
+#include "ui/theme/label_text.h"
 
 namespace covaria::ui {
 namespace {

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QFontMetricsF>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyle>
 
 #include "ui/theme/fonts.h"
@@ -64,7 +65,9 @@ TEST(Theme, ContrastIsThatOfTheGuidelines) {
 TEST(ApplyTheme, SetsStylePaletteAndFont) {
     for (const Theme& theme : {Theme::dark(), Theme::light()}) {
         apply_theme(*qApp, theme);
-        EXPECT_EQ(QApplication::style()->name(), QStringLiteral("fusion"));
+        const auto* style = qobject_cast<const QProxyStyle*>(QApplication::style());
+        ASSERT_NE(style, nullptr);
+        EXPECT_EQ(style->baseStyle()->name(), QStringLiteral("fusion"));
         EXPECT_EQ(QApplication::palette().color(QPalette::Base), theme.neutrals().ground);
         EXPECT_EQ(QApplication::palette().color(QPalette::Disabled, QPalette::Text),
                   theme.neutrals().disabled);

@@ -1,4 +1,5 @@
-// Text of charts with real subscripts: "b_1x" and "bₓ" are both set with small, lowered letters.
+// Text with real subscripts, in charts, tables and lists: "b_1x" and "bₓ" are both set with small, lowered
+// letters.
 #pragma once
 
 #include <QFont>
@@ -16,6 +17,8 @@ public:
     LabelText(const QString& text, const QFont& font);
     double width() const { return width_; }
     double height() const;
+    /// False: the text looks as any other would draw it.
+    bool has_subscripts() const;
     /// Draws with the painter's pen; `top_left` of a box of width() times height().
     void draw(QPainter& painter, QPointF top_left) const;
 
@@ -28,7 +31,7 @@ private:
     void append(const QString& text, bool lowered);
     QFont font_, small_;
     std::vector<Run> runs_;
-    double width_ = 0.0;
+    double width_ = 0.0, lowering_ = 0.0;
 };
 
 /// `text` cut in the middle, marked by an ellipsis, where it is wider than `width`.

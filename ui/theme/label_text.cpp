@@ -1,8 +1,10 @@
-// Text of charts with real subscripts.
-#include "ui/charts/label_text.h"
+// Runs of text on the line and below it.
+#include "ui/theme/label_text.h"
 
+#include <QFontInfo>
 #include <QFontMetricsF>
 #include <QPainter>
+#include <algorithm>
 
 namespace covaria::ui {
 namespace {
@@ -21,14 +23,22 @@ QChar plain(QChar subscript) {
 }
 
 bool starts_subscript(const QString& text, qsizetype i) {
-    return text[i] == u'_' && i > 0 && i + 1 < text.size() && text[i - 1].isLetter() &&
-           text[i + 1].isLetterOrNumber();
+    return text[i] == u'_' && i > 0 && i + 1 < text.size() &&
+           (text[i - 1].isLetter() || text[i - 1].isMark()) && text[i + 1].isLetterOrNumber();
+}
+
+/// A comma within a subscript, "p_1x,1", but not the one after it, "p_1x, pose 1".
+bool goes_on(const QString& text, qsizetype i) {
+    return text[i].isLetterOrNumber() ||
+           (text[i] == u',' && i + 1 < text.size() && text[i + 1].isLetterOrNumber());
 }
 
 }  // namespace
 
 LabelText::LabelText(const QString& text, const QFont& font) : font_(font), small_(font) {
-    small_.setPixelSize(std::max(1, qRound(small_size * font.pixelSize())));
+    const int size = font.pixelSize() > 0 ? font.pixelSize() : QFontInfo(font).pixelSize();
+    small_.setPixelSize(std::max(1, qRound(small_size * size)));
+    lowering_ = lowering * size;
     QString run;
     bool lowered = false, after_underscore = false;
     for (qsizetype i = 0; i < text.size(); ++i) {
@@ -39,7 +49,7 @@ LabelText::LabelText(const QString& text, const QFont& font) : font_(font), smal
             continue;
         }
         const bool is_subscript = unicode_subscripts().contains(text[i]);
-        if (after_underscore && !text[i].isLetterOrNumber()) after_underscore = false;
+        if (after_underscore && !goes_on(text, i)) after_underscore = false;
         const bool now = is_subscript || after_underscore;
         if (now != lowered) {
             append(run, lowered);
@@ -58,6 +68,10 @@ void LabelText::append(const QString& text, bool lowered) {
     width_ += width;
 }
 
+bool LabelText::has_subscripts() const {
+    return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return run.lowered; });
+}
+
 double LabelText::height() const {
     return QFontMetricsF(font_).height();
 }
@@ -66,7 +80,7 @@ void LabelText::draw(QPainter& painter, QPointF top_left) const {
     QPointF baseline = top_left + QPointF(0.0, QFontMetricsF(font_).ascent());
     for (const Run& run : runs_) {
         painter.setFont(run.lowered ? small_ : font_);
-        painter.drawText(baseline + QPointF(0.0, run.lowered ? lowering * font_.pixelSize() : 0.0), run.text);
+        painter.drawText(baseline + QPointF(0.0, run.lowered ? lowering_ : 0.0), run.text);
         baseline.rx() += run.width;
     }
 }

@@ -1,0 +1,49 @@
+#include "ui/main_window/dock_title.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "ui/theme/icons.h"
+
+namespace covaria::ui {
+namespace {
+
+QToolButton* add_button(QHBoxLayout& row, const QString& picture, const QString& tip) {
+    auto* button = new QToolButton;
+    button->setIcon(icon(picture));
+    button->setIconSize({12, 12});
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    row.addWidget(button);
+    return button;
+}
+
+}  // namespace
+
+DockTitle::DockTitle(QDockWidget& dock, QWidget* controls) : QWidget(&dock) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 2, 4, 2);
+    row->setSpacing(2);
+    if (controls) {
+        row->addWidget(controls, 1);
+    } else {
+        auto* label = new QLabel(dock.windowTitle());
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        QFont font = label->font();
+        font.setWeight(QFont::DemiBold);
+        label->setFont(font);
+        row->addWidget(label, 1);
+        connect(&dock, &QWidget::windowTitleChanged, label, &QLabel::setText);
+    }
+    row->addSpacing(4);
+    QToolButton* floating = add_button(*row, QStringLiteral("float"), tr("Float or dock"));
+    QToolButton* close = add_button(*row, QStringLiteral("close"), tr("Close"));
+    connect(floating, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(!dock.isFloating()); });
+    connect(close, &QToolButton::clicked, &dock, &QWidget::close);
+}
+
+}  // namespace covaria::ui

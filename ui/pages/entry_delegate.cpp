@@ -1,0 +1,65 @@
+#include "ui/pages/entry_delegate.h"
+
+#include <array>
+
+#include "core/base/error.h"
+#include "ui/models/project_tree_model.h"
+#include "ui/models/roles.h"
+#include "ui/theme/icons.h"
+
+namespace covaria::ui {
+namespace {
+
+QString category_icon(int category) {
+    static const std::array<QString, ProjectTreeModel::category_count> names{
+        QStringLiteral("artefact"), QStringLiteral("instrument"), QStringLiteral("robot"),
+        QStringLiteral("points"), QStringLiteral("analysis")};
+    const bool known = category >= 0 && category < ProjectTreeModel::category_count;
+    return known ? names[static_cast<std::size_t>(category)] : QString();
+}
+
+QString icon_of(const QModelIndex& index) {
+    if (const QVariant severity = index.data(severity_role); severity.isValid()) {
+        if (index.column() != 0) return {};
+        return severity.toInt() == static_cast<int>(Severity::error) ? QStringLiteral("error")
+                                                                     : QStringLiteral("warning");
+    }
+    if (index.column() == ProjectTreeModel::name_column) {
+        const QVariant category = index.data(category_role);
+        return category.isValid() ? category_icon(category.toInt()) : QString();
+    }
+    if (!index.data(problem_role).toString().isEmpty()) return QStringLiteral("error");
+    const QVariant state = index.data(state_role);
+    return state.isValid() ? state_icon(static_cast<RunState>(state.toInt())) : QString();
+}
+
+}  // namespace
+
+QString state_icon(RunState state) {
+    switch (state) {
+        case RunState::running:
+            return QStringLiteral("state-running");
+        case RunState::up_to_date:
+            return QStringLiteral("state-up-to-date");
+        case RunState::failed:
+            return QStringLiteral("state-failed");
+        case RunState::out_of_date:
+            break;
+    }
+    return QStringLiteral("state-out-of-date");
+}
+
+void EntryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    TypesetDelegate::initStyleOption(option, index);
+    const QString name = icon_of(index);
+    if (name.isEmpty()) return;
+    option->icon = icon(name);
+    option->features |= QStyleOptionViewItem::HasDecoration;
+    const int size = option->fontMetrics.height() + 1;
+    option->decorationSize = {size, size};
+    // The state's words are in the tooltip and in the status bar; the name needs the room.
+    if (index.data(state_role).isValid() && index.column() == ProjectTreeModel::state_column)
+        option->text.clear();
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,77 @@
+// The choice is remembered between sessions.
+#include "ui/pages/unit_button.h"
+
+#include <QMenu>
+#include <QSettings>
+#include <algorithm>
+
+#include "ui/document/strings.h"
+#include "ui/theme/icons.h"
+
+namespace covaria::ui {
+namespace {
+const QString units_key = QStringLiteral("results/units");
+}
+
+UnitButton::UnitButton(QWidget* parent) : QToolButton(parent) {
+    for (const QString& text : QSettings().value(units_key).toStringList())
+        if (const Result<Unit> unit = Unit::parse(to_std(text))) units_.choose(*unit);
+    setText(tr("Units"));
+    setIcon(ui::icon(QStringLiteral("units")));
+    setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    setToolTip(tr("Units of the tables and charts"));
+    setAccessibleName(tr("Units of the tables and charts"));
+    setPopupMode(QToolButton::InstantPopup);
+    setAutoRaise(true);
+    setMenu(new QMenu(this));
+    connect(menu(), &QMenu::aboutToShow, this, &UnitButton::fill);
+}
+
+void UnitButton::set_result(const ResultPointer& result) {
+    shown_.clear();
+    for (std::size_t i = 0; result && i < result->outputs.size(); ++i) {
+        const Unit& unit = result->outputs[i].quantity.unit;
+        const bool known = std::any_of(shown_.begin(), shown_.end(), [&](const Unit& other) {
+            return other.dimension() == unit.dimension();
+        });
+        if (!known && !unit.dimension().is_one()) shown_.push_back(unit);
+    }
+    setEnabled(!shown_.empty());
+}
+
+void UnitButton::fill() {
+    menu()->clear();
+    for (const Unit& unit : shown_) {
+        add_choices(*menu(), unit);
+        menu()->addSeparator();
+    }
+    menu()->addAction(tr("As the Model Gives Them"), this, &UnitButton::clear);
+}
+
+void UnitButton::add_choices(QMenu& menu, const Unit& unit) {
+    for (const Unit& choice : DisplayUnits::choices(unit)) {
+        QAction* action =
+            menu.addAction(to_qt(choice.display()), this, [this, choice] { this->choose(choice); });
+        action->setCheckable(true);
+        action->setChecked(units_.of(unit) == choice);
+    }
+}
+
+void UnitButton::choose(const Unit& unit) {
+    units_.choose(unit);
+    remember();
+}
+
+void UnitButton::clear() {
+    units_.clear();
+    remember();
+}
+
+void UnitButton::remember() {
+    QStringList texts;
+    for (const Unit& unit : units_.chosen()) texts << to_qt(unit.text());
+    QSettings().setValue(units_key, texts);
+    emit units_changed();
+}
+
+}  // namespace covaria::ui

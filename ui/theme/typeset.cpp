@@ -1,0 +1,146 @@
+// The style draws everything but the text; the text is drawn with its subscripts.
+#include "ui/theme/typeset.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QStylePainter>
+#include <cmath>
+
+#include "ui/theme/fonts.h"
+#include "ui/theme/label_text.h"
+
+namespace covaria::ui {
+namespace {
+
+QStyle* style_of(const QWidget* widget) {
+    return widget ? widget->style() : QApplication::style();
+}
+
+bool is_typeset(const QString& text, const QFont& font) {
+    return LabelText(text, font).has_subscripts();
+}
+
+/// Draws `text` in `area` with the painter's pen, shortened where it must be.
+void draw_typeset(QPainter& painter, const QString& text, const QFont& font, const QRect& area,
+                  Qt::Alignment alignment) {
+    const LabelText label(shortened(text, font, area.width()), font);
+    double left = area.left();
+    if (alignment & Qt::AlignRight) left += area.width() - label.width();
+    if (alignment & Qt::AlignHCenter) left += 0.5 * (area.width() - label.width());
+    label.draw(painter, {left, area.top() + 0.5 * (area.height() - label.height())});
+}
+
+QColor text_colour(const QStyleOptionViewItem& option) {
+    const QPalette::ColorGroup group = !(option.state & QStyle::State_Enabled)  ? QPalette::Disabled
+                                       : !(option.state & QStyle::State_Active) ? QPalette::Inactive
+                                                                                : QPalette::Normal;
+    return option.palette.color(
+        group, option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
+}
+
+}  // namespace
+
+void TypesetDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (option->displayAlignment & Qt::AlignRight) option->font = with_tabular_figures(option->font);
+}
+
+void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const {
+    QStyleOptionViewItem cell(option);
+    initStyleOption(&cell, index);
+    const QString text = std::exchange(cell.text, QString());
+    if (!is_typeset(text, cell.font)) {
+        cell.text = text;
+        style_of(cell.widget)->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+        return;
+    }
+    QStyle* style = style_of(cell.widget);
+    style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+    cell.text = text;
+    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, cell.widget) + 1;
+    const QRect area = style->subElementRect(QStyle::SE_ItemViewItemText, &cell, cell.widget)
+                           .adjusted(margin, 0, -margin, 0);
+    painter->save();
+    painter->setClipRect(cell.rect);
+    painter->setPen(text_colour(cell));
+    draw_typeset(*painter, text, cell.font, area, cell.displayAlignment);
+    painter->restore();
+}
+
+QSize TypesetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    QStyleOptionViewItem cell(option);
+    initStyleOption(&cell, index);
+    const LabelText label(cell.text, cell.font);
+    if (label.has_subscripts())
+        size.rwidth() +=
+            int(std::ceil(label.width() - QFontMetricsF(cell.font).horizontalAdvance(cell.text)));
+    return size;
+}
+
+TypesetHeader::TypesetHeader(Qt::Orientation orientation, QWidget* parent)
+    : QHeaderView(orientation, parent) {
+    setSectionsClickable(true);
+    setHighlightSections(false);
+}
+
+QString TypesetHeader::text_of(int section) const {
+    return model() ? model()->headerData(section, orientation()).toString() : QString();
+}
+
+void TypesetHeader::initStyleOptionForIndex(QStyleOptionHeader* option, int section) const {
+    QHeaderView::initStyleOptionForIndex(option, section);
+    if (is_typeset(text_of(section), font())) option->text.clear();
+}
+
+void TypesetHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+    painter->save();
+    QHeaderView::paintSection(painter, rect, section);
+    painter->restore();
+    const QString text = text_of(section);
+    if (!is_typeset(text, font())) return;
+    QStyleOptionHeaderV2 option;
+    initStyleOption(&option);
+    initStyleOptionForIndex(&option, section);
+    option.rect = rect;
+    const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, &option, this);
+    const QRect area =
+        style()->subElementRect(QStyle::SE_HeaderLabel, &option, this).adjusted(margin, 0, -margin, 0);
+    painter->save();
+    painter->setPen(option.palette.color(QPalette::ButtonText));
+    draw_typeset(*painter, text, font(), area, option.textAlignment);
+    painter->restore();
+}
+
+QSize TypesetHeader::sectionSizeFromContents(int section) const {
+    QSize size = QHeaderView::sectionSizeFromContents(section);
+    const LabelText label(text_of(section), font());
+    if (!label.has_subscripts() || orientation() == Qt::Vertical) return size;
+    const int mark = isSortIndicatorShown() ? style()->pixelMetric(QStyle::PM_HeaderMarkSize) : 0;
+    const int margins = 4 * style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, this);
+    return {int(std::ceil(label.width())) + mark + margins, size.height()};
+}
+
+TypesetComboBox::TypesetComboBox(QWidget* parent) : QComboBox(parent) {
+    setItemDelegate(new TypesetDelegate(this));
+}
+
+void TypesetComboBox::paintEvent(QPaintEvent*) {
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    if (!is_typeset(option.currentText, font())) {
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+        return;
+    }
+    const QRect area = style()
+                           ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this)
+                           .adjusted(1, 0, -1, 0);
+    painter.setPen(
+        palette().color(isEnabled() ? QPalette::Normal : QPalette::Disabled, QPalette::ButtonText));
+    draw_typeset(painter, option.currentText, font(), area, Qt::AlignLeft);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,45 @@
+// Tables, heads and lists whose symbols have real subscripts. The models keep plain text, so that copying and
+// CSV do, too.
+#pragma once
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QStyledItemDelegate>
+
+namespace covaria::ui {
+
+/// Cells: subscripts, and figures of equal width where numbers stand to the right.
+class TypesetDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+};
+
+class TypesetHeader : public QHeaderView {
+public:
+    explicit TypesetHeader(Qt::Orientation orientation, QWidget* parent = nullptr);
+
+protected:
+    void paintSection(QPainter* painter, const QRect& rect, int section) const override;
+    void initStyleOptionForIndex(QStyleOptionHeader* option, int section) const override;
+    QSize sectionSizeFromContents(int section) const override;
+
+private:
+    QString text_of(int section) const;
+};
+
+/// A combo box with typeset entries, in its list too.
+class TypesetComboBox : public QComboBox {
+public:
+    explicit TypesetComboBox(QWidget* parent = nullptr);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
+}  // namespace covaria::ui
