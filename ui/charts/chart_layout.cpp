@@ -12,6 +12,7 @@
 namespace covaria::ui {
 namespace {
 
+constexpr double least_part = 0.33;     // of the chart, for the data; else the legend is left out
 constexpr double closest_lines = 0.86;  // of a line's height: names of rows that do not touch yet
 
 QString to_qt(const std::string& text) {
@@ -70,6 +71,11 @@ public:
             set_area(top, bottom);
             place_marks();
         }
+        if (!compact_ && out_.geometry.area.height() < least_part * std::min(size_.width(), size_.height())) {
+            LayoutBuilder small(plot_, size_, out_.geometry.view);
+            small.compact_ = true;
+            return small.make();
+        }
         if (map_) make_cells_square();
         add_marks();
         add_x_axis();
@@ -116,6 +122,7 @@ private:
     }
 
     double add_legend(double top) {
+        if (compact_) return top;
         QPointF at(edge_, top);
         for (const PlotSeries& series : plot_.series) {
             if (series.kind == SeriesKind::heat_map) continue;
@@ -345,7 +352,8 @@ private:
     const PlotSpecification& plot_;
     QSizeF size_;
     bool map_;
-    bool turned_ = false;  // names of the x categories
+    bool compact_ = false;  // no room for a legend
+    bool turned_ = false;   // names of the x categories
     double unit_ = 1.0, line_ = 0.0, edge_ = 0.0, top_of_body_ = 0.0;
     int rows_ = 0;  // of mark labels
     std::vector<MarkLabel> labels_;

@@ -1,14 +1,14 @@
 // Edits cells of tables: a list for choices, a line for everything else.
 #pragma once
 
-#include <QStyledItemDelegate>
+#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 
-class CellDelegate : public QStyledItemDelegate {
+class CellDelegate : public TypesetDelegate {
     Q_OBJECT
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using TypesetDelegate::TypesetDelegate;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;
     void setEditorData(QWidget* editor, const QModelIndex& index) const override;

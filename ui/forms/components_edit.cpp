@@ -10,6 +10,8 @@
 #include "core/base/symbol.h"
 #include "ui/document/input_edits.h"
 #include "ui/document/strings.h"
+#include "ui/forms/form_labels.h"
+#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 
@@ -55,7 +57,8 @@ ComponentsEdit::ComponentsEdit(Document& document, QWidget* parent)
 
 void ComponentsEdit::build() {
     list_->setAccessibleName(tr("Components of uncertainty"));
-    list_->setMaximumHeight(fontMetrics().height() * 6);
+    list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    list_->setItemDelegate(new TypesetDelegate(list_));
     reset_->setToolTip(tr("Back to the components that the model gives"));
     type_->addItems({tr("Type A (from observations)"), tr("Type B (other means)")});
     degrees_->set_range({0.0, Range::infinity_value, true});
@@ -68,6 +71,7 @@ void ComponentsEdit::build() {
     form->addRow(tr("Degrees of freedom"), degrees_);
     form->addRow(tr("Origin"), origin_);
     form->addRow(distribution_);
+    align_labels(*form, component_label_width(*this));
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {add_, remove_, reset_}) buttons->addWidget(button);
     buttons->addStretch(1);
@@ -166,6 +170,8 @@ void ComponentsEdit::refresh() {
         }
         if (!all.empty()) list_->setCurrentRow(row);
     }
+    const int lines = std::clamp(list_->count(), 1, 4);
+    list_->setFixedHeight(lines * (fontMetrics().height() + 4) + 2 * list_->frameWidth());
     add_->setEnabled(analysis_ != nullptr);
     reset_->setEnabled(analysis_ && find_input_edit(document_.project(), analysis_->id, symbol_).components);
     show_component();

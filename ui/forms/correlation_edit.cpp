@@ -8,6 +8,7 @@
 #include "ui/document/strings.h"
 #include "ui/forms/cell_delegate.h"
 #include "ui/forms/complaint.h"
+#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 
@@ -19,6 +20,8 @@ CorrelationEdit::CorrelationEdit(Document& document, QWidget* parent)
       add_(new QPushButton(tr("Add to the matrix"), this)),
       remove_(new QPushButton(tr("Remove"), this)),
       state_(new QLabel(this)) {
+    view_->setHorizontalHeader(new TypesetHeader(Qt::Horizontal, view_));
+    view_->setVerticalHeader(new TypesetHeader(Qt::Vertical, view_));
     view_->setModel(model_);
     view_->setItemDelegate(new CellDelegate(view_));
     view_->setAccessibleName(tr("Correlation coefficients between components of uncertainty"));

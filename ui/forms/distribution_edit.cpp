@@ -11,6 +11,7 @@
 #include "ui/document/quantity_text.h"
 #include "ui/document/strings.h"
 #include "ui/forms/complaint.h"
+#include "ui/forms/form_labels.h"
 #include "ui/models/display_units.h"
 #include "ui/models/number_words.h"
 
@@ -85,6 +86,7 @@ DistributionEdit::DistributionEdit(QWidget* parent)
     auto* head = new QFormLayout;
     head->addRow(tr("Distribution"), kind_);
     head->addRow(tr("Unit"), unit_);
+    align_labels(*head, component_label_width(*this));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(head);
@@ -142,10 +144,11 @@ void DistributionEdit::rebuild_parameters() {
     const DistributionKindInfo* kind = find_kind(shown_kind_);
     if (!kind) return;
     if (is_list()) {
-        add_list(tr("values"), 0);
-        add_list(tr("probabilities"), 1);
+        add_list(tr("Values"), 0);
+        add_list(tr("Probabilities"), 1);
     }
     for (std::size_t i = 0; i < kind->parameters.size(); ++i) add_parameter(i, kind->parameters[i]);
+    align_labels(*parameters_, component_label_width(*this));
 }
 
 void DistributionEdit::add_parameter(std::size_t index, const DistributionParameterInfo& info) {
@@ -154,7 +157,7 @@ void DistributionEdit::add_parameter(std::size_t index, const DistributionParame
     edit->set_optional(false);
     edit->setAccessibleName(to_qt(info.title));
     edit->setObjectName(to_qt(info.key));
-    parameters_->addRow(to_qt(info.title), edit);
+    parameters_->addRow(as_label(to_qt(info.title)), edit);
     edits_.push_back(edit);
     connect(edit, &QuantityEdit::quantity_edited, this,
             [this, index](const std::optional<Quantity>& quantity) { set_parameter(index, quantity); });

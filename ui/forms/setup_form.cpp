@@ -1,20 +1,10 @@
 // Rows of label and editor; sections and rows hide where their fields are not used.
 #include "ui/forms/setup_form.h"
 
-#include "core/base/symbol.h"
 #include "ui/document/strings.h"
+#include "ui/forms/form_labels.h"
 
 namespace covaria::ui {
-
-namespace {
-
-/// A title that is a symbol is set as one; other titles are plain words.
-QString title_text(const std::string& title) {
-    const bool is_symbol = title.find('_') != std::string::npos && title.find(' ') == std::string::npos;
-    return to_qt(is_symbol ? symbol_to_html(title) : symbol_to_unicode(title));
-}
-
-}  // namespace
 
 SetupForm::SetupForm(Document& document, SetupAddress address, QWidget* parent)
     : SetupForm(document, address, find_schema(document.project(), address), parent) {}
@@ -49,16 +39,20 @@ void SetupForm::add_section(const QString& title) {
     QFont bold = label->font();
     bold.setBold(true);
     label->setFont(bold);
+    label->setContentsMargins(0, sections_.size() > 1 ? 10 : 0, 0, 0);
     layout_->addRow(label);
     sections_.push_back(label);
 }
 
 void SetupForm::add_field(const FieldSpec& field) {
     FieldEditor* editor = make_field_editor(field, {document_, address_, schema_}, this);
-    auto* title = new QLabel(title_text(field.title), this);
+    QLabel* title = make_form_label(field.title, this);
     title->setToolTip(help_text(field));
     title->setBuddy(editor);
     if (editor->is_wide()) {
+        title->setWordWrap(false);
+        title->setMinimumWidth(0);
+        title->setMaximumWidth(QWIDGETSIZE_MAX);
         layout_->addRow(title);
         layout_->addRow(editor);
     } else {

@@ -1,6 +1,7 @@
 // Each editor is one standard widget filling the row.
 #include "ui/forms/simple_editors.h"
 
+#include <QAbstractItemView>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <algorithm>
@@ -81,7 +82,7 @@ ListEditor::ListEditor(const FieldSpec& field, QWidget* parent)
       box_(fill(this, new QComboBox(this), field)),
       help_(help_text(field)) {
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box_->setMinimumContentsLength(12);
+    box_->setMinimumContentsLength(10);
     box_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(box_, &QComboBox::activated, this, [this](int row) {
         const QString key = box_->itemData(row).toString();
@@ -106,10 +107,18 @@ void ListEditor::set_value(const SetupValue& value) {
     for (const Choice& choice : choices()) box_->addItem(to_qt(choice.title), to_qt(choice.key));
     if (box_->findData(key) < 0) box_->addItem(tr("%1 (does not exist)").arg(key), key);
     box_->setCurrentIndex(box_->findData(key));
+    show_whole_texts();
+}
+
+void ListEditor::show_whole_texts() {
+    box_->view()->setMinimumWidth(box_->view()->sizeHintForColumn(0) + 8);
+    if (complaint_of(*box_).isEmpty())
+        box_->setToolTip(tr("%1\n\nChosen: %2").arg(help_, box_->currentText()));
 }
 
 void ListEditor::set_complaint(const QString& complaint) {
     mark(*box_, complaint, help_);
+    show_whole_texts();
 }
 
 ReferenceEditor::ReferenceEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)

@@ -59,6 +59,9 @@ protected:
     const FieldSpec& field() const { return field_; }
 
 private:
+    /// A narrow form cuts them; the list and the tooltip do not.
+    void show_whole_texts();
+
     FieldSpec field_;
     QComboBox* box_;
     QString help_;

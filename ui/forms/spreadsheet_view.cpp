@@ -7,12 +7,19 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QScrollBar>
+#include <algorithm>
 #include <set>
 
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/table_text.h"
+#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
+
+namespace {
+constexpr int most_rows_shown = 8;  // longer tables scroll
+}
 
 SpreadsheetView::SpreadsheetView(SetupTableModel& model, QWidget* parent)
     : QTableView(parent),
@@ -28,6 +35,7 @@ SpreadsheetView::SpreadsheetView(SetupTableModel& model, QWidget* parent)
                       &SpreadsheetView::append_row)),
       remove_rows_(
           add(tr("Delete rows"), QKeySequence(Qt::CTRL | Qt::Key_Minus), &SpreadsheetView::remove_rows)) {
+    setHorizontalHeader(new TypesetHeader(Qt::Horizontal, this));
     setModel(&model_);
     setItemDelegate(new CellDelegate(this));
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
@@ -37,7 +45,11 @@ SpreadsheetView::SpreadsheetView(SetupTableModel& model, QWidget* parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     resizeColumnsToContents();
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(&model_, &QAbstractItemModel::dataChanged, this, &SpreadsheetView::update_actions);
+    connect(&model_, &QAbstractItemModel::rowsInserted, this, &SpreadsheetView::updateGeometry);
+    connect(&model_, &QAbstractItemModel::rowsRemoved, this, &SpreadsheetView::updateGeometry);
+    connect(&model_, &QAbstractItemModel::modelReset, this, &SpreadsheetView::updateGeometry);
     update_actions();
 }
 
@@ -49,6 +61,24 @@ QAction* SpreadsheetView::add(const QString& text, const QKeySequence& key,
     connect(action, &QAction::triggered, this, method);
     addAction(action);
     return action;
+}
+
+QSize SpreadsheetView::sizeHint() const {
+    const int rows = std::clamp(model_.rowCount(), 1, most_rows_shown);
+    int height = horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize() +
+                 2 * frameWidth();
+    if (horizontalHeader()->length() > viewport()->width())
+        height += horizontalScrollBar()->sizeHint().height();
+    return {QTableView::sizeHint().width(), height};
+}
+
+QSize SpreadsheetView::minimumSizeHint() const {
+    return {120, sizeHint().height()};
+}
+
+void SpreadsheetView::resizeEvent(QResizeEvent* event) {
+    QTableView::resizeEvent(event);
+    updateGeometry();
 }
 
 void SpreadsheetView::update_actions() {

@@ -22,11 +22,16 @@ public:
     QAction* append_row_action() const { return append_row_; }
     QAction* remove_rows_action() const { return remove_rows_; }
 
+    /// As high as its rows, up to a limit.
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
 signals:
     /// Of a paste: how many cells could not be understood.
     void cells_refused(int count);
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;

@@ -20,22 +20,26 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
       model_(new SetupTableModel(context.document, context.address, context.schema, field.key, this)),
       view_(new SpreadsheetView(*model_, this)),
       note_(new QLabel(this)),
+      origin_(new QLabel(this)),
       embed_(new QPushButton(tr("Take into the project"), this)) {
     view_->setAccessibleName(to_qt(field.title));
     view_->setObjectName(to_qt(field.key));
-    view_->setMinimumHeight(fontMetrics().height() * 9);
     note_->setWordWrap(true);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(add_button(tr("Add row"), view_->append_row_action()));
     buttons->addWidget(add_button(tr("Delete rows"), view_->remove_rows_action()));
     auto* import = new QPushButton(tr("Import CSV…"), this);
     buttons->addWidget(import);
-    buttons->addWidget(embed_);
     buttons->addStretch(1);
+    auto* origin = new QHBoxLayout;
+    origin_->setWordWrap(true);
+    origin->addWidget(origin_, 1);
+    origin->addWidget(embed_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(view_);
     layout->addLayout(buttons);
+    layout->addLayout(origin);
     layout->addWidget(note_);
     setFocusProxy(view_);
     view_->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -64,6 +68,8 @@ QPushButton* TableEditor::add_button(const QString& text, QAction* action) {
 
 void TableEditor::set_value(const SetupValue&) {
     embed_->setVisible(model_->is_linked());
+    origin_->setVisible(model_->is_linked());
+    origin_->setText(tr("Read from %1").arg(to_qt(model_->table().csv_file)));
     embed_->setToolTip(tr("The rows are read from %1. Taken into the project they can be edited here.")
                            .arg(to_qt(model_->table().csv_file)));
 }

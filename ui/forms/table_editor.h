@@ -33,6 +33,7 @@ private:
     SetupTableModel* model_;
     SpreadsheetView* view_;
     QLabel* note_;
+    QLabel* origin_;  ///< which file a linked table is read from
     QPushButton* embed_;
     QString complaint_;
 };

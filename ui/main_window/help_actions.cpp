@@ -1,5 +1,6 @@
 #include "ui/main_window/help_actions.h"
 
+#include <Eigen/Core>
 #include <QApplication>
 #include <QDialog>
 #include <QFile>
@@ -11,6 +12,8 @@
 #include "core/base/resource_path.h"
 #include "core/models/registry.h"
 #include "ui/document/strings.h"
+#include "ui/theme/icons.h"
+#include "viz/vtk/vtk_version.h"
 
 namespace covaria::ui {
 namespace {
@@ -65,12 +68,19 @@ QString keys_text() {
         "| F1 | help on the model of the selected analysis |\n");
 }
 
+QString eigen_version() {
+    return QStringLiteral("%1.%2.%3")
+        .arg(EIGEN_WORLD_VERSION)
+        .arg(EIGEN_MAJOR_VERSION)
+        .arg(EIGEN_MINOR_VERSION);
+}
+
 void show_about(QWidget& window) {
-    const QString text =
-        tr("<h3>Covaria %1</h3><p>Measurement uncertainty of robots and large-scale metrology.</p>"
-           "<p>Qt %2. Evaluates by JCGM 100, 101 and 102.</p>");
-    QMessageBox::about(&window, tr("About Covaria"),
-                       text.arg(QStringLiteral(COVARIA_VERSION), QString::fromLatin1(qVersion())));
+    QMessageBox box(&window);
+    box.setWindowTitle(tr("About Covaria"));
+    box.setIconPixmap(own_icon(QStringLiteral("covaria")).pixmap(QSize(64, 64), window.devicePixelRatioF()));
+    box.setText(about_text());
+    box.exec();
 }
 
 }  // namespace
@@ -93,6 +103,13 @@ QString help_text(const std::string& model) {
     return text + tr("\n## References\n\n") + list(references);
 }
 
+QString about_text() {
+    return tr("<h3>Covaria %1</h3><p>Measurement uncertainty of robots and large-scale metrology.<br>"
+              "Evaluates by JCGM 100, 101 and 102.</p><p>Qt %2, VTK %3, Eigen %4</p>")
+        .arg(QStringLiteral(COVARIA_VERSION), QString::fromLatin1(qVersion()), to_qt(vtk_version()),
+             eigen_version());
+}
+
 void add_help_actions(QMenu& menu, QWidget& window, Selection& selection, Document& document) {
     menu.addAction(
         tr("Help on This &Model"), QKeySequence(Qt::Key_F1), &window, [&window, &selection, &document] {
@@ -102,12 +119,14 @@ void add_help_actions(QMenu& menu, QWidget& window, Selection& selection, Docume
             else
                 show_text(window, tr("Keys"), keys_text());
         });
+    menu.actions().constLast()->setIcon(icon(QStringLiteral("help")));
     QMenu* models = menu.addMenu(tr("M&odels"));
     for (const ModelDescriptor& model : model_registry())
         models->addAction(to_qt(model.title), &window, [&window, id = model.id] { show_model(window, id); });
     menu.addAction(tr("&Keys"), &window, [&window] { show_text(window, tr("Keys"), keys_text()); });
     menu.addSeparator();
-    menu.addAction(tr("&About Covaria"), &window, [&window] { show_about(window); });
+    menu.addAction(icon(QStringLiteral("about")), tr("&About Covaria"), &window,
+                   [&window] { show_about(window); });
 }
 
 }  // namespace covaria::ui

@@ -16,4 +16,7 @@ void add_help_actions(QMenu& menu, QWidget& window, Selection& selection, Docume
 /// A model's page as Markdown: summary, equations, notes, references, and the text of resources/help.
 QString help_text(const std::string& model);
 
+/// Versions of Covaria and of what it is built on.
+QString about_text();
+
 }  // namespace covaria::ui

@@ -259,7 +259,7 @@ void MainWindow::begin(const QString& file) {
 }
 
 void MainWindow::show_project() {
-    const bool first = pages_->currentWidget() == start_ && docks_.front()->isHidden();
+    const bool first = !std::exchange(has_project_, true);
     pages_->setCurrentWidget(scene_);
     for (QAction* action : project_actions_) action->setEnabled(true);
     if (first) {
@@ -294,9 +294,7 @@ void MainWindow::go_to(const QString& path) {
 }
 
 void MainWindow::update_title() {
-    setWindowTitle(pages_->currentWidget() == start_ && docks_.front()->isHidden()
-                       ? tr("Covaria")
-                       : tr("%1[*] – Covaria").arg(document_.display_name()));
+    setWindowTitle(!has_project_ ? tr("Covaria") : tr("%1[*] – Covaria").arg(document_.display_name()));
     setWindowModified(document_.is_modified());
 }
 
@@ -305,7 +303,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    if (!docks_.front()->isHidden()) remember_window(*this);
+    if (has_project_) remember_window(*this);
     runner_.stop_all();
     set_rendering_log({});
     event->accept();

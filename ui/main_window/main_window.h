@@ -89,6 +89,7 @@ private:
     ThemeSwitch* theme_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
+    bool has_project_ = false;  ///< false: only the start page has been shown
     QToolBar* toolbar_ = nullptr;
     QList<QDockWidget*> docks_;        ///< project, properties, analysis, problems, log
     QList<QAction*> project_actions_;  ///< enabled only with a project

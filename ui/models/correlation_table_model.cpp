@@ -48,7 +48,7 @@ void CorrelationTableModel::set_result(std::shared_ptr<const UncertaintyResult> 
 QVariant CorrelationTableModel::extra(std::size_t row, std::size_t column, int role) const {
     const double r = matrix_(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
     if (role == Qt::BackgroundRole && row != column) {
-        QColor tint = r < 0.0 ? QColor(213, 94, 0) : QColor(0, 114, 178);
+        QColor tint = r < 0.0 ? QColor(0, 114, 178) : QColor(213, 94, 0);
         tint.setAlphaF(static_cast<float>(0.45 * std::min(1.0, std::abs(r))));
         return tint;
     }

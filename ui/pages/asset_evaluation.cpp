@@ -17,6 +17,12 @@ QString head_of(const TableColumn& column) {
     return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
 }
 
+/// Numbers with a true minus sign.
+QString shown(QString cell) {
+    if (cell.size() > 1 && cell[0] == QLatin1Char('-') && cell[1].isDigit()) cell[0] = QChar(0x2212);
+    return cell;
+}
+
 QString html_of(const DataTable& table) {
     QString html = QStringLiteral("<h4>%1</h4><table cellpadding=\"3\" cellspacing=\"0\"><tr>")
                        .arg(to_qt(table.title).toHtmlEscaped());
@@ -26,7 +32,7 @@ QString html_of(const DataTable& table) {
         html += QStringLiteral("<tr>");
         for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
             html += QStringLiteral("<td align=\"right\">%1</td>")
-                        .arg(to_qt(format_cell(row[i], table.columns[i])).toHtmlEscaped());
+                        .arg(shown(to_qt(format_cell(row[i], table.columns[i]))).toHtmlEscaped());
         html += QStringLiteral("</tr>");
     }
     html += QStringLiteral("</table>");
@@ -53,6 +59,7 @@ QString evaluation_html(const Project& project, const std::string& id) {
 AssetEvaluation::AssetEvaluation(Document& document, std::string asset, QWidget* parent)
     : QTextBrowser(parent), document_(document), asset_(std::move(asset)), jobs_(this, Execution::threads) {
     setFrameShape(QFrame::NoFrame);
+    this->document()->setDocumentMargin(10);
     setAccessibleName(tr("Evaluation of the asset"));
     connect(&document_, &Document::project_changed, this, &AssetEvaluation::refresh);
     refresh();

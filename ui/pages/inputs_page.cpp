@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
@@ -12,6 +13,7 @@
 #include "ui/forms/components_edit.h"
 #include "ui/forms/correlation_edit.h"
 #include "ui/models/roles.h"
+#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 
@@ -29,12 +31,17 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     correlations_ = new CorrelationEdit(document_);
     auto* details = new QTabWidget;
     details->setDocumentMode(true);
-    details->addTab(components_, tr("Components"));
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(components_);
+    details->addTab(scroll, tr("Components"));
     details->addTab(correlations_, tr("Correlations"));
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(table_);
     splitter->addWidget(details);
+    splitter->setSizes({1000, 1300});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(search_);
@@ -54,7 +61,11 @@ void InputsPage::make_table() {
     filter_.setFilterKeyColumn(-1);
     filter_.setSortRole(sort_role);
     table_ = new QTableView;
+    table_->setHorizontalHeader(new TypesetHeader(Qt::Horizontal, table_));
+    table_->setItemDelegate(new TypesetDelegate(table_));
     table_->setModel(&filter_);
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(-1, Qt::AscendingOrder);
     table_->setAccessibleName(tr("Input quantities"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setAlternatingRowColors(true);

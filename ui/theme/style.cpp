@@ -1,8 +1,10 @@
 #include "ui/theme/style.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
 #include <QStyleOption>
+#include <algorithm>
 
 #include "ui/theme/theme.h"
 
@@ -17,6 +19,35 @@ int Style::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* 
     if (hint != SH_Table_GridLineColor) return QProxyStyle::styleHint(hint, option, widget, data);
     const QPalette palette = option ? option->palette : QApplication::palette();
     return int(mix(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.16).rgb());
+}
+
+void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                          const QWidget* widget) const {
+    if (element != PE_IndicatorCheckBox) {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        return;
+    }
+    const QPalette& palette = option->palette;
+    const bool enabled = option->state & State_Enabled;
+    const QColor ground = palette.color(QPalette::Base);
+    const QColor ink = palette.color(enabled ? QPalette::Normal : QPalette::Disabled, QPalette::Text);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const double side = std::min(option->rect.width(), option->rect.height());
+    const QRectF box(option->rect.x() + 0.5, option->rect.y() + 0.5, side - 1.0, side - 1.0);
+    const bool marked = option->state & (State_HasFocus | State_MouseOver);
+    painter->setPen(
+        QPen(enabled && marked ? palette.color(QPalette::Highlight) : mix(ground, ink, 0.5), 1.0));
+    painter->setBrush(ground);
+    painter->drawRoundedRect(box, 2.0, 2.0);
+    painter->setPen(QPen(ink, 0.14 * side, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    const auto at = [&](double x, double y) {
+        return QPointF(box.x() + x * box.width(), box.y() + y * box.height());
+    };
+    if (option->state & State_On)
+        painter->drawPolyline(QPolygonF{at(0.22, 0.54), at(0.42, 0.74), at(0.79, 0.28)});
+    if (option->state & State_NoChange) painter->drawLine(at(0.25, 0.5), at(0.75, 0.5));
+    painter->restore();
 }
 
 }  // namespace covaria::ui

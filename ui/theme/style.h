@@ -1,4 +1,4 @@
-// The Fusion style with what it lacks for us: grid lines seen on dark ground.
+// The Fusion style with what it lacks for us: grid lines and check boxes seen on dark ground.
 #pragma once
 
 #include <QProxyStyle>
@@ -10,6 +10,8 @@ public:
     Style();
     int styleHint(StyleHint hint, const QStyleOption* option = nullptr, const QWidget* widget = nullptr,
                   QStyleHintReturn* data = nullptr) const override;
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget = nullptr) const override;
 };
 
 }  // namespace covaria::ui

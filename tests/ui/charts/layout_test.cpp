@@ -30,8 +30,8 @@ void expect_clear(const ChartLayout& layout, const QSizeF& size, const std::stri
 TEST(ChartLayout, KeepsTextsWholeAndApart) {
     int checked = 0;
     for (const PlotSpecification& plot : test::all_plots())
-        for (const QSize size :
-             {QSize(900, 560), QSize(380, 260), QSize(302, 205), QSize(1600, 300), QSize(300, 700)}) {
+        for (const QSize size : {QSize(900, 560), QSize(380, 260), QSize(302, 205), QSize(300, 180),
+                                 QSize(1200, 700), QSize(1600, 300), QSize(300, 700)}) {
             const ChartLayout layout = layout_chart(plot, size, whole_view(plot));
             expect_clear(layout, size, plot.id + " at " + std::to_string(size.width()));
             if (!plot.series.empty()) {
@@ -41,6 +41,20 @@ TEST(ChartLayout, KeepsTextsWholeAndApart) {
             checked += static_cast<int>(layout.texts.size());
         }
     EXPECT_GT(checked, 400);
+}
+
+TEST(ChartLayout, ShortensTheTitleOfAnAxisByImportance) {
+    PlotSpecification plot = test::all_plots()[0];
+    plot.y.title = "probability density (1/mm)";
+    const auto title = [&](QSize size) {
+        for (const PlacedText& text : layout_chart(plot, size, whole_view(plot)).texts)
+            if (text.kind == TextKind::axis_title && text.upwards) return text.text;
+        return QString();
+    };
+    EXPECT_EQ(title({600, 400}), QStringLiteral("probability density (1/mm)"));
+    EXPECT_EQ(title({600, 190}), QStringLiteral("density (1/mm)"));
+    plot.y.title = "share of the variance of the output quantity (%)";
+    EXPECT_EQ(title({600, 220}), QStringLiteral("share (%)"));
 }
 
 TEST(ChartLayout, KeepsLongNamesInside) {

@@ -70,5 +70,158 @@ TEST_F(Look, PropertiesOfEverythingAreShown) {
     }
 }
 
+TEST_F(Look, StartPageIsComposedAtEverySize) {
+    QSettings().setValue(
+        QStringLiteral("recentFiles"),
+        QStringList{QStringLiteral(COVARIA_SOURCE_DIR "/projects/stewart-platform.covaria")});
+    make_window();
+    for (const char* theme : {"light", "dark"}) {
+        choose_theme(theme);
+        for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+            window_->resize(size);
+            shoot(QStringLiteral("start-%1-%2").arg(size.width()).arg(QString::fromLatin1(theme)));
+            const auto cards = window_->findChildren<ExampleCard*>();
+            ASSERT_FALSE(cards.isEmpty());
+            for (const ExampleCard* card : cards) {
+                const QRect place(card->mapTo(window_.get(), QPoint()), card->size());
+                EXPECT_GE(card->width(), card->sizeHint().width());
+                EXPECT_LE(place.right(), size.width());
+            }
+        }
+    }
+}
+
+TEST_F(Look, ToolsAreEnabledWhereTheyCanDoSomething) {
+    for (const char* name : {"Save", "Undo", "Redo", "Run", "Stop", "Report"})
+        EXPECT_FALSE(tool(QString::fromLatin1(name))->isEnabled()) << name;
+    for (const char* name : {"New", "Open", "Live"})
+        EXPECT_TRUE(tool(QString::fromLatin1(name))->isEnabled()) << name;
+    open(project_copy());
+    wait_until_idle();
+    for (const char* name : {"Save", "Run", "Report"})
+        EXPECT_TRUE(tool(QString::fromLatin1(name))->isEnabled()) << name;
+    EXPECT_FALSE(tool(QStringLiteral("Stop"))->isEnabled());
+    EXPECT_FALSE(tool(QStringLiteral("Undo"))->isEnabled());
+    window_->document().apply(QStringLiteral("More trials"), [](Project& project) {
+        for (AnalysisEntry& analysis : project.analyses) analysis.options.trials = 500'000'000;
+    });
+    EXPECT_TRUE(tool(QStringLiteral("Undo"))->isEnabled());
+    for (int i = 0; i < 200 && !tool(QStringLiteral("Stop"))->isEnabled(); ++i) QTest::qWait(20);
+    EXPECT_TRUE(tool(QStringLiteral("Stop"))->isEnabled());
+    auto* bar = window_->findChild<QToolBar*>(QStringLiteral("tools"));
+    QTest::mouseClick(bar->widgetForAction(tool(QStringLiteral("Stop"))), Qt::LeftButton);
+    wait_until_idle();
+    EXPECT_FALSE(tool(QStringLiteral("Stop"))->isEnabled());
+}
+
+TEST_F(Look, ToolsNameTheirShortcutsAndHavePictures) {
+    for (QAction* action : window_->findChild<QToolBar*>(QStringLiteral("tools"))->actions()) {
+        if (action->isSeparator()) continue;
+        EXPECT_FALSE(action->icon().isNull()) << action->text().toStdString();
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        EXPECT_TRUE(action->toolTip().contains(keys)) << action->toolTip().toStdString();
+        EXPECT_FALSE(action->toolTip().contains(QLatin1Char('&'))) << action->toolTip().toStdString();
+    }
+}
+
+TEST_F(Look, LiveIsRemembered) {
+    auto* bar = window_->findChild<QToolBar*>(QStringLiteral("tools"));
+    QTest::mouseClick(bar->widgetForAction(tool(QStringLiteral("Live"))), Qt::LeftButton);
+    EXPECT_FALSE(window_->runner().is_live());
+    make_window();
+    EXPECT_FALSE(window_->runner().is_live());
+    EXPECT_FALSE(tool(QStringLiteral("Live"))->isChecked());
+}
+
+TEST_F(Look, ColumnsAreChosenAndRemembered) {
+    open(project_copy());
+    wait_until_idle();
+    SortableTable& table = window_->results().result_table();
+    const int group = column(*table.model(), QStringLiteral("Group"));
+    EXPECT_TRUE(table.isColumnHidden(group)) << "one group is shown at a time";
+    QMenu menu;
+    table.fill_column_menu(menu);
+    menu.actions()[group]->trigger();
+    menu.actions()[column(*table.model(), QStringLiteral("k"))]->trigger();
+    EXPECT_FALSE(table.isColumnHidden(group));
+    EXPECT_TRUE(table.csv().startsWith(QStringLiteral("Group,")));
+    table.setColumnWidth(group, 123);
+    answer_.save = SaveAnswer::discard;
+    make_window();
+    open(project_copy());
+    wait_until_idle();
+    SortableTable& again = window_->results().result_table();
+    EXPECT_FALSE(again.isColumnHidden(group));
+    EXPECT_EQ(again.columnWidth(group), 123);
+    EXPECT_TRUE(again.isColumnHidden(column(*again.model(), QStringLiteral("k"))));
+}
+
+TEST_F(Look, UnitsAreChosenForTablesAndChartsAndRemembered) {
+    open(project_copy());
+    wait_until_idle();
+    const QAbstractItemModel& model = *window_->results().result_table().model();
+    const auto cell = [&](const char* name) {
+        return model.index(0, column(model, QString::fromLatin1(name))).data().toString();
+    };
+    ASSERT_EQ(cell("Unit"), QStringLiteral("mm"));
+    const double in_mm = cell("u").toDouble();
+    QMenu menu;
+    window_->results().units().add_choices(menu, Unit::of("mm"));
+    for (QAction* action : menu.actions())
+        if (action->text() == QStringLiteral("µm")) action->trigger();
+    EXPECT_EQ(cell("Unit"), QStringLiteral("µm"));
+    EXPECT_NEAR(cell("u").toDouble(), 1000.0 * in_mm, 10.0);
+    EXPECT_NEAR(cell("u").toDouble() / 1000.0, in_mm, 0.5e-2);
+    const QAbstractItemModel& budget = *window_->results().budget_table().model();
+    const int contribution = column(budget, QStringLiteral("|c|·u"));
+    EXPECT_EQ(budget.headerData(contribution, Qt::Horizontal).toString(), QStringLiteral("|c|·u / µm"));
+    make_window();
+    EXPECT_EQ(window_->results().units().units().of(Unit::of("mm")), Unit::of("um"));
+    window_->results().units().clear();
+    EXPECT_EQ(window_->results().units().units().of(Unit::of("mm")), Unit::of("mm"));
+}
+
+TEST_F(Look, ProblemsAreCountedOnTheirTab) {
+    open(project_copy());
+    wait_until_idle();
+    auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("problems"));
+    const QString before = dock->windowTitle();
+    window_->document().apply(QStringLiteral("Break"), [](Project& project) {
+        project.analyses.front().options.coverage_probability = 2.0;
+    });
+    for (int i = 0; i < 200 && dock->windowTitle() == before; ++i) QTest::qWait(20);
+    EXPECT_TRUE(dock->windowTitle().contains(QStringLiteral("(1"))) << dock->windowTitle().toStdString();
+}
+
+TEST_F(Look, StatusBarSaysHowTheAnalysisStands) {
+    open(project_copy());
+    wait_until_idle();
+    const auto* status = window_->statusBar()->findChild<RunStatus*>();
+    ASSERT_NE(status, nullptr);
+    EXPECT_TRUE(status->words().contains(QStringLiteral("up to date"))) << status->words().toStdString();
+    const AnalysisEntry& analysis = window_->document().project().analyses.front();
+    EXPECT_TRUE(status->words().startsWith(QString::fromStdString(analysis.name)));
+}
+
+TEST_F(Look, DocksComeBackWhereTheyWere) {
+    open(project_copy());
+    wait_until_idle();
+    auto* toolbar = window_->findChild<QToolBar*>(QStringLiteral("tools"));
+    auto* project = window_->findChild<QDockWidget*>(QStringLiteral("project"));
+    window_->removeToolBar(toolbar);
+    window_->addToolBar(Qt::LeftToolBarArea, toolbar);
+    toolbar->show();
+    project->close();
+    window_->close();
+    make_window();
+    open(project_copy());
+    EXPECT_TRUE(window_->findChild<QDockWidget*>(QStringLiteral("project"))->isHidden());
+    EXPECT_EQ(window_->toolBarArea(window_->findChild<QToolBar*>(QStringLiteral("tools"))),
+              Qt::LeftToolBarArea);
+    for (QAction* action : window_->findChildren<QAction*>())
+        if (action->text() == QStringLiteral("&Reset Layout")) action->trigger();
+    EXPECT_FALSE(window_->findChild<QDockWidget*>(QStringLiteral("project"))->isHidden());
+}
+
 }  // namespace
 }  // namespace covaria::ui

@@ -1,0 +1,41 @@
+#include "ui/forms/form_labels.h"
+
+#include "core/base/symbol.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+constexpr int widest_label = 24;  // digits: longer titles take a second line
+
+QString title_text(const std::string& title) {
+    const bool is_symbol = title.find('_') != std::string::npos && title.find(' ') == std::string::npos;
+    return to_qt(is_symbol ? symbol_to_html(title) : symbol_to_unicode(title));
+}
+
+}  // namespace
+
+QLabel* make_form_label(const std::string& title, QWidget* parent) {
+    auto* label = new QLabel(title_text(title), parent);
+    const int most = widest_label * label->fontMetrics().horizontalAdvance(QLatin1Char('0'));
+    if (label->sizeHint().width() <= most) return label;
+    label->setWordWrap(true);
+    label->setFixedWidth(most);
+    return label;
+}
+
+QString as_label(const QString& words) {
+    return words.isEmpty() ? words : words.front().toUpper() + words.mid(1);
+}
+
+void align_labels(QFormLayout& form, int width) {
+    for (int row = 0; row < form.rowCount(); ++row)
+        if (const QLayoutItem* item = form.itemAt(row, QFormLayout::LabelRole); item && item->widget())
+            item->widget()->setMinimumWidth(width);
+}
+
+int component_label_width(const QWidget& widget) {
+    return widget.fontMetrics().horizontalAdvance(QLabel::tr("Degrees of freedom")) + 6;
+}
+
+}  // namespace covaria::ui

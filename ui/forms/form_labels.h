@@ -1,0 +1,22 @@
+// Labels of forms: symbols typeset, long titles on several lines, all equally wide.
+#pragma once
+
+#include <QFormLayout>
+#include <QLabel>
+#include <string>
+
+namespace covaria::ui {
+
+/// A title that is a symbol is set as one; a long one is broken into lines.
+QLabel* make_form_label(const std::string& title, QWidget* parent);
+
+/// First letter as at the beginning of a sentence: for words that come in lower case.
+QString as_label(const QString& words);
+
+/// Gives all labels of the form the same least width, so that forms under each other line up.
+void align_labels(QFormLayout& form, int width);
+
+/// The width that `align_labels` needs for the forms of a component of uncertainty.
+int component_label_width(const QWidget& widget);
+
+}  // namespace covaria::ui

@@ -1,0 +1,11 @@
+// Which VTK draws, for the window's About.
+#pragma once
+
+#include <string>
+
+namespace covaria {
+
+/// "9.1.0"
+std::string vtk_version();
+
+}  // namespace covaria
