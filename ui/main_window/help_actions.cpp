@@ -6,7 +6,9 @@
 #include <QFile>
 #include <QMenu>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 #include "core/base/resource_path.h"
@@ -33,13 +35,53 @@ QString shipped_page(const std::string& page) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
+/// "z_b" -> z with a small, lowered b.
+void typeset_symbols(QTextDocument& document) {
+    static const QRegularExpression symbol(QStringLiteral("(?<![\\w_])\\p{L}{1,2}_[\\p{Lu}\\p{Ll}\\d]+"));
+    QTextCharFormat lowered;
+    lowered.setVerticalAlignment(QTextCharFormat::AlignSubScript);
+    for (QTextCursor found = document.find(symbol); !found.isNull(); found = document.find(symbol, found)) {
+        const int end = found.selectionEnd();
+        QTextCursor mark(&document);
+        mark.setPosition(found.selectionStart() + int(found.selectedText().indexOf(QLatin1Char('_'))));
+        mark.deleteChar();
+        mark.setPosition(end - 1, QTextCursor::KeepAnchor);
+        mark.mergeCharFormat(lowered);
+        found.setPosition(end - 1);
+    }
+}
+
+/// Tables without a head row of empty cells, quiet rules, symbols with subscripts.
+void dress(QTextDocument& document) {
+    document.setIndentWidth(16.0);
+    for (QTextFrame* frame : document.rootFrame()->childFrames()) {
+        auto* table = qobject_cast<QTextTable*>(frame);
+        if (!table) continue;
+        QTextTableFormat format = table->format();
+        format.setCellPadding(4.0);
+        format.setBorderCollapse(true);
+        format.setBorder(0.5);
+        format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+        format.setBorderBrush(QApplication::palette().color(QPalette::Mid));
+        table->setFormat(format);
+        bool empty = true;
+        for (int column = 0; column < table->columns(); ++column)
+            empty = empty && table->cellAt(0, column).firstCursorPosition().block().text().isEmpty();
+        if (empty) table->removeRows(0, 1);
+    }
+    typeset_symbols(document);
+}
+
 void show_text(QWidget& window, const QString& title, const QString& markdown) {
     auto* dialog = new QDialog(&window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     dialog->resize(760, 640);
     auto* browser = new QTextBrowser(dialog);
+    browser->setObjectName(QStringLiteral("help"));
+    browser->setAccessibleName(title);
     browser->setMarkdown(markdown);
+    dress(*browser->document());
     browser->setOpenExternalLinks(true);
     browser->setFrameShape(QFrame::NoFrame);
     browser->document()->setDocumentMargin(24);

@@ -25,6 +25,16 @@ QString field_words(const SetupSchema* schema, const QStringList& parts) {
     return words;
 }
 
+/// "coverageProbability" -> "coverage probability"
+QString in_words(const QString& key) {
+    QString words;
+    for (const QChar c : key) {
+        if (c.isUpper()) words += QLatin1Char(' ');
+        words += c.toLower();
+    }
+    return words;
+}
+
 }  // namespace
 
 ProblemsModel::ProblemsModel(Document& document, QObject* parent)
@@ -65,6 +75,8 @@ QString ProblemsModel::place_words(const Project& project, const std::string& pa
         name = to_qt(analysis->name);
     QStringList parts = to_qt(path.substr(entry.size())).split('/', Qt::SkipEmptyParts);
     if (parts.isEmpty()) return name;
+    if (parts.first() == QStringLiteral("options"))
+        return name + ": " + tr("evaluation, %1").arg(in_words(parts.mid(1).join(QStringLiteral(", "))));
     if (parts.first() != QStringLiteral("setup")) return name + ": " + parts.join(QStringLiteral(" › "));
     parts.removeFirst();
     return name + ": " + field_words(find_schema(project, address), parts);

@@ -13,7 +13,7 @@ namespace {
 QString head_of(const TableColumn& column) {
     QString head =
         column.is_symbol ? to_qt(symbol_to_html(column.header)) : to_qt(column.header).toHtmlEscaped();
-    if (!(column.unit == Unit())) head += QStringLiteral(" (%1)").arg(to_qt(column.unit.display()));
+    if (!(column.unit == Unit())) head += QStringLiteral("<br>(%1)").arg(to_qt(column.unit.display()));
     return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
 }
 

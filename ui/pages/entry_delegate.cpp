@@ -50,7 +50,7 @@ QString state_icon(RunState state) {
 }
 
 void EntryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
-    TypesetDelegate::initStyleOption(option, index);
+    QStyledItemDelegate::initStyleOption(option, index);
     const QString name = icon_of(index);
     if (name.isEmpty()) return;
     option->icon = icon(name);

@@ -20,6 +20,7 @@ ProblemsPane::ProblemsPane(Document& document, QWidget* parent) : QTreeView(pare
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header()->setStretchLastSection(true);
     const auto go = [this](const QModelIndex& index) { emit place_wanted(index.data(path_role).toString()); };
     connect(this, &QTreeView::clicked, this, go);
     connect(this, &QTreeView::activated, this, go);

@@ -2,9 +2,12 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "ui/export/scene_pictures.h"
 #include "ui/pages/current_results.h"
@@ -25,6 +28,38 @@ std::vector<QImage> pages_of(const RecordedReport& report) {
     return page_images(report.document, options, preview_dots_per_inch);
 }
 
+/// A page, as wide as there is room, but no wider than it was made.
+class Sheet : public QWidget {
+public:
+    explicit Sheet(const QImage& image) : image_(image) {
+        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
+    }
+    QSize sizeHint() const override { return shown(image_.width()); }
+    QSize minimumSizeHint() const override { return {200, 100}; }
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override { return shown(width).height(); }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        const QSize size = shown(width());
+        const QRect place(QPoint((width() - size.width()) / 2, 0), size);
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(place, image_);
+        painter.setPen(palette().color(QPalette::Mid));
+        painter.drawRect(place.adjusted(0, 0, -1, -1));
+    }
+
+private:
+    QSize shown(int room) const {
+        const int width = std::min(room, image_.width());
+        return {width, int(std::lround(double(width) * image_.height() / image_.width()))};
+    }
+    QImage image_;
+};
+
 }  // namespace
 
 ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget* parent)
@@ -38,7 +73,8 @@ ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget
     area_ = new QScrollArea;
     area_->setFrameShape(QFrame::NoFrame);
     area_->setWidgetResizable(true);
-    area_->setBackgroundRole(QPalette::Mid);
+    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area_->setBackgroundRole(QPalette::AlternateBase);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -77,15 +113,11 @@ void ReportPreview::show_pages(const std::vector<QImage>& images) {
     auto* sheets = new QWidget;
     auto* column = new QVBoxLayout(sheets);
     column->setSpacing(16);
-    for (const QImage& image : images) {
-        auto* sheet = new QLabel;
-        sheet->setPixmap(QPixmap::fromImage(image));
-        sheet->setFrameShape(QFrame::Box);
-        column->addWidget(sheet, 0, Qt::AlignHCenter);
-    }
+    for (const QImage& image : images) column->addWidget(new Sheet(image));
     area_->setWidget(sheets);
     pages_ = images.size();
-    if (!old_) state_->setText(tr("%n page(s), as printed", nullptr, int(pages_)));
+    if (!old_)
+        state_->setText(pages_ == 1 ? tr("1 page, as printed") : tr("%1 pages, as printed").arg(pages_));
 }
 
 }  // namespace covaria::ui

@@ -22,9 +22,15 @@ QChar plain(QChar subscript) {
     return index < 0 ? subscript : letters[index];
 }
 
+constexpr int longest_base = 2;  // letters of a symbol, "ΔT_1": "base_points" is a word
+
 bool starts_subscript(const QString& text, qsizetype i) {
-    return text[i] == u'_' && i > 0 && i + 1 < text.size() &&
-           (text[i - 1].isLetter() || text[i - 1].isMark()) && text[i + 1].isLetterOrNumber();
+    if (text[i] != u'_' || i + 1 >= text.size() || !text[i + 1].isLetterOrNumber()) return false;
+    int letters = 0;
+    for (qsizetype k = i - 1; k >= 0 && (text[k].isLetterOrNumber() || text[k].isMark() || text[k] == u'_');
+         --k)
+        if (!text[k].isMark()) ++letters;
+    return letters >= 1 && letters <= longest_base && !text[i - 1].isDigit();
 }
 
 /// A comma within a subscript, "p_1x,1", but not the one after it, "p_1x, pose 1".

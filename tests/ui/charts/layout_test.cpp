@@ -52,7 +52,7 @@ TEST(ChartLayout, ShortensTheTitleOfAnAxisByImportance) {
         return QString();
     };
     EXPECT_EQ(title({600, 400}), QStringLiteral("probability density (1/mm)"));
-    EXPECT_EQ(title({600, 190}), QStringLiteral("density (1/mm)"));
+    EXPECT_EQ(title({600, 150}), QStringLiteral("density (1/mm)"));
     plot.y.title = "share of the variance of the output quantity (%)";
     EXPECT_EQ(title({600, 220}), QStringLiteral("share (%)"));
 }

@@ -6,13 +6,16 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTextBrowser>
 #include <QToolBar>
 #include <QToolButton>
 
 #include "tests/ui/main_window/window_fixture.h"
+#include "ui/main_window/help_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/models/roles.h"
 #include "ui/pages/example_card.h"
+#include "ui/pages/message_panes.h"
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
 #include "ui/pages/run_status.h"
@@ -221,6 +224,43 @@ TEST_F(Look, DocksComeBackWhereTheyWere) {
     for (QAction* action : window_->findChildren<QAction*>())
         if (action->text() == QStringLiteral("&Reset Layout")) action->trigger();
     EXPECT_FALSE(window_->findChild<QDockWidget*>(QStringLiteral("project"))->isHidden());
+}
+
+TEST_F(Look, HelpAndAboutCanBeRead) {
+    open(project_copy());
+    wait_until_idle();
+    for (const char* theme : {"light", "dark"}) {
+        choose_theme(theme);
+        for (QAction* action : window_->findChildren<QAction*>())
+            if (action->shortcut() == QKeySequence(Qt::Key_F1)) action->trigger();
+        auto* page = window_->findChild<QTextBrowser*>(QStringLiteral("help"));
+        ASSERT_NE(page, nullptr);
+        EXPECT_GT(page->toPlainText().size(), 500);
+        EXPECT_FALSE(page->toPlainText().contains(QStringLiteral("z_b"))) << "symbols are typeset";
+        for (int i = 0; i < 10; ++i) QTest::qWait(10);
+        page->window()->grab().save(
+            QStringLiteral(COVARIA_BINARY_DIR "/screenshots/help-%1.png").arg(QString::fromLatin1(theme)));
+        page->window()->close();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    for (const char* name : {"Covaria ", "Qt 6", "VTK 9", "Eigen 3"})
+        EXPECT_TRUE(about_text().contains(QString::fromLatin1(name))) << about_text().toStdString();
+}
+
+TEST_F(Look, ProblemsAreListedWithPlaceAndSeverity) {
+    open(project_copy());
+    wait_until_idle();
+    window_->document().apply(QStringLiteral("Break"), [](Project& project) {
+        project.analyses.front().options.coverage_probability = 2.0;
+        project.analyses.back().setup.values.erase("base_points");
+    });
+    wait_until_idle();
+    auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("problems"));
+    dock->raise();
+    shoot(QStringLiteral("problems"));
+    window_->findChild<QDockWidget*>(QStringLiteral("log"))->raise();
+    shoot(QStringLiteral("log"));
+    EXPECT_GT(window_->findChild<ProblemsPane*>()->model()->rowCount(), 0);
 }
 
 }  // namespace

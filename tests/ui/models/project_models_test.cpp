@@ -96,8 +96,10 @@ TEST_F(ProjectModelsTest, ProblemsComeWithTheirPlaceErrorsFirst) {
     ASSERT_EQ(model.rowCount(), 2);
     EXPECT_EQ(model.errors(), 1);
     EXPECT_EQ(model.index(0, ProblemsModel::message_column).data().toString(), "too few trials");
-    EXPECT_TRUE(
-        model.index(0, ProblemsModel::place_column).data().toString().startsWith("Analysis a: options"));
+    EXPECT_EQ(model.index(0, ProblemsModel::place_column).data().toString(),
+              "Analysis a: evaluation, trials");
+    EXPECT_EQ(ProblemsModel::place_words(document.project(), "/analyses/0/options/coverageProbability"),
+              "Analysis a: evaluation, coverage probability");
     EXPECT_EQ(model.index(0, 0).data(path_role).toString(), "/analyses/0/options/trials");
     Problems of_file;
     of_file.add({Severity::error, "/format", "not a project", "x.covaria", 3});

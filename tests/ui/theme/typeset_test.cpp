@@ -49,7 +49,7 @@ TEST_F(Typeset, KnowsWhatIsASubscript) {
     const QFont font = QApplication::font();
     for (const char* text : {"p_1x,1", "u_y / mm", "ν_eff", "b₁", "x̄_1"})
         EXPECT_TRUE(LabelText(QString::fromUtf8(text), font).has_subscripts()) << text;
-    for (const char* text : {"mm", "length", "2D_", "_x", "u / mm", "−0.12"})
+    for (const char* text : {"mm", "length", "2D_", "_x", "base_points", "file_1_a.csv", "u / mm", "−0.12"})
         EXPECT_FALSE(LabelText(QString::fromUtf8(text), font).has_subscripts()) << text;
     const double whole = LabelText(QStringLiteral("p_1x,1"), font).width();
     EXPECT_LT(whole, QFontMetricsF(font).horizontalAdvance(QStringLiteral("p1x,1")));
