@@ -59,6 +59,10 @@ void ComponentsEdit::build() {
     list_->setAccessibleName(tr("Components of uncertainty"));
     list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     list_->setItemDelegate(new TypesetDelegate(list_));
+    name_->setAccessibleName(tr("Name of the component"));
+    type_->setAccessibleName(tr("Type of evaluation"));
+    degrees_->setAccessibleName(tr("Degrees of freedom"));
+    origin_->setAccessibleName(tr("Origin"));
     reset_->setToolTip(tr("Back to the components that the model gives"));
     type_->addItems({tr("Type A (from observations)"), tr("Type B (other means)")});
     degrees_->set_range({0.0, Range::infinity_value, true});

@@ -9,6 +9,7 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "ui/document/strings.h"
 #include "ui/main_window/dock_title.h"
@@ -131,6 +132,8 @@ void MainWindow::make_actions() {
     undo_->setShortcut(QKeySequence::Undo);
     redo_->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     run_ = new RunActions(document_, runner_, selection_, this);
+    add_ = project_->make_add_menu(this);
+    add_->menuAction()->setToolTip(tr("Add an analysis or what it uses"));
 }
 
 void MainWindow::make_toolbar() {
@@ -147,6 +150,10 @@ void MainWindow::make_toolbar() {
         toolbar_->addActions(group);
         for (QAction* action : group) show_shortcut(action);
     }
+    toolbar_->insertAction(run_->run, add_->menuAction());
+    toolbar_->insertSeparator(run_->run);
+    if (auto* button = qobject_cast<QToolButton*>(toolbar_->widgetForAction(add_->menuAction())))
+        button->setPopupMode(QToolButton::InstantPopup);
     project_actions_ << exports_->pdf_action;
 }
 
@@ -178,10 +185,9 @@ void MainWindow::make_edit_menu() {
     QMenu* menu = menuBar()->addMenu(tr("&Edit"));
     menu->addActions({undo_, redo_});
     menu->addSeparator();
-    QMenu* add = project_->make_add_menu(menu);
-    menu->addMenu(add);
+    menu->addMenu(add_);
     menu->addActions({project_->duplicate_action, project_->rename_action, project_->delete_action});
-    project_actions_ << add->menuAction();
+    project_actions_ << add_->menuAction();
 }
 
 void MainWindow::make_run_menu() {
@@ -296,6 +302,11 @@ void MainWindow::go_to(const QString& path) {
 void MainWindow::update_title() {
     setWindowTitle(!has_project_ ? tr("Covaria") : tr("%1[*] – Covaria").arg(document_.display_name()));
     setWindowModified(document_.is_modified());
+}
+
+bool MainWindow::event(QEvent* event) {
+    if (event->type() == QEvent::ThemeChange && theme_) theme_->follow_system();
+    return QMainWindow::event(event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -47,6 +47,7 @@ public:
     ExportActions& exports() { return *exports_; }
 
 protected:
+    bool event(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -87,6 +88,7 @@ private:
     ExportActions* exports_ = nullptr;
     RunActions* run_ = nullptr;
     ThemeSwitch* theme_ = nullptr;
+    QMenu* add_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     bool has_project_ = false;  ///< false: only the start page has been shown

@@ -13,21 +13,24 @@ namespace {
 
 const QString theme_key = QStringLiteral("theme");
 
-/// Read once, before our own palette replaces the desktop's.
-const QPalette& desktop_palette() {
-    static const QPalette palette = QApplication::palette();
-    return palette;
-}
-
 }  // namespace
 
 bool system_is_dark() {
-    const QPalette& palette = desktop_palette();
-    return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+    // The palette that the application has without ours is the desktop's.
+    const QPalette ours = QApplication::palette();
+    QApplication::setPalette(QPalette());
+    const QPalette desktop = QApplication::palette();
+    QApplication::setPalette(ours);
+    return desktop.color(QPalette::Window).lightness() < desktop.color(QPalette::WindowText).lightness();
 }
 
 ThemeSwitch::ThemeSwitch(QObject* parent) : QObject(parent) {
     choose(QSettings().value(theme_key, QStringLiteral("system")).toString());
+}
+
+void ThemeSwitch::follow_system() {
+    const QString key = QSettings().value(theme_key).toString();
+    if (key == QStringLiteral("system") && system_is_dark() != dark_) choose(key);
 }
 
 void ThemeSwitch::choose(const QString& key) {

@@ -17,6 +17,9 @@ public:
     /// "system", "light" or "dark"; remembered.
     void choose(const QString& key);
 
+    /// The desktop's colours have changed.
+    void follow_system();
+
 signals:
     void changed(bool dark);
 

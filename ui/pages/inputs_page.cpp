@@ -26,6 +26,7 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     search_ = new QLineEdit;
     search_->setPlaceholderText(tr("Find a quantity"));
     search_->setClearButtonEnabled(true);
+    search_->setAccessibleName(tr("Find a quantity"));
     make_table();
     components_ = new ComponentsEdit(document_);
     correlations_ = new CorrelationEdit(document_);

@@ -9,6 +9,7 @@
 #include "ui/forms/options_form.h"
 #include "ui/forms/setup_form.h"
 #include "ui/pages/asset_evaluation.h"
+#include "ui/pages/field_help.h"
 #include "ui/pages/inputs_page.h"
 #include "ui/pages/notes_page.h"
 
@@ -30,6 +31,8 @@ PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selec
     : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(new FieldHelp(*this));
     connect(&selection_, &Selection::entry_changed, this, &PropertiesPane::rebuild);
     connect(&document_, &Document::project_changed, this, &PropertiesPane::discard_if_gone);
     connect(&selection_, &Selection::field_changed, this, [this](const QString& field) {
@@ -45,11 +48,14 @@ void PropertiesPane::rebuild() {
     options_ = nullptr;
     tabs_ = new QTabWidget(this);
     tabs_->setDocumentMode(true);
-    layout()->addWidget(tabs_);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(0, tabs_, 1);
     const SetupAddress& entry = selection_.entry();
     if (!find_setup(document_.project(), entry)) {
         auto* hint =
-            new QLabel(tr("Select an asset or an analysis in the project tree to see its properties."));
+            new QLabel(document_.project().assets.empty() && document_.project().analyses.empty()
+                           ? tr("The project is empty. Add an analysis, or first what it uses, with the "
+                                "plus sign above or a right click in the project tree.")
+                           : tr("Select an entry of the project tree to see its properties."));
         hint->setWordWrap(true);
         hint->setMargin(16);
         hint->setAlignment(Qt::AlignTop);

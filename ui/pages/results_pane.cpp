@@ -95,6 +95,14 @@ QWidget* ResultsPane::make_results_tab() {
     results_->extend_menu = [this](QMenu& menu, int row) {
         const std::size_t output = result_model_.output_of(row);
         units_->add_choices(*menu.addMenu(tr("Unit")), result_->outputs[output].quantity.unit);
+        QAction* shortest = menu.addAction(tr("Shortest Coverage Intervals"));
+        shortest->setCheckable(true);
+        shortest->setChecked(shortest_);
+        connect(shortest, &QAction::toggled, this, [this](bool on) {
+            shortest_ = on;
+            result_model_.set_interval(on ? ResultTableModel::Interval::shortest
+                                          : ResultTableModel::Interval::symmetric);
+        });
     };
     connect(results_, &SortableTable::row_selected, this,
             [this](int row) { selection_.select_output(int(result_model_.output_of(row))); });
@@ -180,6 +188,7 @@ void ResultsPane::take_units() {
 void ResultsPane::refresh_outputs() {
     const QSignalBlocker blocker(output_);
     output_->clear();
+    output_->setEnabled(result_ != nullptr);
     if (!result_) return;
     for (std::size_t i = 0; i < result_->outputs.size(); ++i) {
         const OutputQuantity& quantity = result_->outputs[i].quantity;

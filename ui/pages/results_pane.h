@@ -57,6 +57,7 @@ private:
     ResultPointer result_;
     ResultPointer plotted_;  ///< the same in the units chosen
     bool current_ = true;
+    bool shortest_ = false;  ///< coverage intervals, else probabilistically symmetric ones
     ResultTableModel result_model_;
     BudgetTableModel budget_model_;
     CorrelationTableModel correlation_model_;

@@ -1,9 +1,14 @@
 // How the window looks beyond the tabs of results: properties, start page, toolbar; every picture is left in
 // the build folder for people.
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMenu>
+#include <QPlainTextEdit>
 #include <QSettings>
+#include <QSpinBox>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTextBrowser>
@@ -15,6 +20,7 @@
 #include "ui/main_window/theme_switch.h"
 #include "ui/models/roles.h"
 #include "ui/pages/example_card.h"
+#include "ui/pages/field_help.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
@@ -261,6 +267,81 @@ TEST_F(Look, ProblemsAreListedWithPlaceAndSeverity) {
     window_->findChild<QDockWidget*>(QStringLiteral("log"))->raise();
     shoot(QStringLiteral("log"));
     EXPECT_GT(window_->findChild<ProblemsPane*>()->model()->rowCount(), 0);
+}
+
+TEST_F(Look, TheHelpOfTheFocusedFieldIsShown) {
+    open(project_copy());
+    wait_until_idle();
+    window_->activateWindow();
+    auto* help = window_->properties().findChild<FieldHelp*>();
+    ASSERT_NE(help, nullptr);
+    auto* field = window_->properties().findChild<QLineEdit*>(QStringLiteral("base_u_x"));
+    ASSERT_NE(field, nullptr);
+    QApplication::setActiveWindow(window_.get());
+    field->setFocus();
+    EXPECT_TRUE(help->text().contains(field->accessibleName())) << help->text().toStdString();
+    EXPECT_TRUE(help->text().contains(field->toolTip().section(QLatin1Char(' '), 0, 2).toHtmlEscaped()));
+}
+
+TEST_F(Look, ColoursOfTheSystemComeBackAfterDarkOnes) {
+    choose_theme("dark");
+    make_window();
+    auto* theme = window_->findChild<ThemeSwitch*>();
+    EXPECT_TRUE(theme->is_dark());
+    theme->choose(QStringLiteral("system"));
+    EXPECT_FALSE(theme->is_dark()) << "the palette of this platform is light";
+    EXPECT_FALSE(system_is_dark());
+    theme->choose(QStringLiteral("light"));
+}
+
+TEST_F(Look, AnEmptyProjectSaysWhatToDo) {
+    window_->files().new_project();
+    wait_until_idle();
+    shoot(QStringLiteral("new-project"));
+    EXPECT_FALSE(tool(QStringLiteral("Run"))->isEnabled());
+}
+
+/// A name for screen readers: given, or the text the control shows.
+QString name_of(const QWidget& widget) {
+    if (!widget.accessibleName().isEmpty()) return widget.accessibleName();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+    return {};
+}
+
+TEST_F(Look, EveryControlHasANameForScreenReaders) {
+    open(project_copy());
+    wait_until_idle();
+    const Project& project = window_->document().project();
+    std::vector<SetupAddress> entries{{SetupOwner::analysis, project.analyses.front().id}};
+    for (const AssetEntry& asset : project.assets) entries.push_back({SetupOwner::asset, asset.id});
+    QStringList nameless;
+    int checked = 0;
+    for (const SetupAddress& entry : entries) {
+        window_->selection().select_entry(entry);
+        for (const QWidget* widget : window_->findChildren<QWidget*>()) {
+            const bool control =
+                qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+                qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractItemView*>(widget) ||
+                qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QPlainTextEdit*>(widget);
+            const QString name = widget->objectName();
+            const bool inner = name.startsWith(QStringLiteral("qt_")) ||
+                               name == QStringLiteral("ScrollLeftButton") ||
+                               name == QStringLiteral("ScrollRightButton") ||
+                               qobject_cast<const QComboBox*>(widget->parentWidget()) ||
+                               widget->parentWidget()->inherits("QComboBoxPrivateContainer") ||
+                               widget->inherits("QTableCornerButton") ||
+                               widget->inherits("QLineEditIconButton") || widget->inherits("QHeaderView");
+            if (!control || inner) continue;
+            ++checked;
+            if (name_of(*widget).isEmpty())
+                nameless << QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') + name +
+                                QStringLiteral(" in ") +
+                                QString::fromLatin1(widget->parentWidget()->metaObject()->className());
+        }
+    }
+    EXPECT_GT(checked, 100);
+    nameless.removeDuplicates();
+    EXPECT_TRUE(nameless.isEmpty()) << nameless.join(QLatin1Char('\n')).toStdString();
 }
 
 }  // namespace
