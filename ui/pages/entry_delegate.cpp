@@ -49,8 +49,17 @@ QString state_icon(RunState state) {
     return QStringLiteral("state-out-of-date");
 }
 
+void EntryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const {
+    QStyledItemDelegate::paint(painter, option, index);
+}
+
+QSize EntryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    return QStyledItemDelegate::sizeHint(option, index);
+}
+
 void EntryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
-    QStyledItemDelegate::initStyleOption(option, index);
+    TypesetDelegate::initStyleOption(option, index);
     const QString name = icon_of(index);
     if (name.isEmpty()) return;
     option->icon = icon(name);

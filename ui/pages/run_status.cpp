@@ -82,8 +82,11 @@ void RunStatus::show_state() {
     const QString& id = selection_.analysis();
     if (!document_.project().find_analysis(to_std(id))) {
         set_picture({});
-        text_->setText(document_.project().analyses.empty() ? tr("No analysis yet")
-                                                            : tr("No analysis selected"));
+        if (document_.project().title.empty())
+            text_->clear();  // the start page
+        else
+            text_->setText(document_.project().analyses.empty() ? tr("No analysis yet")
+                                                                : tr("No analysis selected"));
         return;
     }
     const AnalysisStatus& status = runner_.status(id);
