@@ -20,7 +20,8 @@ ProblemsPane::ProblemsPane(Document& document, QWidget* parent) : QTreeView(pare
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header()->setStretchLastSection(true);
+    header()->setStretchLastSection(false);  // long messages scroll instead of being cut
+    header()->moveSection(ProblemsModel::message_column, ProblemsModel::place_column);
     const auto go = [this](const QModelIndex& index) { emit place_wanted(index.data(path_role).toString()); };
     connect(this, &QTreeView::clicked, this, go);
     connect(this, &QTreeView::activated, this, go);
