@@ -1,13 +1,17 @@
-// Laser tracker or total station: a distance and two angles, from where it stands.
+// A sensor that stands somewhere and reads a distance, angles, or some of them: laser tracker, total station,
+// scanner, camera, distance meter.
 #include <cmath>
 #include <numbers>
 
 #include "core/assets/kinds.h"
+#include "core/assets/sensor_schema.h"
 #include "core/assets/specification.h"
 
 namespace covaria {
 
 namespace {
+
+constexpr double earth_radius = 6.371e6;  // m
 
 struct Specification {
     double distance_constant = 0.0;  ///< a, m
@@ -15,141 +19,291 @@ struct Specification {
     double azimuth = 0.0;            ///< rad
     double elevation = 0.0;          ///< rad
     std::string meaning;
+
+    double figure(Observable observable, double distance) const {
+        switch (observable) {
+            case Observable::distance:
+                return distance_constant + distance_scale * distance;
+            case Observable::azimuth:
+                return azimuth;
+            case Observable::elevation:
+                return elevation;
+        }
+        return 0.0;
+    }
 };
 
-FieldSpec figure(const char* key, const char* title, const char* unit, const char* help) {
-    return {.key = key,
-            .title = title,
-            .help = help,
+const char* name_of(Observable observable) {
+    static constexpr const char* names[] = {"distance", "azimuth", "elevation"};
+    return names[static_cast<int>(observable)];
+}
+
+// Effects of shared deviations on the readings of a target at v in the sensor's axes.
+double effect_of_scale(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::distance ? v.norm() : 0.0;
+}
+double effect_of_zero(Observable o, const Eigen::Vector3d&) {
+    return o == Observable::distance ? 1.0 : 0.0;
+}
+double effect_of_index(Observable o, const Eigen::Vector3d&) {
+    return o == Observable::elevation ? 1.0 : 0.0;
+}
+double effect_of_collimation(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::azimuth ? v.norm() / v.head<2>().norm() : 0.0;
+}
+double effect_of_axis_tilt(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::azimuth ? v.z() / v.head<2>().norm() : 0.0;
+}
+double effect_of_beam_offset(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::azimuth ? 1.0 / v.head<2>().norm() : 0.0;
+}
+double effect_of_refraction(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::elevation ? v.norm() / (2.0 * earth_radius) : 0.0;
+}
+
+struct SharedField {
+    const char* key;
+    const char* name;
+    const char* unit;
+    double (*effect)(Observable, const Eigen::Vector3d&);
+};
+constexpr SharedField shared_fields[] = {
+    {"u_scale", "scale of distances", "ppm", effect_of_scale},
+    {"u_zero", "zero offset of distances", "mm", effect_of_zero},
+    {"u_index", "index of the elevation", "arcsec", effect_of_index},
+    {"u_collimation", "collimation", "arcsec", effect_of_collimation},
+    {"u_axis_tilt", "squareness of the axes", "arcsec", effect_of_axis_tilt},
+    {"u_beam_offset", "offset of the beam", "mm", effect_of_beam_offset},
+    {"u_refraction", "coefficient of refraction", "1", effect_of_refraction}};
+
+UncertaintyComponent typed_component(const std::string& id, const std::string& name, const char* unit,
+                                     double u) {
+    return {.id = id,
+            .name = name,
             .unit = Unit::of(unit),
-            .range = {.low = 0.0},
-            .default_value = Quantity{0.0, Unit::of(unit)},
-            .section = "Specification"};
+            .distribution = Distribution::normal(u),
+            .origin = "instrument: standard uncertainty"};
 }
 
-SetupSchema instrument_schema() {
-    return SetupSchema(
-        {{.key = "station",
-          .title = "Station",
-          .kind = FieldKind::pose,
-          .help = "Where the instrument stands in the world frame: the point where its axes meet, "
-                  "z along its vertical axis.",
-          .default_value = PoseValue{},
-          .section = "Station"},
-         {.key = "kind",
-          .title = "Instrument",
-          .kind = FieldKind::choice,
-          .help = "How the instrument is drawn.",
-          .default_value = std::string("total-station"),
-          .choices = {{"total-station", "total station"}, {"tracker", "laser tracker"}},
-          .section = "Station"},
-         figure("distance_constant", "Distance: constant part a", "mm",
-                "Part of the distance's figure that does not depend on the distance."),
-         figure("distance_scale", "Distance: part b per length", "ppm",
-                "Part of the distance's figure in proportion to the distance."),
-         figure("angle_azimuth", "Azimuth", "arcsec", "Figure for the horizontal angle."),
-         figure("angle_elevation", "Elevation", "arcsec", "Figure for the vertical angle."),
-         meaning_field("Specification")});
-}
+/// Everything the set-up says, in SI.
+struct SensorData {
+    Station station;
+    std::array<bool, 3> reads{};
+    std::string glyph;
+    Specification specification;
+    std::array<UncertaintyComponent, 6> station_components;
+    std::vector<StationCorrelation> correlations;
+    std::vector<SystematicDeviation> systematic;
 
+    bool locates() const { return reads[0] && reads[1] && reads[2]; }
+};
+
+class PlacedSensor : public SensorSource {
+public:
+    explicit PlacedSensor(SensorData data) : data_(std::move(data)) {}
+    std::string glyph() const override { return data_.glyph; }
+    bool reads(Observable o) const override { return data_.reads[static_cast<std::size_t>(o)]; }
+    const Station& station() const override { return data_.station; }
+    const std::array<UncertaintyComponent, 6>& station_components() const override {
+        return data_.station_components;
+    }
+    const std::vector<StationCorrelation>& station_correlations() const override {
+        return data_.correlations;
+    }
+    const std::vector<SystematicDeviation>& systematic() const override { return data_.systematic; }
+
+    UncertaintyComponent reading(Observable observable, const Eigen::Vector3d& v) const override {
+        const Specification& s = data_.specification;
+        const char* const units[] = {"mm", "arcsec", "arcsec"};
+        return {.id = name_of(observable),
+                .name = name_of(observable),
+                .unit = Unit::of(units[static_cast<int>(observable)]),
+                .distribution = specified_distribution(s.meaning, s.figure(observable, v.norm())),
+                .origin = "instrument: " + meaning_words(s.meaning)};
+    }
+
+private:
+    SensorData data_;
+};
+
+/// A point that this sensor alone has measured: deviations along and across the line of sight, those of the
+/// sensor and its station common to all points.
 class SphericalSource : public PointUncertaintySource {
 public:
-    SphericalSource(const Eigen::Isometry3d& X_WS, Specification specification)
-        : X_WS_(X_WS), specification_(std::move(specification)) {}
+    explicit SphericalSource(const PlacedSensor& sensor) : sensor_(sensor) {}
 
     Axes axes() const override { return Axes::world; }
 
     std::vector<PointDeviation> deviations(const Eigen::Vector3d& p) const override {
-        const Eigen::Vector3d r = p - X_WS_.translation();
-        const double length = r.norm();
-        const Eigen::Vector3d vertical = X_WS_.linear().col(2);
-        Eigen::Vector3d line_of_sight = X_WS_.linear().col(0);
-        if (length > 0.0) line_of_sight = r / length;
-        // Per radian: the azimuth moves the point on a circle of the horizontal distance, the elevation on
-        // one of the whole distance.
-        const Eigen::Vector3d along_azimuth = vertical.cross(r);
-        Eigen::Vector3d along_elevation = length * X_WS_.linear().col(0);  // straight above: any direction
-        if (along_azimuth.norm() > 1e-9 * length)
-            along_elevation = length * line_of_sight.cross(along_azimuth.normalized());
-        const double distance_figure =
-            specification_.distance_constant + specification_.distance_scale * length;
-        return {deviation("range", "distance", line_of_sight, distance_figure, "mm"),
-                deviation("azimuth", "azimuth", along_azimuth, specification_.azimuth, "arcsec"),
-                deviation("elevation", "elevation", along_elevation, specification_.elevation, "arcsec")};
+        const Eigen::Isometry3d X_WS = sensor_.station().X_WS();
+        const Eigen::Vector3d v = X_WS.inverse() * p;
+        const Eigen::Matrix3d moves = X_WS.linear() * directions(v);
+        std::vector<PointDeviation> found;
+        for (Observable o : observables) {
+            UncertaintyComponent component = sensor_.reading(o, v);
+            const std::string id = o == Observable::distance ? "range" : component.id;
+            const std::string name = component.name;
+            component.id = id;
+            found.push_back({id, name, moves.col(static_cast<int>(o)), std::move(component), false});
+        }
+        for (const SystematicDeviation& s : sensor_.systematic()) {
+            Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+            for (Observable o : observables) direction += s.effect(o, v) * moves.col(static_cast<int>(o));
+            found.push_back({s.component.id, s.component.name, direction, s.component, true});
+        }
+        add_station(p, X_WS, found);
+        return found;
     }
 
 private:
-    PointDeviation deviation(const char* id, const char* name, const Eigen::Vector3d& direction,
-                             double figure_si, const char* unit) const {
-        UncertaintyComponent component{
-            .id = id,
-            .name = name,
-            .unit = Unit::of(unit),
-            .distribution = specified_distribution(specification_.meaning, figure_si),
-            .origin = "instrument: " + meaning_words(specification_.meaning)};
-        return {id, name, direction, std::move(component), false};
+    /// Columns: how v moves with distance, azimuth and elevation.
+    static Eigen::Matrix3d directions(const Eigen::Vector3d& v) {
+        const double length = v.norm(), rho = v.head<2>().norm();
+        Eigen::Matrix3d D;
+        D.col(0) = length > 0.0 ? Eigen::Vector3d(v / length) : Eigen::Vector3d::UnitX();
+        D.col(1) = Eigen::Vector3d(-v.y(), v.x(), 0.0);
+        // Straight above, any horizontal direction is that of the elevation.
+        const Eigen::Vector3d level =
+            rho > 1e-9 * length ? Eigen::Vector3d(v.x() / rho, v.y() / rho, 0.0) : Eigen::Vector3d::UnitX();
+        D.col(2) = -v.z() * level + rho * Eigen::Vector3d::UnitZ();
+        return D;
     }
 
-    Eigen::Isometry3d X_WS_;
-    Specification specification_;
+    void add_station(const Eigen::Vector3d& p, const Eigen::Isometry3d& X_WS,
+                     std::vector<PointDeviation>& found) const {
+        const Station& station = sensor_.station();
+        const Eigen::Vector3d v = X_WS.inverse() * p;
+        for (std::size_t i = 0; i < 6; ++i) {
+            const UncertaintyComponent& component = sensor_.station_components()[i];
+            if (component.distribution.standard_deviation() == 0.0) continue;
+            Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+            if (i < 3) {
+                direction[static_cast<int>(i)] = 1.0;
+            } else {
+                constexpr double step = 1e-5;
+                Station higher = station, lower = station;
+                higher.coordinates[i] += step;
+                lower.coordinates[i] -= step;
+                direction = (higher.X_WS() * v - lower.X_WS() * v) / (2.0 * step);
+            }
+            found.push_back({component.id, component.name, direction, component, true});
+        }
+    }
+
+    const PlacedSensor& sensor_;
 };
 
 class SphericalInstrument : public Asset {
 public:
-    SphericalInstrument(const Eigen::Isometry3d& X_WS, const Specification& specification, std::string glyph)
-        : X_WS_(X_WS),
-          specification_(specification),
-          source_(X_WS, specification),
-          glyph_(std::move(glyph)) {}
+    explicit SphericalInstrument(SensorData data)
+        : locates_(data.locates()), sensor_(std::move(data)), source_(sensor_) {}
 
-    const PointUncertaintySource* point_uncertainty() const override { return &source_; }
+    const PointUncertaintySource* point_uncertainty() const override { return locates_ ? &source_ : nullptr; }
+    const SensorSource* sensor() const override { return &sensor_; }
 
     std::vector<DataTable> evaluation() const override {
         const Unit mm = Unit::of("mm");
         DataTable table;
         table.id = "distances";
-        table.title = "Standard uncertainty along and across the line of sight";
-        table.columns = {{.header = "distance", .unit = Unit::of("m")},
-                         {.header = "along", .unit = mm, .digits = 3},
-                         {.header = "across, by azimuth", .unit = mm, .digits = 3},
-                         {.header = "across, by elevation", .unit = mm, .digits = 3}};
+        table.title = "Standard uncertainty of one reading, along and across the line of sight";
+        table.columns = {{.header = "distance", .unit = Unit::of("m")}};
+        for (Observable o : observables)
+            if (sensor_.reads(o))
+                table.columns.push_back({.header = o == Observable::distance
+                                                       ? std::string("along")
+                                                       : std::string("across, by ") + name_of(o),
+                                         .unit = mm,
+                                         .digits = 3});
         for (double distance : {1.0, 2.0, 5.0, 10.0, 20.0}) {
-            const Eigen::Vector3d p = X_WS_ * Eigen::Vector3d(distance, 0.0, 0.0);
             std::vector<TableCell> row{distance};
-            for (const PointDeviation& d : source_.deviations(p))
-                row.push_back(d.direction.norm() * d.component.distribution.standard_uncertainty());
+            for (Observable o : observables) {
+                if (!sensor_.reads(o)) continue;
+                const double u = sensor_.reading(o, Eigen::Vector3d(distance, 0.0, 0.0))
+                                     .distribution.standard_uncertainty();
+                row.push_back(o == Observable::distance ? u : distance * u);
+            }
             table.rows.push_back(std::move(row));
         }
-        table.notes.push_back("For a target at the height of the instrument. The figures are taken as: " +
-                              meaning_words(specification_.meaning) + ".");
+        table.notes.push_back("For a target at the height of the instrument.");
         return {table};
     }
 
     Layout layout() const override {
         Layout layout;
         const LayoutSource source{"/station", true};
+        const Eigen::Isometry3d X_WS = sensor_.station().X_WS();
         layout.bodies.push_back({.name = "instrument",
                                  .kind = BodyKind::instrument,
-                                 .X_WB = X_WS_,
-                                 .glyph = glyph_,
+                                 .X_WB = X_WS,
+                                 .glyph = sensor_.glyph(),
                                  .source = source});
         layout.points.push_back(
-            {.name = "station", .kind = PointKind::station, .p_W = X_WS_.translation(), .source = source});
+            {.name = "station", .kind = PointKind::station, .p_W = X_WS.translation(), .source = source});
         return layout;
     }
 
 private:
-    Eigen::Isometry3d X_WS_;
-    Specification specification_;
+    bool locates_;
+    PlacedSensor sensor_;
     SphericalSource source_;
-    std::string glyph_;
 };
 
-std::unique_ptr<Asset> create_instrument(const SetupReader& setup, Problems&) {
-    const Specification specification{setup.number("distance_constant"), setup.number("distance_scale"),
-                                      setup.number("angle_azimuth"), setup.number("angle_elevation"),
-                                      setup.text("meaning")};
-    return std::make_unique<SphericalInstrument>(setup.pose("station"), specification, setup.text("kind"));
+std::array<bool, 3> readings_of(const SetupReader& setup) {
+    const std::string kind = setup.text("kind");
+    if (kind == "camera") return {false, true, true};
+    if (kind == "distance-meter") return {true, false, false};
+    if (kind == "generic")
+        return {setup.flag("reads_distance"), setup.flag("reads_azimuth"), setup.flag("reads_elevation")};
+    return {true, true, true};
+}
+
+std::size_t coordinate_index(const std::string& symbol) {
+    std::size_t i = 0;
+    while (symbol != station_coordinates()[i].symbol) ++i;  // a checked choice
+    return i;
+}
+
+void read_station(const SetupReader& setup, SensorData& data, Problems& problems) {
+    data.station.coordinates = setup.pose_coordinates("station");
+    data.station.angles = setup.text("station_angles") == "xyz" ? StationAngles::xyz : StationAngles::zyx;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const StationCoordinate& c = station_coordinates()[i];
+        data.station_components[i] =
+            typed_component(std::string("station.") + c.symbol, std::string("station, ") + c.name, c.unit,
+                            setup.number(c.key));
+    }
+    for (std::size_t row = 0; row < setup.rows("station_correlation"); ++row) {
+        const std::size_t first = coordinate_index(setup.cell_text("station_correlation", row, "first"));
+        const std::size_t second = coordinate_index(setup.cell_text("station_correlation", row, "second"));
+        if (first == second)
+            problems.error("/station_correlation/rows/" + std::to_string(row),
+                           "a coordinate of the station is correlated with itself; name two different ones");
+        data.correlations.push_back({first, second, setup.cell_number("station_correlation", row, "r")});
+    }
+}
+
+std::unique_ptr<Asset> create_instrument(const SetupReader& setup, Problems& problems) {
+    SensorData data;
+    data.reads = readings_of(setup);
+    if (!data.reads[0] && !data.reads[1] && !data.reads[2]) {
+        problems.error("/reads_distance", "the sensor reads nothing: choose a distance or an angle");
+        return nullptr;
+    }
+    data.glyph = setup.text("kind") == "generic" ? "total-station" : setup.text("kind");
+    data.specification = {setup.number("distance_constant"), setup.number("distance_scale"),
+                          setup.number("angle_azimuth"), setup.number("angle_elevation"),
+                          setup.text("meaning")};
+    read_station(setup, data, problems);
+    const bool angles = data.reads[1] || data.reads[2];
+    for (const SharedField& field : shared_fields) {
+        const bool applies =
+            field.effect == effect_of_scale || field.effect == effect_of_zero ? data.reads[0] : angles;
+        const double u = setup.number(field.key);
+        if (!applies || u == 0.0) continue;
+        data.systematic.push_back(
+            {typed_component(std::string(field.key).substr(2), field.name, field.unit, u), field.effect});
+    }
+    return std::make_unique<SphericalInstrument>(std::move(data));
 }
 
 }  // namespace
@@ -157,17 +311,22 @@ std::unique_ptr<Asset> create_instrument(const SetupReader& setup, Problems&) {
 AssetDescriptor spherical_instrument_kind() {
     AssetDescriptor d;
     d.kind = "spherical-instrument";
-    d.title = "Laser tracker or total station";
+    d.title = "Tracker, total station, camera or distance meter";
     d.category = AssetCategory::instrument;
     d.summary =
-        "An instrument that measures a distance and two angles; its uncertainty lies along and across the "
-        "line of sight from where it stands.";
-    d.references = {{"ISO 17123-4, ISO 10360-10"}};
+        "A sensor that stands somewhere and reads a distance, two angles, or some of them. Its uncertainty: "
+        "each "
+        "reading for itself, what all its readings share, and where it stands.";
+    d.references = {{"ISO 17123-4, ISO 10360-10"},
+                    {"M. Galetto, L. Mastrogiacomo, D. A. Maisano, F. Franceschini: Uncertainty evaluation of "
+                     "distributed Large-Scale-Metrology systems by a Monte Carlo approach"}};
     d.notes = {
-        "The distance has the figure a + b L, each angle its own. All readings are independent: a common "
-        "scale or index error of the instrument is not part of this description."};
-    d.capabilities = {"point-uncertainty"};
-    d.schema = instrument_schema();
+        "The distance has the figure a + b L, each angle its own; these are independent from reading to "
+        "reading. "
+        "Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.",
+        "Only a sensor that reads a distance and both angles can say by itself where a point is."};
+    d.capabilities = {"point-uncertainty", "sensor"};
+    d.schema = sensor_schema();
     d.create = create_instrument;
     return d;
 }

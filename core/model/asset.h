@@ -14,6 +14,7 @@
 #include "core/base/data_table.h"
 #include "core/base/error.h"
 #include "core/model/layout.h"
+#include "core/model/sensor.h"
 #include "core/model/setup_schema.h"
 #include "core/quantity/input_quantity.h"
 
@@ -48,6 +49,7 @@ class Asset {
 public:
     virtual ~Asset() = default;
     virtual const PointUncertaintySource* point_uncertainty() const { return nullptr; }
+    virtual const SensorSource* sensor() const { return nullptr; }
     /// The asset's own evaluation as tables (budget of calibration, temperature, variability, bias;
     /// observations ...).
     virtual std::vector<DataTable> evaluation() const { return {}; }

@@ -4,9 +4,9 @@
 // A model derives from EquationModel<ItsClass> and provides
 //     template <class Real>
 //     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const;
-// It reads x[i], writes y.set(j, value), and returns whether the trial has a value (lane by lane). Values
-// that are not finite make a trial invalid by themselves. The class belongs in a .cpp file, with its
-// equations: the templates are instantiated there and nowhere else.
+// It reads x[i], writes y.set(j, value), may read back what it has set, y.get(j), and returns whether the
+// trial has a value (lane by lane). Values that are not finite make a trial invalid by themselves. The class
+// belongs in a .cpp file, with its equations: the templates are instantiated there and nowhere else.
 #pragma once
 
 #include "core/math/dual.h"
@@ -39,6 +39,7 @@ public:
         y_[j] = value;
         residue_ += value - value;
     }
+    double get(std::size_t j) const { return y_[j]; }  ///< an output set before
     bool finite() const { return residue_ == 0.0; }
 
 private:
@@ -66,6 +67,7 @@ public:
         value.store_aligned(y_ + j * stride_);
         residue_ += value - value;
     }
+    Batch get(std::size_t j) const { return Batch::load_aligned(y_ + j * stride_); }
     mask_of<Batch> finite() const { return residue_ == Batch(0.0); }
 
 private:
@@ -100,7 +102,10 @@ public:
             if (first_ + k < jacobian_->cols())
                 put(row, first_ + k, value.partials()[static_cast<std::size_t>(k)]);
         residue_ += value.value() - value.value();
+        if (j >= values_.size()) values_.resize(j + 1);
+        values_[j] = value;
     }
+    Dual get(std::size_t j) const { return values_[j]; }
     bool finite() const { return residue_ == 0.0; }
 
 private:
@@ -111,6 +116,7 @@ private:
     Eigen::MatrixXd* jacobian_;
     Eigen::Index first_;
     double residue_ = 0.0;
+    std::vector<Dual> values_;
 };
 
 template <class Derived>

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/data_table.h"
 #include "core/model/layout.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
@@ -46,6 +47,9 @@ public:
 
     /// Where things are when the inputs are x, in metrology words; see layout.h.
     virtual Layout layout(std::span<const double> x) const = 0;
+
+    /// What the model can say about its set-up beside the outputs, as tables (residuals, redundancy ...).
+    virtual std::vector<DataTable> evaluation() const { return {}; }
 
     MeasurementModel() = default;
     MeasurementModel(const MeasurementModel&) = delete;

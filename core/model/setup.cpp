@@ -69,6 +69,15 @@ Eigen::Isometry3d PoseValue::si() const {
     return pose;
 }
 
+std::array<double, 6> PoseValue::coordinates_si() const {
+    std::array<double, 6> si{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        si[i] = length_unit.to_si(position[i]);
+        si[i + 3] = angle_unit.to_si(angles[i]);
+    }
+    return si;
+}
+
 bool SetupReader::has(const std::string& key) const {
     return !std::holds_alternative<std::monostate>(value_of(field_of(*schema_, key), *setup_));
 }
@@ -91,6 +100,10 @@ std::string SetupReader::text(const std::string& key) const {
 
 Eigen::Isometry3d SetupReader::pose(const std::string& key) const {
     return read<PoseValue>(*schema_, *setup_, key).si();
+}
+
+std::array<double, 6> SetupReader::pose_coordinates(const std::string& key) const {
+    return read<PoseValue>(*schema_, *setup_, key).coordinates_si();
 }
 
 std::size_t SetupReader::rows(const std::string& table) const {

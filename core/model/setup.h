@@ -24,6 +24,7 @@ struct PoseValue {
     Unit length_unit = Unit::of("mm");
     Unit angle_unit = Unit::of("deg");
     Eigen::Isometry3d si() const;
+    std::array<double, 6> coordinates_si() const;  ///< position in m, angles in rad
     bool operator==(const PoseValue&) const = default;
 };
 
@@ -61,6 +62,7 @@ public:
     bool flag(const std::string& key) const;
     std::string text(const std::string& key) const;  ///< text, choice (its key) or reference (the asset's id)
     Eigen::Isometry3d pose(const std::string& key) const;
+    std::array<double, 6> pose_coordinates(const std::string& key) const;  ///< as typed, in SI
 
     std::size_t rows(const std::string& table) const;
     bool cell_empty(const std::string& table, std::size_t row, const std::string& column) const;

@@ -32,7 +32,7 @@ struct Range {
     static constexpr double infinity_value = std::numeric_limits<double>::infinity();
 };
 
-/// A column of a table: number, integer, choice, text or flag.
+/// A column of a table: number, integer, choice, text, flag or reference.
 struct ColumnSpec {
     std::string key;
     std::string title;  ///< may be a symbol: "x", "u_x"
@@ -42,6 +42,7 @@ struct ColumnSpec {
     bool optional = false;  ///< cell may be empty
     std::vector<Choice> choices = {};
     std::string help = {};
+    std::vector<std::string> capabilities = {};  ///< of a reference, as in FieldSpec
 };
 
 struct FieldSpec {

@@ -1,12 +1,13 @@
 // The list of measurement models.
 #include "core/models/registry.h"
 
+#include "core/models/points_from_sensors.h"
 #include "core/models/pose_from_points.h"
 
 namespace covaria {
 
 const std::vector<ModelDescriptor>& model_registry() {
-    static const std::vector<ModelDescriptor> models{pose_from_points_model()};
+    static const std::vector<ModelDescriptor> models{pose_from_points_model(), points_from_sensors_model()};
     return models;
 }
 

@@ -30,6 +30,8 @@ void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
                 std::set<std::string>& shown);
 void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
+/// What the model says about its set-up beside the outputs.
+void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated);

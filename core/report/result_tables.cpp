@@ -253,6 +253,8 @@ std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated) {
         tables.push_back(histograms_table(result));
         tables.push_back(convergence_table(result));
     }
+    if (evaluated.analysis && evaluated.analysis->model)
+        for (DataTable& table : evaluated.analysis->model->evaluation()) tables.push_back(std::move(table));
     return tables;
 }
 

@@ -31,4 +31,11 @@ void add_models(Blocks& blocks, const ReportSource& source) {
     }
 }
 
+void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    std::vector<DataTable> tables = evaluated.analysis->model->evaluation();
+    if (tables.empty()) return;
+    blocks.push_back(HeadingBlock{2, "Evaluation of the set-up"});
+    for (DataTable& table : tables) blocks.push_back(TableBlock{std::move(table), {}});
+}
+
 }  // namespace covaria::report_parts

@@ -7,6 +7,7 @@
 
 #include "core/assets/registry.h"
 #include "core/models/registry.h"
+#include "core/project/references.h"
 #include "core/project/workspace.h"
 #include "ui/document/strings.h"
 
@@ -42,12 +43,9 @@ std::string file_safe(const std::string& text) {
 bool refers_to(const AssetEntry& entry, const std::string& id) {
     const AssetDescriptor* kind = find_asset_kind(entry.kind);
     if (!kind) return false;
-    return std::any_of(kind->schema.fields().begin(), kind->schema.fields().end(),
-                       [&](const FieldSpec& field) {
-                           if (field.kind != FieldKind::reference) return false;
-                           const auto* referred = std::get_if<std::string>(&value_of(field, entry.setup));
-                           return referred && *referred == id;
-                       });
+    const std::vector<AssetReference> references = references_of(kind->schema, entry.setup);
+    return std::any_of(references.begin(), references.end(),
+                       [&](const AssetReference& reference) { return reference.id == id; });
 }
 
 }  // namespace

@@ -1,0 +1,64 @@
+// Capability "sensor": an instrument that stands somewhere and reads distances and angles to targets.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/math/rotation.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+/// What a sensor reads of a target at v = (x, y, z) in its own axes: |v|, atan2(y, x), atan2(z, hypot(x, y)).
+enum class Observable { distance, azimuth, elevation };
+inline constexpr std::array<Observable, 3> observables{Observable::distance, Observable::azimuth,
+                                                       Observable::elevation};
+
+/// How the three angles of a station turn its axes.
+enum class StationAngles {
+    zyx,  ///< R = Rz(gamma) Ry(beta) Rx(alpha)
+    xyz,  ///< R = Rx(omega) Ry(phi) Rz(kappa), as in photogrammetry (Galetto et al.)
+};
+
+template <class Real>
+Matrix3<Real> station_rotation(StationAngles angles, const Vector3<Real>& a) {
+    if (angles == StationAngles::zyx) return rotation_from_zyx(a);
+    return rotation_x(a[0]) * rotation_y(a[1]) * rotation_z(a[2]);
+}
+
+/// Where a sensor stands: X_W = position + R x_S.
+struct Station {
+    std::array<double, 6> coordinates{};  ///< x, y, z in m, three angles in rad
+    StationAngles angles = StationAngles::zyx;
+    Eigen::Isometry3d X_WS() const;
+};
+
+/// A deviation that all readings of the sensor share: scale, index, axes ...
+struct SystematicDeviation {
+    UncertaintyComponent component;  ///< its id is completed by the model
+    /// Change of a reading of the target at v (sensor's axes, m) per unit of the component.
+    double (*effect)(Observable, const Eigen::Vector3d& v) = nullptr;
+};
+
+struct StationCorrelation {
+    std::size_t first = 0, second = 0;  ///< of the six coordinates
+    double coefficient = 0.0;
+};
+
+class SensorSource {
+public:
+    virtual ~SensorSource() = default;
+    virtual std::string glyph() const = 0;  ///< see LayoutBody::glyph
+    virtual bool reads(Observable observable) const = 0;
+    virtual const Station& station() const = 0;
+    /// Deviations of the six coordinates of the station.
+    virtual const std::array<UncertaintyComponent, 6>& station_components() const = 0;
+    virtual const std::vector<StationCorrelation>& station_correlations() const = 0;
+    /// Deviation of one reading of the target at v, independent of all others.
+    virtual UncertaintyComponent reading(Observable observable, const Eigen::Vector3d& v) const = 0;
+    virtual const std::vector<SystematicDeviation>& systematic() const = 0;
+};
+
+}  // namespace covaria

@@ -1,0 +1,313 @@
+// The equations of "points from sensors", once for every number type (Galetto et al., Eqs 1-4).
+#pragma once
+
+#include <type_traits>
+
+#include "core/math/dual.h"
+#include "core/models/network_setup.h"
+
+namespace covaria::network {
+
+/// A station as drawn in one trial: axes by columns, and where they meet.
+template <class Real>
+struct Place {
+    Matrix3<Real> R;
+    Vector3<Real> o;
+};
+
+template <class Real, class In>
+Place<Real> place_of(const NetworkSetup& setup, const In& x, std::size_t set_up, std::size_t sensor) {
+    const std::size_t first = setup.station_input(set_up, sensor);
+    const Vector3<Real> angles(Real(x[first + 3]), Real(x[first + 4]), Real(x[first + 5]));
+    return {station_rotation<Real>(setup.sensors[sensor].source().station().angles, angles),
+            Vector3<Real>(Real(x[first]), Real(x[first + 1]), Real(x[first + 2]))};
+}
+
+/// Rows a·X = b of a least-squares problem in three unknowns, X counted from a reference point.
+template <class Real>
+class Rows {
+public:
+    void clear() { size_ = 0; }
+    void add(const Vector3<Real>& a, const Real& b) {
+        for (int c = 0; c < 3; ++c) values_[4 * size_ + static_cast<std::size_t>(c)] = a[c];
+        values_[4 * size_ + 3] = b;
+        ++size_;
+    }
+    std::size_t size() const { return size_; }
+    void scale(std::size_t row, const Real& factor) {
+        for (std::size_t c = 0; c < 4; ++c) values_[4 * row + c] *= factor;
+    }
+    /// Least-squares solution by the normal equations; not finite where they are singular.
+    Vector3<Real> solve() const {
+        Matrix3<Real> N = Matrix3<Real>::Zero();
+        Vector3<Real> g = Vector3<Real>::Zero();
+        for (std::size_t i = 0; i < size_; ++i) {
+            const Real* v = &values_[4 * i];
+            for (int r = 0; r < 3; ++r) {
+                for (int c = r; c < 3; ++c) N(r, c) += v[r] * v[c];
+                g[r] += v[r] * v[3];
+            }
+        }
+        return solved(N, g);
+    }
+
+private:
+    /// Cholesky decomposition of the upper triangle.
+    static Vector3<Real> solved(const Matrix3<Real>& N, const Vector3<Real>& g) {
+        using namespace real_functions;
+        const Real l00 = sqrt(N(0, 0)), l01 = N(0, 1) / l00, l02 = N(0, 2) / l00;
+        const Real l11 = sqrt(Real(N(1, 1) - l01 * l01)), l12 = (N(1, 2) - l01 * l02) / l11;
+        const Real l22 = sqrt(Real(N(2, 2) - l02 * l02 - l12 * l12));
+        const Real y0 = g[0] / l00, y1 = (g[1] - l01 * y0) / l11, y2 = (g[2] - l02 * y0 - l12 * y1) / l22;
+        const Real z = y2 / l22, y = (y1 - l12 * z) / l11, x = (y0 - l01 * y - l02 * z) / l00;
+        return {x, y, z};
+    }
+
+    std::array<Real, 4 * most_rows> values_;
+    std::size_t size_ = 0;
+};
+
+/// Directions of the spherical coordinates at the angles that a sensor read, in the sensor's axes.
+template <class Real>
+struct ReadDirections {
+    Vector3<Real> r, azimuth, elevation;
+    ReadDirections(const Real& az, const Real& el) {
+        using namespace real_functions;
+        const Real ca = cos(az), sa = sin(az), ce = cos(el), se = sin(el), zero(0.0);
+        r = Vector3<Real>(Real(ce * ca), Real(ce * sa), se);
+        azimuth = Vector3<Real>(Real(-sa), ca, zero);
+        elevation = Vector3<Real>(Real(-se * ca), Real(-se * sa), ce);
+    }
+};
+
+/// M X = B (Eq 1) for X counted from P: an equation for every reading that has a linear one.
+template <class Real, class In>
+void linear_rows(const Target& target, const Place<Real>* places, const In& x, const Vector3<Real>& P,
+                 Rows<Real>& rows) {
+    rows.clear();
+    for (const Sight& sight : target.sights) {
+        if (!sight.has[1]) continue;  // no direction, no linear equation
+        const Place<Real>& place = places[sight.sensor];
+        const Vector3<Real> from = place.o - P;
+        const Real elevation = sight.has[2] ? Real(x[sight.input[2]]) : Real(0.0);
+        const ReadDirections<Real> e(Real(x[sight.input[1]]), elevation);
+        if (sight.has[0] && sight.has[2]) {
+            const Vector3<Real> a = place.R * e.r;
+            rows.add(a, Real(a.dot(from) + Real(x[sight.input[0]])));
+        }
+        const Vector3<Real> a = place.R * e.azimuth;
+        rows.add(a, a.dot(from));
+        if (sight.has[2]) {
+            const Vector3<Real> b = place.R * e.elevation;
+            rows.add(b, b.dot(from));
+        }
+    }
+}
+
+/// Weights of the linear equations at the point X, from the readings alone (Eq 2).
+template <class Real>
+void weigh_linear(const Target& target, const Place<Real>* places, const Vector3<Real>& X, Rows<Real>& rows) {
+    using namespace real_functions;
+    std::size_t row = 0;
+    for (const Sight& sight : target.sights) {
+        if (!sight.has[1]) continue;
+        const Place<Real>& place = places[sight.sensor];
+        const Vector3<Real> v = place.R.transpose() * (X - place.o);
+        const Real rho = sqrt(Real(v[0] * v[0] + v[1] * v[1])), distance = sqrt(Real(v.dot(v)));
+        if (sight.has[0] && sight.has[2]) rows.scale(row++, Real(1.0 / sight.u[0]));
+        rows.scale(row++, sight.overhead ? Real(1.0 / sight.u[1]) : Real(Real(1.0 / sight.u[1]) / rho));
+        if (sight.has[2]) rows.scale(row++, Real(Real(1.0 / sight.u[2]) / distance));
+    }
+}
+
+/// Eqs 3 and 4: ordinary, then generalised least squares.
+template <class Real, class In>
+Vector3<Real> linear_estimate(const Target& target, const Place<Real>* places, const In& x, bool generalised,
+                              Rows<Real>& rows) {
+    const Vector3<Real> P = target.nominal.cast<Real>();
+    linear_rows(target, places, x, P, rows);
+    const Vector3<Real> ordinary = P + rows.solve();
+    if (!generalised) return ordinary;
+    weigh_linear(target, places, ordinary, rows);
+    return P + rows.solve();
+}
+
+/// A target in the axes of a sensor.
+template <class Real>
+struct View {
+    Vector3<Real> v;
+    Real rho2, rho, d2;
+    View(const Place<Real>& place, const Vector3<Real>& X) : v(place.R.transpose() * (X - place.o)) {
+        using namespace real_functions;
+        rho2 = v[0] * v[0] + v[1] * v[1];
+        rho = sqrt(rho2);
+        d2 = rho2 + v[2] * v[2];
+    }
+};
+
+/// Reading minus what the sensor would read of X.
+template <class Real, class In>
+Real residual(const Sight& sight, std::size_t observable, const View<Real>& view, const In& x) {
+    using namespace real_functions;
+    const Real reading = x[sight.input[observable]];
+    const Vector3<Real>& v = view.v;
+    if (observable == 0) return reading - sqrt(view.d2);
+    if (observable == 2 && sight.overhead && sight.has[1]) {  // past the zenith an elevation goes on growing
+        const ReadDirections<Real> e(Real(x[sight.input[1]]), reading);
+        return -e.elevation.dot(v) / sqrt(view.d2);
+    }
+    if (observable == 2) return reading - atan2(v[2], view.rho);
+    // The difference of two angles on the circle, from the components along and across the reading.
+    const Real c = cos(reading), s = sin(reading), across = s * v[0] - c * v[1];
+    return sight.overhead ? across : Real(atan2(across, Real(c * v[0] + s * v[1])));
+}
+
+/// Residuals of the readings at X and their derivatives by X, weighted; one row each.
+template <class Real, class In>
+void reading_rows(const Target& target, const Place<Real>* places, const In& x, const Vector3<Real>& X,
+                  Rows<Real>& rows) {
+    using namespace real_functions;
+    rows.clear();
+    for (const Sight& sight : target.sights) {
+        const Place<Real>& place = places[sight.sensor];
+        const View<Real> view(place, X);
+        const Vector3<Real>& v = view.v;
+        const Real zero(0.0);
+        if (sight.has[0])
+            rows.add(place.R * (v * Real(Real(1.0) / sqrt(view.d2))), residual(sight, 0, view, x));
+        if (sight.has[1]) {
+            const Real azimuth = x[sight.input[1]];
+            const Vector3<Real> turn(Real(-v[1] / view.rho2), Real(v[0] / view.rho2), zero);
+            const Vector3<Real> across(Real(-sin(azimuth)), Real(cos(azimuth)), zero);
+            rows.add(place.R * (sight.overhead ? across : turn), residual(sight, 1, view, x));
+        }
+        if (sight.has[2]) {
+            const Real factor = Real(1.0) / (view.rho * view.d2);
+            const Vector3<Real> rise(Real(-v[0] * v[2] * factor), Real(-v[1] * v[2] * factor),
+                                     Real(view.rho2 * factor));
+            const Vector3<Real> off =
+                sight.overhead && sight.has[1]
+                    ? Vector3<Real>(
+                          ReadDirections<Real>(Real(x[sight.input[1]]), Real(x[sight.input[2]])).elevation *
+                          Real(Real(1.0) / sqrt(view.d2)))
+                    : rise;
+            rows.add(place.R * off, residual(sight, 2, view, x));
+        }
+    }
+    std::size_t row = 0;
+    for (const Sight& sight : target.sights)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (sight.has[i]) rows.scale(row++, Real(1.0 / sight.u[i]));
+}
+
+inline constexpr int most_steps = 20;
+inline constexpr double last_step = 1e-9;  // m
+
+/// Gauss-Newton method from X on; a lane that has converged stays as it is, whatever the others do.
+/// Derivatives (Dual) follow in some more steps.
+template <class Real, class In>
+mask_of<Real> refine(const Target& target, const Place<Real>* places, const In& x, Vector3<Real>& X,
+                     Rows<Real>& rows) {
+    using namespace real_functions;
+    constexpr bool with_derivatives = std::is_same_v<Real, Dual>;
+    mask_of<Real> done(false);
+    for (int k = 0; k < most_steps; ++k) {
+        reading_rows(target, places, x, X, rows);
+        const Vector3<Real> step = rows.solve();
+        for (int c = 0; c < 3; ++c)
+            X[c] = with_derivatives ? Real(X[c] + step[c]) : Real(select(done, X[c], Real(X[c] + step[c])));
+        done = done || (step.dot(step) < Real(last_step * last_step));
+        if (all(done) && (!with_derivatives || k >= 7)) break;
+    }
+    return done;
+}
+
+template <class Real, class In>
+Vector3<Real> start_of(const Target& target, const Place<Real>* places, const In& x, Rows<Real>& rows) {
+    if (!target.has_linear_start) return target.nominal.template cast<Real>();
+    return linear_estimate(target, places, x, true, rows);
+}
+
+/// One target by itself.
+template <class Real, class In>
+mask_of<Real> estimate(const NetworkSetup& setup, const Target& target, const Place<Real>* places,
+                       const In& x, Vector3<Real>& X) {
+    Rows<Real> rows;
+    if (setup.estimator != Estimator::nonlinear) {
+        X = linear_estimate(target, places, x, setup.estimator == Estimator::linear, rows);
+        return mask_of<Real>(true);
+    }
+    X = start_of(target, places, x, rows);
+    return refine(target, places, x, X, rows);
+}
+
+/// All targets of a set-up together, X[t] for target first + t: X += gain * residuals until it stays.
+template <class Real, class In>
+mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& joint, const Place<Real>* places,
+                               const In& x, Vector3<Real>* X) {
+    using namespace real_functions;
+    {
+        Rows<Real> rows;
+        for (std::size_t t = 0; t < joint.targets; ++t)
+            X[t] = start_of(setup.targets[joint.first + t], places, x, rows);
+    }
+    constexpr bool with_derivatives = std::is_same_v<Real, Dual>;
+    std::array<Real, most_joint_rows> r;
+    mask_of<Real> done(false);
+    for (int k = 0; k < most_steps; ++k) {
+        std::size_t row = 0;
+        for (std::size_t t = 0; t < joint.targets; ++t)
+            for (const Sight& sight : setup.targets[joint.first + t].sights) {
+                const View<Real> view(places[sight.sensor], X[t]);
+                for (std::size_t i = 0; i < 3; ++i)
+                    if (sight.has[i]) r[row++] = residual(sight, i, view, x);
+            }
+        const double* gain = joint.gain.data();
+        Real step2(0.0);
+        for (std::size_t t = 0; t < joint.targets; ++t)
+            for (int c = 0; c < 3; ++c) {
+                Real step(0.0);
+                for (std::size_t i = 0; i < row; ++i) step += Real(*gain++) * r[i];
+                step2 += step * step;
+                const Real moved = X[t][c] + step;
+                X[t][c] = with_derivatives ? moved : Real(select(done, X[t][c], moved));
+            }
+        done = done || (step2 < Real(last_step * last_step));
+        if (all(done) && (!with_derivatives || k >= 7)) break;
+    }
+    return done;
+}
+
+/// All targets of a trial, then the distances. Inputs: six coordinates of every station for each set-up, then
+/// the readings target by target. Outputs: x, y, z of every target, then the distances.
+template <class Real, class In, class Out>
+mask_of<Real> all_targets(const NetworkSetup& setup, const In& x, Out& y) {
+    using namespace real_functions;
+    std::array<Place<Real>, most_sensors> places;
+    std::array<Vector3<Real>, most_joint_targets> X;
+    mask_of<Real> valid(true);
+    std::size_t out = 0;
+    for (const JointSetUp& joint : setup.set_ups) {
+        for (std::size_t s = 0; s < setup.sensors.size(); ++s)
+            places[s] = place_of<Real>(setup, x, joint.index, s);
+        if (!joint.gain.empty()) valid = valid && estimate_jointly(setup, joint, places.data(), x, X.data());
+        for (std::size_t t = 0; t < joint.targets; ++t) {
+            if (joint.gain.empty())
+                valid = valid && estimate(setup, setup.targets[joint.first + t], places.data(), x, X[0]);
+            const Vector3<Real>& found = joint.gain.empty() ? X[0] : X[t];
+            for (int c = 0; c < 3; ++c) y.set(out++, found[c]);
+        }
+    }
+    std::array<Vector3<Real>, 2> ends;
+    for (const Distance& distance : setup.distances) {
+        for (int c = 0; c < 3; ++c) {
+            ends[0][c] = y.get(3 * distance.from + static_cast<std::size_t>(c));
+            ends[1][c] = y.get(3 * distance.to + static_cast<std::size_t>(c));
+        }
+        const Vector3<Real> d = ends[1] - ends[0];
+        y.set(out++, sqrt(Real(d.dot(d))));
+    }
+    return valid;
+}
+
+}  // namespace covaria::network

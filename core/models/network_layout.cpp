@@ -1,0 +1,45 @@
+// Where sensors, targets and sight lines of "points from sensors" are.
+#include "core/models/network_setup.h"
+
+namespace covaria::network {
+
+Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
+    Layout layout;
+    std::vector<Eigen::Vector3d> stations;
+    for (std::size_t s = 0; s < setup.sensors.size(); ++s) {
+        const Sensor& sensor = setup.sensors[s];
+        Station station = sensor.source().station();
+        const std::size_t first = setup.station_input(0, s);
+        for (std::size_t i = 0; i < 6; ++i) station.coordinates[i] = x[first + i];
+        const Eigen::Isometry3d X = station.X_WS();
+        stations.push_back(X.translation());
+        layout.bodies.push_back(
+            {.name = sensor.name, .kind = BodyKind::instrument, .X_WB = X, .glyph = sensor.source().glyph()});
+        layout.points.push_back({.name = sensor.name,
+                                 .kind = PointKind::station,
+                                 .p_W = X.translation(),
+                                 .inputs = {{first, first + 1, first + 2}}});
+    }
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        const Target& target = setup.targets[t];
+        layout.points.push_back({.name = target.name,
+                                 .kind = PointKind::target,
+                                 .p_W = target.nominal,
+                                 .source = {"/targets/rows/" + std::to_string(t), !setup.measured},
+                                 .outputs = {{3 * t, 3 * t + 1, 3 * t + 2}}});
+        for (const Sight& sight : target.sights)
+            layout.links.push_back({.name = setup.sensors[sight.sensor].name + " – " + target.name,
+                                    .kind = LinkKind::sight_line,
+                                    .from_W = stations[sight.sensor],
+                                    .to_W = target.nominal});
+    }
+    for (const Distance& distance : setup.distances)
+        layout.links.push_back(
+            {.name = setup.targets[distance.from].name + " – " + setup.targets[distance.to].name,
+             .kind = LinkKind::dimension,
+             .from_W = setup.targets[distance.from].nominal,
+             .to_W = setup.targets[distance.to].nominal});
+    return layout;
+}
+
+}  // namespace covaria::network

@@ -1,0 +1,134 @@
+// Fields of "points from sensors".
+#include "core/models/network_setup.h"
+
+namespace covaria::network {
+
+namespace {
+
+FieldSpec sensors_table() {
+    FieldSpec table{
+        .key = "sensors",
+        .title = "Sensors",
+        .kind = FieldKind::table,
+        .help = "The instruments of the network, each an instrument of the project that stands somewhere.",
+        .min_rows = 1,
+        .section = "Network"};
+    table.columns = {{.key = "sensor",
+                      .title = "sensor",
+                      .kind = FieldKind::reference,
+                      .help = "An instrument of the project.",
+                      .capabilities = {"sensor"}}};
+    return table;
+}
+
+FieldSpec targets_table() {
+    const Unit mm = Unit::of("mm");
+    FieldSpec table{.key = "targets",
+                    .title = "Targets",
+                    .kind = FieldKind::table,
+                    .help = "Points to be localised, at their nominal coordinates.",
+                    .min_rows = 1,
+                    .section = "Network"};
+    table.columns = {
+        {.key = "name", .title = "name", .kind = FieldKind::text, .help = "Name of the target, unique."},
+        {.key = "x", .title = "x", .unit = mm, .help = "Nominal coordinate x."},
+        {.key = "y", .title = "y", .unit = mm, .help = "Nominal coordinate y."},
+        {.key = "z", .title = "z", .unit = mm, .help = "Nominal coordinate z."},
+        {.key = "new_set_up",
+         .title = "new set-up",
+         .kind = FieldKind::flag,
+         .optional = true,
+         .help =
+             "The sensors were located anew before this target: it and those below share the deviations of "
+             "the stations with each other, not with the targets above."}};
+    return table;
+}
+
+FieldSpec distances_table() {
+    FieldSpec table{.key = "distances",
+                    .title = "Distances",
+                    .kind = FieldKind::table,
+                    .help = "Distances between targets that are measurands too, for instance of a scale bar.",
+                    .optional = true,
+                    .section = "Network"};
+    table.columns = {
+        {.key = "from", .title = "from", .kind = FieldKind::text, .help = "Name of a target."},
+        {.key = "to", .title = "to", .kind = FieldKind::text, .help = "Name of another target."}};
+    return table;
+}
+
+FieldSpec readings_table() {
+    FieldSpec table{.key = "readings",
+                    .title = "Readings",
+                    .kind = FieldKind::table,
+                    .help =
+                        "What the sensors read, one row for a sensor and a target, typed or from a CSV file; "
+                        "leave empty what was not read.",
+                    .optional = true,
+                    .shown_if = Condition{"evaluation", {"a-posteriori"}},
+                    .section = "Readings"};
+    table.columns = {
+        {.key = "target", .title = "target", .kind = FieldKind::text, .help = "Name of the target."},
+        {.key = "sensor",
+         .title = "sensor",
+         .kind = FieldKind::reference,
+         .help = "The instrument that read it.",
+         .capabilities = {"sensor"}},
+        {.key = "distance",
+         .title = "distance",
+         .unit = Unit::of("mm"),
+         .optional = true,
+         .help = "Slope distance."},
+        {.key = "azimuth",
+         .title = "azimuth",
+         .unit = Unit::of("rad"),
+         .optional = true,
+         .help = "Horizontal angle from the sensor's x-axis, positive towards y; whole turns do not matter."},
+        {.key = "elevation",
+         .title = "elevation",
+         .unit = Unit::of("rad"),
+         .optional = true,
+         .help = "Vertical angle above the sensor's xy-plane."}};
+    return table;
+}
+
+}  // namespace
+
+SetupSchema network_schema() {
+    return SetupSchema(
+        {sensors_table(),
+         targets_table(),
+         distances_table(),
+         {.key = "evaluation",
+          .title = "Evaluation",
+          .kind = FieldKind::choice,
+          .help = "A priori: the readings are those of the nominal targets. A posteriori: the "
+                  "readings are given.",
+          .default_value = std::string("a-priori"),
+          .choices = {{"a-priori", "a priori (design: nominal targets)"},
+                      {"a-posteriori", "a posteriori (given readings)"}},
+          .section = "Readings"},
+         readings_table(),
+         {.key = "estimator",
+          .title = "Estimator",
+          .kind = FieldKind::choice,
+          .help = "How a target's coordinates follow from its readings.",
+          .default_value = std::string("nonlinear"),
+          .choices = {{"nonlinear", "non-linear weighted least squares"},
+                      {"linear", "linearised equations: OLS, then GLS (Eqs 1-4 of the paper)"},
+                      {"linear-start", "linearised equations: OLS alone (Eq 3 of the paper)"}},
+          .section = "Estimation"},
+         {.key = "weights",
+          .title = "Weights",
+          .kind = FieldKind::choice,
+          .help = "What the weights of the equations account for. Weights from the readings "
+                  "alone, as in the paper, "
+                  "are not the best where the stations are uncertain.",
+          .default_value = std::string("with-stations"),
+          .choices = {{"with-stations", "readings and stations, all targets of a set-up at once"},
+                      {"observations", "readings alone, each target by itself (the paper)"}},
+          .shown_if = Condition{"estimator", {"nonlinear"}},
+          .section = "Estimation"}});
+}
+
+}  // namespace covaria::network

@@ -1,0 +1,203 @@
+// Reads the set-up of "points from sensors".
+#include "core/models/network_setup.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace covaria::network {
+
+namespace {
+
+constexpr double near_zenith = 1e-3;  // horizontal distance over distance
+
+class SetupReading {
+public:
+    SetupReading(const SetupReader& setup, const AssetLibrary& assets, Problems& problems)
+        : setup_(setup), assets_(assets), problems_(problems) {}
+
+    std::optional<NetworkSetup> read() {
+        read_choices();
+        read_sensors();
+        read_targets();
+        read_distances();
+        if (problems_.has_errors()) return {};
+        if (network_.measured)
+            read_readings();
+        else
+            predict_readings();
+        for (Target& target : network_.targets) finish(target);
+        if (problems_.has_errors()) return {};
+        return std::move(network_);
+    }
+
+private:
+    static std::string row_path(const char* table, std::size_t row) {
+        return std::string("/") + table + "/rows/" + std::to_string(row);
+    }
+
+    void read_choices() {
+        const std::string estimator = setup_.text("estimator");
+        network_.estimator = estimator == "linear"         ? Estimator::linear
+                             : estimator == "linear-start" ? Estimator::linear_start
+                                                           : Estimator::nonlinear;
+        network_.weights =
+            network_.estimator == Estimator::nonlinear && setup_.text("weights") == "with-stations"
+                ? Weights::with_stations
+                : Weights::observations_only;
+        network_.measured = setup_.text("evaluation") == "a-posteriori";
+    }
+
+    void read_sensors() {
+        if (setup_.rows("sensors") > most_sensors)
+            return problems_.error("/sensors", "a network has at most " + std::to_string(most_sensors) +
+                                                   " sensors; divide it into several analyses");
+        for (std::size_t row = 0; row < setup_.rows("sensors"); ++row) {
+            const std::string id = setup_.cell_text("sensors", row, "sensor");
+            const AssetLibrary::Entry* entry = assets_.find(id);
+            if (!entry || !entry->asset || !entry->asset->sensor())
+                problems_.error(row_path("sensors", row), "'" + id + "' is no sensor");
+            else if (!sensor_index_.try_emplace(id, network_.sensors.size()).second)
+                problems_.error(row_path("sensors", row), "the sensor " + entry->name + " is listed twice");
+            else
+                network_.sensors.push_back({id, entry->name.empty() ? id : entry->name, entry->asset});
+        }
+    }
+
+    void read_targets() {
+        std::size_t set_up = 0;
+        for (std::size_t row = 0; row < setup_.rows("targets"); ++row) {
+            Target target;
+            target.name = setup_.cell_text("targets", row, "name");
+            target.nominal = setup_.cell_vector("targets", row, "x");
+            if (row > 0 && setup_.cell_flag("targets", row, "new_set_up")) ++set_up;
+            target.set_up = set_up;
+            if (!target_index_.try_emplace(target.name, row).second)
+                problems_.error(row_path("targets", row), "two targets are called " + target.name);
+            network_.targets.push_back(std::move(target));
+        }
+        for (std::size_t t = 0; t < network_.targets.size(); ++t) {
+            if (network_.set_ups.size() <= network_.targets[t].set_up)
+                network_.set_ups.push_back({network_.targets[t].set_up, t, 0, {}});
+            ++network_.set_ups.back().targets;
+        }
+    }
+
+    std::size_t target_called(const std::string& name, const std::string& path) {
+        const auto found = target_index_.find(name);
+        if (found != target_index_.end()) return found->second;
+        problems_.error(path, "there is no target " + name);
+        return 0;
+    }
+
+    void read_distances() {
+        for (std::size_t row = 0; row < setup_.rows("distances"); ++row) {
+            const std::string path = row_path("distances", row);
+            const std::size_t from = target_called(setup_.cell_text("distances", row, "from"), path);
+            const std::size_t to = target_called(setup_.cell_text("distances", row, "to"), path);
+            const auto p = [&](std::size_t i) { return network_.targets[i].nominal; };
+            if (!problems_.has_errors() && (from == to || (p(from) - p(to)).norm() == 0.0))
+                problems_.error(path, "a distance needs two targets at different places");
+            network_.distances.push_back({from, to});
+        }
+    }
+
+    void predict_readings() {
+        for (std::size_t t = 0; t < network_.targets.size(); ++t)
+            for (std::size_t s = 0; s < network_.sensors.size(); ++s) {
+                const SensorSource& source = network_.sensors[s].source();
+                Sight sight;
+                sight.sensor = s;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    sight.has[i] = source.reads(observables[i]);
+                    sight.source[i] = row_path("targets", t);
+                }
+                sight.reading = readings_of(source.station(), network_.targets[t].nominal);
+                network_.targets[t].sights.push_back(sight);
+            }
+    }
+
+    void read_readings() {
+        static const char* const columns[] = {"distance", "azimuth", "elevation"};
+        for (std::size_t row = 0; row < setup_.rows("readings"); ++row) {
+            const std::string path = row_path("readings", row);
+            const std::size_t target = target_called(setup_.cell_text("readings", row, "target"), path);
+            const std::string id = setup_.cell_text("readings", row, "sensor");
+            const auto sensor = sensor_index_.find(id);
+            if (sensor == sensor_index_.end()) {
+                problems_.error(path, "the sensor " + id + " is not listed in the network");
+                continue;
+            }
+            Sight sight;
+            sight.sensor = sensor->second;
+            for (std::size_t i = 0; i < 3; ++i) {
+                sight.has[i] = !setup_.cell_empty("readings", row, columns[i]);
+                if (sight.has[i]) sight.reading[i] = setup_.cell_number("readings", row, columns[i]);
+                sight.source[i] = path;
+                if (sight.has[i] && !network_.sensors[sight.sensor].source().reads(observables[i]))
+                    problems_.error(path + "/" + columns[i], network_.sensors[sight.sensor].name +
+                                                                 " reads no " + columns[i] +
+                                                                 " according to its description");
+            }
+            if (network_.targets[target].sights.size() >= most_sensors)
+                problems_.error(path, "more than " + std::to_string(most_sensors) + " rows for target " +
+                                          network_.targets[target].name);
+            network_.targets[target].sights.push_back(sight);
+        }
+    }
+
+    void finish(Target& target) {
+        bool located = false;
+        for (Sight& sight : target.sights) {
+            const Sensor& sensor = network_.sensors[sight.sensor];
+            const Eigen::Vector3d v = sensor.source().station().X_WS().inverse() * target.nominal;
+            if (v.norm() == 0.0) {
+                problems_.error(sight.source[0],
+                                "target " + target.name + " is at the place of " + sensor.name);
+                continue;
+            }
+            if (sensor.source().glyph() == "camera" && v.x() <= 0.0)
+                problems_.error(sight.source[0],
+                                "target " + target.name + " is behind the camera " + sensor.name);
+            const double rho = v.head<2>().norm();
+            sight.overhead = rho < near_zenith * v.norm();
+            for (std::size_t i = 0; i < 3; ++i) take_uncertainty(target, sight, i, v);
+            if (sight.overhead) sight.u[1] *= std::max(rho, near_zenith * v.norm());
+            located = located || (sight.has[1] && sight.has[2]);
+        }
+        target.has_linear_start = located;
+    }
+
+    void take_uncertainty(Target& target, Sight& sight, std::size_t i, const Eigen::Vector3d& v) {
+        if (!sight.has[i]) return;
+        static const char* const words[] = {"distance", "azimuth", "elevation"};
+        const Sensor& sensor = network_.sensors[sight.sensor];
+        sight.u[i] = sensor.source().reading(observables[i], v).distribution.standard_uncertainty();
+        ++target.rows;
+        if (sight.u[i] > 0.0) return;
+        problems_.error(sight.source[i], std::string("the ") + words[i] + " of target " + target.name +
+                                             " by " + sensor.name +
+                                             " has no uncertainty and would have infinite weight: give the "
+                                             "instrument's figure for it");
+    }
+
+    const SetupReader& setup_;
+    const AssetLibrary& assets_;
+    Problems& problems_;
+    NetworkSetup network_;
+    std::map<std::string, std::size_t> sensor_index_, target_index_;
+};
+
+}  // namespace
+
+std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d& p) {
+    const Eigen::Vector3d v = station.X_WS().inverse() * p;
+    return {v.norm(), std::atan2(v.y(), v.x()), std::atan2(v.z(), v.head<2>().norm())};
+}
+
+std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const AssetLibrary& assets,
+                                               Problems& problems) {
+    return SetupReading(setup, assets, problems).read();
+}
+
+}  // namespace covaria::network

@@ -1,0 +1,249 @@
+// Weights of a network, and whether its targets can be localised at all.
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <cmath>
+#include <cstdio>
+
+#include "core/models/network_setup.h"
+
+namespace covaria::network {
+
+namespace {
+
+/// d(reading)/d(point) in the sensor's axes, a row for every observable.
+Eigen::Matrix3d reading_gradients(const Eigen::Vector3d& v) {
+    const double rho = v.head<2>().norm(), d = v.norm();
+    Eigen::Matrix3d G;
+    G.row(0) = v.transpose() / d;
+    G.row(1) = Eigen::RowVector3d(-v.y(), v.x(), 0.0) / (rho * rho);
+    G.row(2) = Eigen::RowVector3d(-v.x() * v.z(), -v.y() * v.z(), rho * rho) / (rho * d * d);
+    return G;
+}
+
+/// The same where the horizontal distance is next to nothing: the azimuth as its effect across the azimuth
+/// read.
+Eigen::Matrix3d overhead_gradients(const Eigen::Vector3d& v, double azimuth) {
+    Eigen::Matrix3d G;
+    const Eigen::Vector3d across(-std::sin(azimuth), std::cos(azimuth), 0.0);
+    const Eigen::Vector3d along(std::cos(azimuth), std::sin(azimuth), 0.0);
+    G.row(0) = v.transpose() / v.norm();
+    G.row(1) = across.transpose();
+    G.row(2) = -along.transpose() / v.z();
+    return G;
+}
+
+/// d(v)/d(station): six columns, v the target in the sensor's axes.
+Eigen::Matrix<double, 3, 6> station_effect(const Station& station, const Eigen::Vector3d& p) {
+    constexpr double step = 1e-5;
+    Eigen::Matrix<double, 3, 6> K;
+    K.leftCols<3>() = -station.X_WS().linear().transpose();
+    for (std::size_t i = 3; i < 6; ++i) {
+        Station higher = station, lower = station;
+        higher.coordinates[i] += step;
+        lower.coordinates[i] -= step;
+        K.col(static_cast<int>(i)) =
+            (higher.X_WS().inverse() * p - lower.X_WS().inverse() * p) / (2.0 * step);
+    }
+    return K;
+}
+
+/// F with F Fᵀ the covariance of the station's six coordinates.
+Eigen::Matrix<double, 6, 6> station_factor(const SensorSource& sensor) {
+    Eigen::Matrix<double, 6, 6> R = Eigen::Matrix<double, 6, 6>::Identity();
+    for (const StationCorrelation& c : sensor.station_correlations()) {
+        const auto i = static_cast<int>(c.first), j = static_cast<int>(c.second);
+        R(i, j) = R(j, i) = c.coefficient;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(R);
+    Eigen::Matrix<double, 6, 1> u;
+    for (int i = 0; i < 6; ++i)
+        u[i] = sensor.station_components()[static_cast<std::size_t>(i)].distribution.standard_uncertainty();
+    return u.asDiagonal() * solver.eigenvectors() *
+           solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+std::string rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::string names_of(const NetworkSetup& setup, const Target& target) {
+    std::string names;
+    for (const Sight& sight : target.sights)
+        names += (names.empty() ? "" : ", ") + setup.sensors[sight.sensor].name;
+    return names.empty() ? "no sensor" : names;
+}
+
+bool only_distances(const Target& target) {
+    for (const Sight& sight : target.sights)
+        if (sight.has[1] || sight.has[2]) return false;
+    return true;
+}
+
+/// Smallest over largest extent of the stations: next to 0 where they lie in a plane.
+double spread_off_a_plane(const NetworkSetup& setup, const Target& target) {
+    Eigen::MatrixXd positions(3, static_cast<Eigen::Index>(target.sights.size()));
+    for (std::size_t i = 0; i < target.sights.size(); ++i)
+        positions.col(static_cast<Eigen::Index>(i)) =
+            setup.sensors[target.sights[i].sensor].source().station().X_WS().translation();
+    positions.colwise() -= positions.rowwise().mean().eval();
+    const Eigen::VectorXd values = positions.jacobiSvd().singularValues();
+    return values.size() < 3 || values[0] == 0.0 ? 0.0 : values[2] / values[0];
+}
+
+class WeightMaker {
+public:
+    WeightMaker(NetworkSetup& setup, Problems& problems) : setup_(setup), problems_(problems) {}
+
+    void make(Target& target, const std::string& path) {
+        if (target.rows == 0) return refuse(target, path);
+        const Sensitivities s = sensitivities_at(setup_, target, target.nominal);
+        const Eigen::MatrixXd weighted = s.u.cwiseInverse().asDiagonal() * s.to_point;
+        const Eigen::VectorXd values = weighted.jacobiSvd().singularValues();
+        if (values.size() < 3 || !(values[2] > 1e-9 * values[0])) return refuse(target, path);
+        warn(target, path, 1.0 / values[2]);
+        find_linear_start(target, s);
+        if (setup_.estimator != Estimator::nonlinear && !target.has_linear_start)
+            return problems_.error(path, "target " + target.name +
+                                             " has no linear equations that localise it (a distance without "
+                                             "angles has none): use the non-linear estimator");
+    }
+
+private:
+    void refuse(const Target& target, const std::string& path) {
+        problems_.error(
+            path, "target " + target.name + " cannot be localised from what " + names_of(setup_, target) +
+                      " read: the readings leave a direction undetermined; add a sensor or a reading");
+    }
+
+    void warn(const Target& target, const std::string& path, double u) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Sight& sight : target.sights)
+            nearest = std::min(
+                nearest,
+                (setup_.sensors[sight.sensor].source().station().X_WS().translation() - target.nominal)
+                    .norm());
+        if (u > 0.01 * nearest)
+            problems_.warning(path, "target " + target.name + " is hardly localised: in one direction u is " +
+                                        rounded(u) + " m at a distance of " + rounded(nearest) + " m");
+        if (only_distances(target) && spread_off_a_plane(setup_, target) < 1e-3)
+            problems_.warning(path,
+                              "the stations that measure target " + target.name +
+                                  " lie in one plane and read distances only: its mirror image behind that "
+                                  "plane fits as well; the one near the nominal coordinates is taken");
+    }
+
+    void find_linear_start(Target& target, const Sensitivities& s) {
+        const Eigen::VectorXd scales = linear_scales(setup_, target);
+        const Eigen::VectorXd values = (scales.asDiagonal() * s.to_point).jacobiSvd().singularValues();
+        target.has_linear_start = values.size() == 3 && values[2] > 1e-9 * values[0];
+    }
+
+    NetworkSetup& setup_;
+    Problems& problems_;
+};
+
+void add_gain(const NetworkSetup& setup, JointSetUp& joint, Problems& problems) {
+    std::size_t rows = 0;
+    for (std::size_t t = 0; t < joint.targets; ++t) rows += setup.targets[joint.first + t].rows;
+    if (rows > most_joint_rows)
+        return problems.error("/targets",
+                              "the " + std::to_string(rows) + " readings of one set-up are more than the " +
+                                  std::to_string(most_joint_rows) +
+                                  " that can be weighed together with the stations: choose weights from "
+                                  "the readings alone, or divide the targets between analyses");
+    const Sensitivities all = sensitivities_of(setup, joint);
+    const Eigen::MatrixXd WJ = joint_covariance(all).llt().solve(all.to_point);
+    const Eigen::MatrixXd gain = (all.to_point.transpose() * WJ).llt().solve(WJ.transpose());
+    for (Eigen::Index i = 0; i < gain.rows(); ++i)
+        for (Eigen::Index k = 0; k < gain.cols(); ++k) joint.gain.push_back(gain(i, k));
+}
+
+}  // namespace
+
+Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target) {
+    Eigen::VectorXd scales(static_cast<Eigen::Index>(target.rows));
+    Eigen::Index row = 0;
+    for (const Sight& sight : target.sights) {
+        const Eigen::Vector3d v =
+            setup.sensors[sight.sensor].source().station().X_WS().inverse() * target.nominal;
+        if (sight.has[0]) scales[row++] = sight.has[1] && sight.has[2] ? 1.0 : 0.0;
+        if (sight.has[1]) scales[row++] = sight.overhead ? 1.0 : v.head<2>().norm();
+        if (sight.has[2]) scales[row++] = sight.has[1] ? v.norm() : 0.0;
+    }
+    return scales;
+}
+
+Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, const Eigen::Vector3d& p) {
+    const auto rows = static_cast<Eigen::Index>(target.rows);
+    Eigen::Index shared = 0;
+    for (const Sensor& sensor : setup.sensors)
+        shared += 6 + static_cast<Eigen::Index>(sensor.source().systematic().size());
+    Sensitivities s{Eigen::MatrixXd(rows, 3), Eigen::MatrixXd::Zero(rows, shared), Eigen::VectorXd(rows)};
+    Eigen::Index row = 0;
+    for (const Sight& sight : target.sights) {
+        Eigen::Index column = 0;
+        for (std::size_t k = 0; k < sight.sensor; ++k)
+            column += 6 + static_cast<Eigen::Index>(setup.sensors[k].source().systematic().size());
+        const SensorSource& source = setup.sensors[sight.sensor].source();
+        const Eigen::Isometry3d X_WS = source.station().X_WS();
+        const Eigen::Vector3d v = X_WS.inverse() * p;
+        const Eigen::Matrix3d G =
+            sight.overhead ? overhead_gradients(v, sight.reading[1]) : reading_gradients(v);
+        const Eigen::Matrix<double, 3, 6> K =
+            G * station_effect(source.station(), p) * station_factor(source);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!sight.has[i]) continue;
+            const auto g = static_cast<Eigen::Index>(i);
+            s.to_point.row(row) = G.row(g) * X_WS.linear().transpose();
+            s.shared.block<1, 6>(row, column) = K.row(g);
+            for (std::size_t k = 0; k < source.systematic().size(); ++k) {
+                const SystematicDeviation& deviation = source.systematic()[k];
+                const bool undefined = sight.overhead && observables[i] == Observable::azimuth;
+                if (!undefined)
+                    s.shared(row, column + 6 + static_cast<Eigen::Index>(k)) =
+                        deviation.effect(observables[i], v) *
+                        deviation.component.distribution.standard_uncertainty();
+            }
+            s.u[row++] = sight.u[i];
+        }
+    }
+    return s;
+}
+
+Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& joint) {
+    Eigen::Index rows = 0, row = 0;
+    for (std::size_t t = 0; t < joint.targets; ++t)
+        rows += static_cast<Eigen::Index>(setup.targets[joint.first + t].rows);
+    Sensitivities all;
+    all.to_point = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(3 * joint.targets));
+    all.u.resize(rows);
+    for (std::size_t t = 0; t < joint.targets; ++t) {
+        const Target& target = setup.targets[joint.first + t];
+        const Sensitivities one = sensitivities_at(setup, target, target.nominal);
+        all.shared.conservativeResize(rows, one.shared.cols());
+        all.to_point.block(row, static_cast<Eigen::Index>(3 * t), one.u.size(), 3) = one.to_point;
+        all.shared.middleRows(row, one.u.size()) = one.shared;
+        all.u.segment(row, one.u.size()) = one.u;
+        row += one.u.size();
+    }
+    return all;
+}
+
+Eigen::MatrixXd joint_covariance(const Sensitivities& s) {
+    Eigen::MatrixXd C = s.shared * s.shared.transpose();
+    C.diagonal() += s.u.cwiseAbs2();
+    return C;
+}
+
+void prepare_weights(NetworkSetup& setup, Problems& problems) {
+    WeightMaker maker(setup, problems);
+    for (std::size_t t = 0; t < setup.targets.size(); ++t)
+        maker.make(setup.targets[t], "/targets/rows/" + std::to_string(t));
+    if (setup.weights == Weights::observations_only || problems.has_errors()) return;
+    for (JointSetUp& joint : setup.set_ups) add_gain(setup, joint, problems);
+}
+
+}  // namespace covaria::network
