@@ -45,7 +45,7 @@ std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const 
 /// The result line of the given outputs.
 TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                          const std::string& title);
-TableBlock setup_table(const FieldSpec& field, const SetupTable& table);
+TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source);
 std::string setup_text(const FieldSpec& field, const SetupValue& value, const ReportSource& source);
 /// Scalar fields as facts, tables as tables, under the headings of their sections.
 void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& setup,

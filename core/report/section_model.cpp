@@ -32,6 +32,7 @@ void add_models(Blocks& blocks, const ReportSource& source) {
 }
 
 void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    if (!evaluated.analysis->model) return;
     std::vector<DataTable> tables = evaluated.analysis->model->evaluation();
     if (tables.empty()) return;
     blocks.push_back(HeadingBlock{2, "Evaluation of the set-up"});

@@ -27,10 +27,18 @@ std::string choice_title(const std::vector<Choice>& choices, const std::string& 
     return key;
 }
 
-TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell) {
+std::string name_of_asset(const std::string& id, const ReportSource& source) {
+    const AssetLibrary::Entry* entry = source.assets.find(id);
+    return entry && !entry->name.empty() ? entry->name : id;
+}
+
+TableCell cell_of(const ColumnSpec& spec, const Unit& unit, const SetupCell& cell,
+                  const ReportSource& source) {
     if (const auto* number = std::get_if<double>(&cell)) return Quantity{*number, unit};
     if (const auto* flag = std::get_if<bool>(&cell)) return std::string(*flag ? "yes" : "no");
-    if (const auto* text = std::get_if<std::string>(&cell)) return choice_title(spec.choices, *text);
+    if (const auto* text = std::get_if<std::string>(&cell))
+        return spec.kind == FieldKind::reference ? name_of_asset(*text, source)
+                                                 : choice_title(spec.choices, *text);
     return std::monostate{};
 }
 
@@ -51,14 +59,11 @@ std::string setup_text(const FieldSpec& field, const SetupValue& value, const Re
                ", α, β, γ = " + triple_text(pose->angles, pose->angle_unit);
     const auto* text = std::get_if<std::string>(&value);
     if (!text) return {};
-    if (field.kind == FieldKind::reference) {
-        const AssetLibrary::Entry* entry = source.assets.find(*text);
-        return entry ? entry->name : *text;
-    }
+    if (field.kind == FieldKind::reference) return name_of_asset(*text, source);
     return choice_title(field.choices, *text);
 }
 
-TableBlock setup_table(const FieldSpec& field, const SetupTable& table) {
+TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source) {
     TableBlock block;
     block.table.id = "setup-" + file_name_part(field.key);
     block.table.title = field.title;
@@ -70,8 +75,8 @@ TableBlock setup_table(const FieldSpec& field, const SetupTable& table) {
         const Unit unit = c < table.units.size() ? table.units[c] : spec.unit;
         block.table.columns.push_back({spec.title, unit, looks_like_symbol(spec.title), 0});
         for (std::size_t r = 0; r < rows; ++r)
-            block.table.rows[r].push_back(c < table.rows[r].size() ? cell_of(spec, unit, table.rows[r][c])
-                                                                   : TableCell{});
+            block.table.rows[r].push_back(
+                c < table.rows[r].size() ? cell_of(spec, unit, table.rows[r][c], source) : TableCell{});
     }
     if (!table.csv_file.empty()) block.table.notes.push_back("Read from " + table.csv_file + ".");
     if (rows < table.rows.size())
@@ -108,7 +113,7 @@ void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& se
         section = field.section;
         const SetupValue& value = value_of(field, setup);
         if (const auto* table = std::get_if<SetupTable>(&value)) {
-            if (!table->rows.empty()) tables.push_back(setup_table(field, *table));
+            if (!table->rows.empty()) tables.push_back(setup_table(field, *table, source));
         } else if (const std::string text = setup_text(field, value, source); !text.empty()) {
             facts.facts.emplace_back(field.title, text);
         }

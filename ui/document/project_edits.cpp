@@ -152,4 +152,19 @@ QStringList dependants(const Project& project, const SetupAddress& address) {
     return names;
 }
 
+std::vector<Choice> fitting_assets(const Project& project, const std::vector<std::string>& capabilities,
+                                   const SetupAddress& itself) {
+    std::vector<Choice> found;
+    for (const AssetEntry& asset : project.assets) {
+        const AssetDescriptor* kind = find_asset_kind(asset.kind);
+        if (!kind || (itself.owner == SetupOwner::asset && itself.id == asset.id)) continue;
+        const bool fits =
+            capabilities.empty() ||
+            std::find_first_of(capabilities.begin(), capabilities.end(), kind->capabilities.begin(),
+                               kind->capabilities.end()) != capabilities.end();
+        if (fits) found.push_back({asset.id, asset.name});
+    }
+    return found;
+}
+
 }  // namespace covaria::ui

@@ -3,6 +3,7 @@
 
 #include <QStringList>
 #include <string>
+#include <vector>
 
 #include "ui/document/document.h"
 #include "ui/document/setup_address.h"
@@ -27,5 +28,9 @@ void move_entry(Document& document, const SetupAddress& entry, std::size_t posit
 
 /// Names of the assets and analyses that refer to the entry, directly or through another asset.
 QStringList dependants(const Project& project, const SetupAddress& entry);
+
+/// Assets that offer one of the capabilities (any, if none is named), by id and name; not the entry itself.
+std::vector<Choice> fitting_assets(const Project& project, const std::vector<std::string>& capabilities,
+                                   const SetupAddress& itself);
 
 }  // namespace covaria::ui

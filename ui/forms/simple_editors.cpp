@@ -6,7 +6,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "core/assets/registry.h"
+#include "ui/document/project_edits.h"
 #include "ui/document/strings.h"
 #include "ui/forms/complaint.h"
 
@@ -125,18 +125,7 @@ ReferenceEditor::ReferenceEditor(const FieldSpec& field, const FieldContext& con
     : ListEditor(field, parent), document_(context.document), address_(context.address) {}
 
 std::vector<Choice> ReferenceEditor::choices() const {
-    std::vector<Choice> found;
-    const auto& wanted = field().capabilities;
-    for (const AssetEntry& asset : document_.project().assets) {
-        const AssetDescriptor* kind = find_asset_kind(asset.kind);
-        const bool itself = address_.owner == SetupOwner::asset && address_.id == asset.id;
-        if (!kind || itself) continue;
-        const bool fits =
-            wanted.empty() || std::find_first_of(wanted.begin(), wanted.end(), kind->capabilities.begin(),
-                                                 kind->capabilities.end()) != wanted.end();
-        if (fits) found.push_back({asset.id, asset.name});
-    }
-    return found;
+    return fitting_assets(document_.project(), field().capabilities, address_);
 }
 
 QString ReferenceEditor::empty_words() const {

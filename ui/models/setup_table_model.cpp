@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/symbol.h"
+#include "ui/document/project_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/document/strings.h"
@@ -74,7 +75,7 @@ QString SetupTableModel::complaint(const CellPosition& at) const {
 QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const CellPosition at{index.row(), index.column()};
-    const ColumnSpec& spec = column(at.second);
+    const ColumnSpec spec = choosable(column(at.second));
     const SetupCell& cell =
         table_.rows[static_cast<std::size_t>(at.first)][static_cast<std::size_t>(at.second)];
     const auto rejected = rejected_.find(at);
@@ -123,6 +124,13 @@ Qt::ItemFlags SetupTableModel::flags(const QModelIndex& index) const {
     return index.isValid() && !is_linked() ? flags | Qt::ItemIsEditable : flags;
 }
 
+ColumnSpec SetupTableModel::choosable(ColumnSpec column) const {
+    if (column.kind != FieldKind::reference) return column;
+    column.kind = FieldKind::choice;
+    column.choices = fitting_assets(document_.project(), column.capabilities, address_);
+    return column;
+}
+
 bool SetupTableModel::write(const QString& text, const std::function<void(SetupTable&)>& change) {
     if (!field() || is_linked()) return false;
     return document_.apply(text, [&](Project& project) {
@@ -137,7 +145,7 @@ bool SetupTableModel::write(const QString& text, const std::function<void(SetupT
 
 void SetupTableModel::set_cell(SetupTable& table, const CellPosition& at, const QString& text,
                                Marks& marks) const {
-    Result<SetupCell> cell = parse_cell(column(at.second), unit(at.second), text, QLocale());
+    Result<SetupCell> cell = parse_cell(choosable(column(at.second)), unit(at.second), text, QLocale());
     marks[at] = cell ? Rejected{} : Rejected{text, to_qt(cell.error().message)};
     if (cell) cell_at(table, at.first, at.second) = std::move(*cell);
 }

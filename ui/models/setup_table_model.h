@@ -68,6 +68,8 @@ private:
     void set_cell(SetupTable& table, const CellPosition& at, const QString& text, Marks& marks) const;
     int take(const Marks& marks);
     const ColumnSpec& column(int index) const;
+    /// A column of references as one of choices: the assets of the project that fit.
+    ColumnSpec choosable(ColumnSpec column) const;
     QString complaint(const CellPosition& at) const;
     CellPosition position_of_path(const std::string& path) const;
 

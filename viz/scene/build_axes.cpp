@@ -49,8 +49,13 @@ void add_labels(SceneBuild& build) {
     Scene& scene = build.scene;
     for (const ScenePoint& point : scene.points) label(scene, point.item, clearance_of(point), 50);
     for (const SceneFrame& frame : scene.frames) label(scene, frame.item, 0.015 * scene.size, 40);
+    const auto is_named_already = [&](const std::string& name) {  // an instrument at its station
+        return std::any_of(scene.points.begin(), scene.points.end(),
+                           [&](const ScenePoint& point) { return point.item.name == name; });
+    };
     for (const SceneBody& body : scene.bodies)
-        if (body.outline.empty()) label(scene, body.item, 0.36 * body.size, 30);
+        if (body.outline.empty() && !is_named_already(body.item.name))
+            label(scene, body.item, 0.36 * body.size, 30);
     for (const SceneLink& link : scene.links)
         if (has_label(link.kind)) label(scene, link.item, link.radius, 20, Role::quiet_text);
     for (const SceneVector& vector : scene.vectors) {
