@@ -4,3 +4,9 @@
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
+#include <ostream>
+
+/// Failures show the text, not its bytes.
+inline void PrintTo(const QString& text, std::ostream* out) {
+    *out << '"' << text.toStdString() << '"';
+}

@@ -27,7 +27,7 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
     return box;
 }
 
-void CellDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+void CellDelegate::fill(QWidget* editor, const QModelIndex& index) const {
     const QString text = index.data(Qt::EditRole).toString();
     if (auto* box = qobject_cast<QComboBox*>(editor))
         box->setCurrentText(text);

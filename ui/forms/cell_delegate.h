@@ -11,8 +11,10 @@ public:
     using TypesetDelegate::TypesetDelegate;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
+
+protected:
+    void fill(QWidget* editor, const QModelIndex& index) const override;
 };
 
 }  // namespace covaria::ui

@@ -103,6 +103,23 @@ void QuantityEdit::step(int direction) {
     emit quantity_edited(quantity_);
 }
 
+/// Which keys are the field's own: Escape while something is typed, and undo only then, else they are the
+/// window's.
+bool QuantityEdit::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Escape && isModified()) {
+            key->accept();
+            return true;
+        }
+        if (!isModified() && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+            key->ignore();
+            return false;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
 void QuantityEdit::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down)
         step(event->key() == Qt::Key_Up ? 1 : -1);

@@ -37,6 +37,7 @@ signals:
     void quantity_edited(const std::optional<covaria::Quantity>& quantity);
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:

@@ -95,9 +95,15 @@ void SpreadsheetView::keyPressEvent(QKeyEvent* event) {
     move_down();
 }
 
+/// Not setCurrentIndex: while Ctrl is down, as it is during most shortcuts, that keeps what was selected.
+void SpreadsheetView::go_to(const QModelIndex& cell) {
+    selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
+    scrollTo(cell);
+}
+
 void SpreadsheetView::move_down() {
     const QModelIndex below = currentIndex().siblingAtRow(currentIndex().row() + 1);
-    if (below.isValid()) setCurrentIndex(below);
+    if (below.isValid()) go_to(below);
 }
 
 void SpreadsheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
@@ -139,11 +145,11 @@ void SpreadsheetView::fill_down() {
 void SpreadsheetView::insert_row() {
     const int row = currentIndex().isValid() ? currentIndex().row() : 0;
     const int column = std::max(0, currentIndex().column());
-    if (model_.insertRow(row)) setCurrentIndex(model_.index(row, column));
+    if (model_.insertRow(row)) go_to(model_.index(row, column));
 }
 
 void SpreadsheetView::append_row() {
-    if (model_.insertRow(model_.rowCount())) setCurrentIndex(model_.index(model_.rowCount() - 1, 0));
+    if (model_.insertRow(model_.rowCount())) go_to(model_.index(model_.rowCount() - 1, 0));
 }
 
 void SpreadsheetView::remove_rows() {
@@ -158,7 +164,7 @@ void SpreadsheetView::remove_rows() {
         for (auto row = rows.rbegin(); row != rows.rend(); ++row) table.rows.erase(table.rows.begin() + *row);
         model_.replace_table(table, tr("Delete rows"));
     }
-    setCurrentIndex(model_.index(std::min(current.row(), model_.rowCount() - 1), current.column()));
+    go_to(model_.index(std::min(current.row(), model_.rowCount() - 1), current.column()));
 }
 
 }  // namespace covaria::ui

@@ -48,6 +48,7 @@ private:
     void remove_rows();
     void update_actions();
     void move_down();
+    void go_to(const QModelIndex& cell);
 
     SetupTableModel& model_;
     QAction* copy_;

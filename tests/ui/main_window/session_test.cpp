@@ -1,101 +1,12 @@
 // Sessions as a user has them, through the real widgets.
-#include <QAction>
-#include <QClipboard>
-#include <QLineEdit>
-#include <QTableView>
 #include <QUndoStack>
 
-#include "tests/ui/main_window/window_fixture.h"
-#include "ui/forms/setup_form.h"
-#include "ui/forms/spreadsheet_view.h"
+#include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/export_actions.h"
-#include "ui/pages/project_pane.h"
-#include "ui/pages/properties_pane.h"
-#include "ui/pages/results_pane.h"
 #include "ui/pages/sortable_table.h"
-#include "ui/scene_view/scene_panel.h"
 
 namespace covaria::ui {
 namespace {
-
-class Session : public WindowFixture {
-protected:
-    /// Types into the first visible field of the properties with this name.
-    void type_into(const char* field, const QString& text) {
-        auto* edit = window_->properties().findChild<QLineEdit*>(QString::fromLatin1(field));
-        ASSERT_NE(edit, nullptr) << field;
-        edit->setFocus();
-        edit->selectAll();
-        QTest::keyClicks(edit, text);
-        QTest::keyClick(edit, Qt::Key_Return);
-    }
-    double expanded_uncertainty(const QString& analysis, std::size_t output) const {
-        return window_->runner().status(analysis).result->outputs[output].expanded_uncertainty;
-    }
-    void select(SetupOwner owner, const std::string& id) { window_->selection().select_entry({owner, id}); }
-};
-
-TEST_F(Session, AnEditedUncertaintyChangesTableChartAndScene) {
-    open(project_copy());
-    wait_until_idle();
-    const QString analysis = window_->selection().analysis();
-    ASSERT_FALSE(analysis.isEmpty());
-    const double before = expanded_uncertainty(analysis, 2);
-    window_->scene().view().service().wait_until_idle();
-    QCoreApplication::processEvents();
-    const QImage scene_before = window_->scene().view().image();
-    ASSERT_FALSE(scene_before.isNull());
-    const QString cell_before = window_->results().result_table().csv();
-
-    type_into("base_u_z", QStringLiteral("1.05 mm"));
-    wait_until_idle();
-    EXPECT_GT(expanded_uncertainty(analysis, 2), 2.0 * before);
-    EXPECT_NE(window_->results().result_table().csv(), cell_before);
-    for (int i = 0;
-         i < 200 && (window_->scene().is_building() || window_->scene().view().image() == scene_before); ++i)
-        QTest::qWait(50);
-    EXPECT_NE(window_->scene().view().image(), scene_before);
-}
-
-TEST_F(Session, FiftyEditsUndoneGiveTheSavedBytes) {
-    const QString file = project_copy();
-    open(file);
-    const std::string saved = bytes();
-    for (int i = 0; i < 50; ++i) {
-        window_->document().end_merging();
-        type_into("base_u_x", QString::number(0.07 + 0.001 * i) + QStringLiteral(" mm"));
-    }
-    EXPECT_EQ(window_->document().undo_stack().count(), 50);
-    EXPECT_NE(bytes(), saved);
-    while (window_->document().undo_stack().canUndo()) window_->document().undo_stack().undo();
-    EXPECT_EQ(bytes(), saved);
-    QFile on_disk(file);
-    ASSERT_TRUE(on_disk.open(QIODevice::ReadOnly));
-    EXPECT_EQ(on_disk.readAll().toStdString(), saved);
-    EXPECT_FALSE(window_->document().is_modified());
-}
-
-TEST_F(Session, AFourthBasePointIsTypedIn) {
-    open(project_copy());
-    wait_until_idle();
-    const std::size_t inputs_before =
-        window_->runner().status(window_->selection().analysis()).prepared->inputs.quantities.size();
-    auto* table = window_->properties().findChild<QTableView*>(QStringLiteral("base_points"));
-    ASSERT_NE(table, nullptr);
-    const int rows = table->model()->rowCount();
-    QGuiApplication::clipboard()->setText(QStringLiteral("b4\t0\t-100\t5"));
-    table->setCurrentIndex(table->model()->index(rows - 1, 0));
-    auto* sheet = qobject_cast<SpreadsheetView*>(table);
-    ASSERT_NE(sheet, nullptr);
-    QTest::keyClick(sheet, Qt::Key_Insert);
-    table->setCurrentIndex(table->model()->index(std::min(rows, table->model()->rowCount() - 1), 0));
-    QTest::keySequence(sheet, QKeySequence::Paste);
-    wait_until_idle();
-    const auto prepared = window_->runner().status(window_->selection().analysis()).prepared;
-    ASSERT_NE(prepared, nullptr)
-        << window_->runner().status(window_->selection().analysis()).message.toStdString();
-    EXPECT_EQ(prepared->inputs.quantities.size(), inputs_before + 3);
-}
 
 TEST_F(Session, AReportIsExportedWithoutBlocking) {
     open(project_copy());
