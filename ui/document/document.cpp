@@ -60,7 +60,7 @@ void Document::set_project(ProjectSnapshot project) {
 void Document::adopt(Project project, const QString& file) {
     ++open_number_;
     undo_stack_.clear();
-    recovered_ = false;
+    unsaved_ = false;
     set_file(file);
     project_ = std::make_shared<const Project>(std::move(project));
     emit project_replaced();
@@ -74,7 +74,11 @@ void Document::replace(Project project) {
 
 void Document::restore(Project project, const QString& original_file) {
     adopt(std::move(project), original_file);
-    recovered_ = true;
+    set_unsaved();
+}
+
+void Document::set_unsaved() {
+    unsaved_ = true;
     emit modified_changed(true);
 }
 
@@ -126,7 +130,7 @@ Result<void> Document::save_as(const QString& file) {
     if (auto saved = save_project(*project_, to_path(absolute)); !saved) return saved;
     set_file(absolute);
     if (project_->directory != folder_of(absolute)) set_project(project_);
-    recovered_ = false;
+    unsaved_ = false;
     end_merging();
     undo_stack_.setClean();
     emit modified_changed(false);

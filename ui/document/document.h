@@ -39,7 +39,10 @@ public:
     void set_merge_window(int milliseconds) { merge_window_ = milliseconds; }
 
     QUndoStack& undo_stack() { return undo_stack_; }
-    bool is_modified() const { return recovered_ || !undo_stack_.isClean(); }
+    bool is_modified() const { return unsaved_ || !undo_stack_.isClean(); }
+
+    /// The file on disk is no longer this project: it counts as unsaved whatever its history says.
+    void set_unsaved();
 
     const QString& file() const { return file_; }  ///< empty: never saved
     /// The file's name without folder and ending, or the title, or "Untitled".
@@ -85,7 +88,7 @@ private:
     FileWatch watch_;
     QThreadPool open_pool_;
     QString file_;
-    bool recovered_ = false;
+    bool unsaved_ = false;  ///< recovered, or the file differs
     int merge_window_ = 2000;
     int merge_series_ = 0;
     quint64 open_number_ = 0;

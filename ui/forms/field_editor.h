@@ -26,6 +26,8 @@ public:
 signals:
     /// The user gave another value; monostate: none.
     void edited(const covaria::SetupValue& value);
+    /// The user went to a part of the field: JSON pointer relative to it ("/rows/2").
+    void part_selected(const QString& part);
 };
 
 /// Where the field lives.

@@ -61,6 +61,8 @@ void SetupForm::add_field(const FieldSpec& field) {
     rows_.push_back({&field, editor, editor->is_wide() ? title : nullptr, sections_.size() - 1});
     connect(editor, &FieldEditor::edited, this,
             [this, &field](const SetupValue& value) { write(field, value); });
+    connect(editor, &FieldEditor::part_selected, this,
+            [this, &field](const QString& part) { emit part_selected('/' + to_qt(field.key) + part); });
 }
 
 FieldEditor* SetupForm::editor(const std::string& key) const {

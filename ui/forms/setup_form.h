@@ -29,6 +29,10 @@ public:
     /// relative to the set-up ("/alpha"). False when it names none of the form.
     bool focus_field(const std::string& path);
 
+signals:
+    /// The user went to a part of the form: JSON pointer relative to the set-up ("/points/rows/2").
+    void part_selected(const QString& path);
+
 private:
     struct Row {
         const FieldSpec* field;

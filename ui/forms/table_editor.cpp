@@ -49,6 +49,10 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
     });
     connect(import, &QPushButton::clicked, this, &TableEditor::import_csv);
     connect(embed_, &QPushButton::clicked, model_, &SetupTableModel::embed);
+    connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& cell) {
+                if (cell.isValid()) emit part_selected(QStringLiteral("/rows/%1").arg(cell.row()));
+            });
     connect(view_, &SpreadsheetView::cells_refused, this, [this](int count) {
         note_->setText(tr("%n cell(s) could not be understood and are marked.", nullptr, count));
         note_->show();

@@ -1,8 +1,10 @@
 #include "ui/main_window/file_actions.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
+#include <QPointer>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -21,6 +23,14 @@ QAction* make_action(QObject* parent, const char* picture, const QString& text,
     auto* action = new QAction(icon(QString::fromLatin1(picture)), text, parent);
     action->setShortcut(key);
     return action;
+}
+
+/// What is typed in a field or cell counts without Enter, too: it is taken over when the focus leaves.
+void finish_typing() {
+    const QPointer<QWidget> typing = QApplication::focusWidget();
+    if (!typing) return;
+    typing->clearFocus();
+    if (typing) typing->setFocus();
 }
 
 }  // namespace
@@ -144,6 +154,7 @@ QString FileActions::suggested_file(const QString& ending) const {
 }
 
 bool FileActions::save() {
+    finish_typing();
     if (document_.file().isEmpty()) return save_as();
     if (const auto saved = document_.save(); !saved) {
         dialogs.show_message(tr("The project was not saved"), to_qt(saved.error().message));
@@ -154,6 +165,7 @@ bool FileActions::save() {
 }
 
 bool FileActions::save_as() {
+    finish_typing();
     QString file = dialogs.file_to_save(tr("Save Project"), suggested_file(QStringLiteral(".covaria")),
                                         tr("Covaria project (*.covaria)"));
     if (file.isEmpty()) return false;
@@ -168,6 +180,7 @@ bool FileActions::save_as() {
 }
 
 bool FileActions::may_leave() {
+    finish_typing();
     if (!document_.is_modified()) return true;
     switch (dialogs.save_changes(document_.display_name())) {
         case SaveAnswer::save:
@@ -205,10 +218,13 @@ void FileActions::ask_about_disk_change() {
     if (!QFileInfo::exists(file)) {
         emit message(
             tr("%1 was removed by another program; saving writes it again").arg(QFileInfo(file).fileName()));
+        document_.set_unsaved();
         return;
     }
     if (dialogs.changed_on_disk(QFileInfo(file).fileName(), document_.is_modified()) == DiskAnswer::reload)
         document_.open_in_background(file);
+    else
+        document_.set_unsaved();
 }
 
 }  // namespace covaria::ui

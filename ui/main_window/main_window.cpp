@@ -44,6 +44,14 @@ void show_shortcut(QAction* action) {
 
 }  // namespace
 
+namespace {
+
+bool is_project(const QUrl& url) {
+    return url.isLocalFile() && url.fileName().endsWith(QStringLiteral(".covaria"));
+}
+
+}  // namespace
+
 MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     : QMainWindow(parent), files_(document_, std::move(store), this) {
     files_.dialogs = standard_dialogs(this);
@@ -244,9 +252,14 @@ void MainWindow::connect_panes() {
     });
     connect(scene_, &ScenePanel::group_changed, &selection_, &Selection::select_group);
     connect(&selection_, &Selection::group_changed, scene_, &ScenePanel::show_group);
-    connect(scene_, &ScenePanel::source_picked, &selection_, &Selection::select_field);
-    connect(&selection_, &Selection::field_changed, scene_,
-            [this](const QString& field) { scene_->select_source(to_std(field)); });
+    connect(scene_, &ScenePanel::source_picked, this, [this](const QString& field) {
+        if (!field.isEmpty()) selection_.select_entry({SetupOwner::analysis, to_std(scene_->analysis())});
+        selection_.select_field(field);
+    });
+    connect(&selection_, &Selection::field_changed, scene_, [this](const QString& field) {
+        const bool of_scene = selection_.entry().owner == SetupOwner::analysis;
+        scene_->select_source(of_scene ? to_std(field) : std::string());
+    });
     connect(theme_, &ThemeSwitch::changed, this, [this](bool dark) {
         scene_->set_dark(dark);
         results_->set_dark(dark);
@@ -300,7 +313,7 @@ void MainWindow::go_to(const QString& path) {
 }
 
 void MainWindow::update_title() {
-    setWindowTitle(!has_project_ ? tr("Covaria") : tr("%1[*] – Covaria").arg(document_.display_name()));
+    setWindowTitle(!has_project_ ? tr("Covaria[*]") : tr("%1[*] – Covaria").arg(document_.display_name()));
     setWindowModified(document_.is_modified());
 }
 
@@ -322,13 +335,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile() && url.fileName().endsWith(QStringLiteral(".covaria")))
-            event->acceptProposedAction();
+        if (is_project(url)) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
     for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) {
+        if (is_project(url)) {
             files_.open_file(url.toLocalFile());
             return;
         }

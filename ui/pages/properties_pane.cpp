@@ -1,6 +1,8 @@
 #include "ui/pages/properties_pane.h"
 
+#include <QApplication>
 #include <QLabel>
+#include <QPointer>
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -35,9 +37,7 @@ PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selec
     column->addWidget(new FieldHelp(*this));
     connect(&selection_, &Selection::entry_changed, this, &PropertiesPane::rebuild);
     connect(&document_, &Document::project_changed, this, &PropertiesPane::discard_if_gone);
-    connect(&selection_, &Selection::field_changed, this, [this](const QString& field) {
-        if (setup_ && !field.isEmpty()) setup_->focus_field(to_std(field));
-    });
+    connect(&selection_, &Selection::field_changed, this, &PropertiesPane::follow_field);
     rebuild();
 }
 
@@ -64,6 +64,11 @@ void PropertiesPane::rebuild() {
         return;
     }
     setup_ = new SetupForm(document_, entry);
+    connect(setup_, &SetupForm::part_selected, this, [this](const QString& path) {
+        following_ = true;
+        selection_.select_field(path);
+        following_ = false;
+    });
     tabs_->addTab(scrolled(setup_), tr("Set-up"));
     if (entry.owner == SetupOwner::asset)
         add_asset_pages(entry);
@@ -89,6 +94,16 @@ void PropertiesPane::add_notes_page(const SetupAddress& entry) {
 
 void PropertiesPane::discard_if_gone() {
     if (setup_ && !find_setup(document_.project(), setup_->address())) rebuild();
+}
+
+/// Shows the field selected elsewhere; the keyboard stays where it is.
+void PropertiesPane::follow_field(const QString& field) {
+    if (following_ || !setup_ || field.isEmpty()) return;
+    const QPointer<QWidget> focus = QApplication::focusWidget();
+    following_ = true;
+    if (setup_->focus_field(to_std(field))) tabs_->setCurrentIndex(0);
+    following_ = false;
+    if (focus) focus->setFocus();
 }
 
 void PropertiesPane::focus_field(const QString& path) {

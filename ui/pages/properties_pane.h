@@ -35,6 +35,7 @@ private:
     void add_analysis_pages(const SetupAddress& entry);
     void add_notes_page(const SetupAddress& entry);
     void discard_if_gone();
+    void follow_field(const QString& field);
 
     Document& document_;
     AnalysisRunner& runner_;
@@ -43,6 +44,7 @@ private:
     SetupForm* setup_ = nullptr;
     InputsPage* inputs_ = nullptr;
     OptionsForm* options_ = nullptr;
+    bool following_ = false;  ///< the selection's field is being set or followed
 };
 
 }  // namespace covaria::ui

@@ -46,7 +46,7 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     column->addWidget(picked_);
     make_toolbar();
     view_->set_empty_text(tr("Select an analysis in the project tree to see its layout here."));
-    connect(view_, &SceneView::item_picked, this, &ScenePanel::describe_item);
+    connect(view_, &SceneView::item_picked, this, &ScenePanel::take_pick);
     const auto refresh_if_shown = [this](const QString& id) {
         if (id == analysis_) refresh();
     };
@@ -188,7 +188,10 @@ void ScenePanel::refresh() {
                 wanted = options()]() -> JobQueue::Delivery {
         if (number != number_) return [this] { --building_; };  // a newer scene is wanted already
         auto scene = std::make_shared<Result<Scene>>(analysis_scene(*prepared, result.get(), wanted));
-        return [this, number, scene] { take_scene(number, scene); };
+        return [this, number, scene, groups = groups_of_sources(*prepared)] {
+            groups_ = groups;
+            take_scene(number, scene);
+        };
     });
 }
 
@@ -197,10 +200,16 @@ void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>
     if (number != number_) return;
     if (*scene) {
         view_->show_scene(std::make_shared<const Scene>(std::move(**scene)));
+        if (!show_source()) describe_item(view_->selected());
         return;
     }
     view_->set_empty_text(to_qt(scene->error().message));
     view_->show_scene(nullptr);
+}
+
+void ScenePanel::show_item(const QString& id) {
+    view_->select(id);
+    describe_item(id);
 }
 
 void ScenePanel::describe_item(const QString& id) {
@@ -213,18 +222,37 @@ void ScenePanel::describe_item(const QString& id) {
     if (item->u) text += tr(",  u = %1").arg(triple(*item->u, unit));
     if (item->U) text += tr(",  U = %1").arg(triple(*item->U, unit));
     picked_->setText(text);
-    emit source_picked(to_qt(item->source.path));
+}
+
+/// The user picked an item, or nothing.
+void ScenePanel::take_pick(const QString& id) {
+    describe_item(id);
+    const SceneItem* item = view_->scene() ? find_item(*view_->scene(), to_std(id)) : nullptr;
+    emit source_picked(item ? to_qt(item->source.path) : QString());
 }
 
 void ScenePanel::select_source(const std::string& path) {
+    source_ = path;
+    if (show_source()) return;
+    const auto group = groups_.find(path);
+    if (group != groups_.end() && to_qt(group->second) != this->group())
+        return show_group(to_qt(group->second));
+    // What is selected stays so where it comes from nowhere, too: a plate, say.
+    const SceneItem* selected =
+        view_->scene() ? find_item(*view_->scene(), to_std(view_->selected())) : nullptr;
+    if (!selected || selected->source.path != path) show_item({});
+}
+
+/// Marks an item of the selected field; false when the scene has none.
+bool ScenePanel::show_source() {
     const Scene* scene = view_->scene();
-    if (!scene) return;
+    if (!scene || source_.empty()) return false;
+    const SceneItem* selected = find_item(*scene, to_std(view_->selected()));
+    const SceneItem* shown = selected && selected->source.path == source_ ? selected : nullptr;
     for (const ScenePoint& point : scene->points)
-        if (!path.empty() && point.item.source.path == path) {
-            view_->select(to_qt(point.item.id));
-            return;
-        }
-    view_->select({});
+        if (!shown && point.item.source.path == source_) shown = &point.item;
+    if (shown) show_item(to_qt(shown->id));
+    return shown != nullptr;
 }
 
 }  // namespace covaria::ui

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <atomic>
+#include <map>
 #include <memory>
 
 #include "ui/run/analysis_runner.h"
@@ -49,11 +50,16 @@ private:
     void refresh();
     void refresh_groups();
     void take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene);
+    void show_item(const QString& id);
+    bool show_source();
     void describe_item(const QString& id);
+    void take_pick(const QString& id);
     SceneOptions options() const;
 
     AnalysisRunner& runner_;
     QString analysis_;
+    std::string source_;                         ///< the selected set-up field
+    std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;
     QToolBar* toolbar_ = nullptr;
     QComboBox* group_ = nullptr;

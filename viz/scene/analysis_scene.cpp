@@ -26,4 +26,11 @@ Result<Scene> analysis_scene(const PreparedAnalysis& analysis, const Uncertainty
     return build_scene(source, options);
 }
 
+std::map<std::string, std::string> groups_of_sources(const PreparedAnalysis& analysis) {
+    std::map<std::string, std::string> groups;
+    for (const LayoutPoint& point : analysis.model->layout(estimates(analysis.inputs)).points)
+        if (!point.source.path.empty()) groups.emplace(point.source.path, point.group);
+    return groups;
+}
+
 }  // namespace covaria

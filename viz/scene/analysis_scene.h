@@ -1,6 +1,9 @@
 // The scene of an analysis: its layout, its result, and a cloud of trials regenerated for the picture.
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "core/project/workspace.h"
 #include "viz/scene/build_scene.h"
 
@@ -11,5 +14,8 @@ namespace covaria {
 /// estimates.
 Result<Scene> analysis_scene(const PreparedAnalysis& analysis, const UncertaintyResult* result,
                              const SceneOptions& options);
+
+/// Of every set-up field that a point comes from: the first group that shows it.
+std::map<std::string, std::string> groups_of_sources(const PreparedAnalysis& analysis);
 
 }  // namespace covaria

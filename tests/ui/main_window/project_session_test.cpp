@@ -16,7 +16,8 @@ protected:
         EXPECT_TRUE(names_in_tree().isEmpty());
         trigger(QString::fromStdString(find_asset_kind("artefact-points")->title));
         ASSERT_EQ(names_in_tree().size(), 1);
-        paste("points", 0, 0, QStringLiteral("1\t0\t0\t0\r\n2\t430\t0\t0\r\n3\t0\t425\t0\r\n4\t430\t425\t0\r\n"));
+        paste("points", 0, 0,
+              QStringLiteral("1\t0\t0\t0\r\n2\t430\t0\t0\r\n3\t0\t425\t0\r\n4\t430\t425\t0\r\n"));
         EXPECT_EQ(sheet("points")->model()->rowCount(), 4);
         choose("evaluation", QStringLiteral("components of uncertainty"));
         for (int i = 0; i < 3; ++i) press_button("components", QStringLiteral("Add row"));
@@ -30,8 +31,10 @@ protected:
         trigger(QStringLiteral("Analysis: Pose from points"));
         ASSERT_EQ(names_in_tree().size(), 2);
         EXPECT_FALSE(problems().isEmpty()) << "an empty analysis says what it lacks";
-        paste("base_points", 0, 0, QStringLiteral("b1\t-300\t200\t0\r\nb2\t300\t200\t0\r\nb3\t0\t-400\t0\r\n"));
-        paste("moving_points", 0, 0, QStringLiteral("p1\t-200\t-100\t0\r\np2\t200\t-100\t0\r\np3\t0\t230\t0\r\n"));
+        paste("base_points", 0, 0,
+              QStringLiteral("b1\t-300\t200\t0\r\nb2\t300\t200\t0\r\nb3\t0\t-400\t0\r\n"));
+        paste("moving_points", 0, 0,
+              QStringLiteral("p1\t-200\t-100\t0\r\np2\t200\t-100\t0\r\np3\t0\t230\t0\r\n"));
         paste("poses", 0, 0,
               QStringLiteral("home\t0\t0\t1175\t0\t0\t0\r\ntilted\t100\t-50\t1200\t5\t-5\t10\r\n"));
         const QString warning = problems().join(QLatin1Char('\n'));

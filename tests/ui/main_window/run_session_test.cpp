@@ -1,0 +1,90 @@
+// Running: stopping a long run with the window responsive, and results known as out of date.
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QTimer>
+
+#include "tests/ui/main_window/session_fixture.h"
+
+namespace covaria::ui {
+namespace {
+
+using RunSession = Session;
+
+/// The longest time during which the event loop did not turn.
+class LoopWatch {
+public:
+    LoopWatch() {
+        clock_.start();
+        QObject::connect(&tick_, &QTimer::timeout, &tick_, [this] {
+            const qint64 now = clock_.nsecsElapsed();
+            longest_ = std::max(longest_, now - last_);
+            last_ = now;
+            ++ticks_;
+        });
+        tick_.start(1);
+    }
+    double longest_ms() const { return double(longest_) * 1e-6; }
+    int ticks() const { return ticks_; }
+
+private:
+    QTimer tick_;
+    QElapsedTimer clock_;
+    qint64 last_ = 0, longest_ = 0;
+    int ticks_ = 0;
+};
+
+bool says(const QWidget& pane, const QString& words) {
+    for (const QLabel* label : pane.findChildren<QLabel*>())
+        if (label->isVisible() && label->text().contains(words, Qt::CaseInsensitive)) return true;
+    return false;
+}
+
+TEST_F(RunSession, ALongRunIsStoppedAndTheWindowStaysResponsive) {
+    open(project_copy());
+    wait_until_idle();
+    show_tab(QStringLiteral("Evaluation"));
+    type_into("trials", QStringLiteral("100000000"));
+    ASSERT_TRUE(wait_for(
+        [this] { return status().state == RunState::running && status().stage == ResultStage::preview; }));
+    {
+        const LoopWatch watch;
+        QTest::qWait(2000);
+        EXPECT_GT(watch.ticks(), 10) << "the event loop turns";
+        RecordProperty("longest_pause_ms", std::to_string(watch.longest_ms()));
+        std::cout << "longest pause of the event loop during the run: " << watch.longest_ms() << " ms\n";
+    }
+    ASSERT_EQ(status().state, RunState::running);
+    trigger(QStringLiteral("Stop"));
+    ASSERT_TRUE(window_->runner().wait_until_idle(10'000));
+    EXPECT_EQ(status().state, RunState::out_of_date);
+    EXPECT_EQ(status().stage, ResultStage::preview) << "what there was is still shown";
+    EXPECT_TRUE(answer_.messages.isEmpty()) << "stopping is not a failure";
+    trigger(QStringLiteral("Run This Analysis"));
+    EXPECT_TRUE(wait_for([this] { return status().state == RunState::running; })) << "it can be run again";
+    trigger(QStringLiteral("Stop"));
+    ASSERT_TRUE(window_->runner().wait_until_idle(10'000));
+}
+
+TEST_F(RunSession, ResultsAreMarkedOutOfDateWhileLiveIsOff) {
+    open(project_copy());
+    wait_until_idle();
+    EXPECT_FALSE(says(window_->results(), QStringLiteral("out of date")));
+    trigger(QStringLiteral("Live"));
+    const double before = expanded_uncertainty(2);
+    type_into("base_u_z", QStringLiteral("1.05 mm"));
+    ASSERT_TRUE(wait_for([this] { return !window_->runner().is_busy() && !status().is_current(); }));
+    EXPECT_EQ(status().state, RunState::out_of_date);
+    EXPECT_EQ(expanded_uncertainty(2), before);
+    EXPECT_TRUE(says(window_->results(), QStringLiteral("out of date")));
+    EXPECT_EQ(answer_.messages.size(), 0);
+    trigger(QStringLiteral("Report as PDF"));
+    EXPECT_FALSE(QFile::exists(folder_.filePath(QStringLiteral("stale.pdf"))));
+    trigger(QStringLiteral("Run This Analysis"));
+    wait_until_idle();
+    EXPECT_EQ(status().state, RunState::up_to_date);
+    EXPECT_GT(expanded_uncertainty(2), 2.0 * before);
+    EXPECT_FALSE(says(window_->results(), QStringLiteral("out of date")));
+}
+
+}  // namespace
+}  // namespace covaria::ui
