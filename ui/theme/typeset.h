@@ -4,14 +4,14 @@
 
 #include <QComboBox>
 #include <QHeaderView>
-#include <QStyledItemDelegate>
+#include "ui/theme/steady_delegate.h"
 
 namespace covaria::ui {
 
 /// Cells: subscripts, and figures of equal width where numbers stand to the right.
-class TypesetDelegate : public QStyledItemDelegate {
+class TypesetDelegate : public SteadyDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using SteadyDelegate::SteadyDelegate;
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;

@@ -1,5 +1,5 @@
 // Marks the editors that are filled.
-#include "ui/forms/steady_delegate.h"
+#include "ui/theme/steady_delegate.h"
 
 #include <QVariant>
 #include <QWidget>
