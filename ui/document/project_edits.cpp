@@ -107,12 +107,10 @@ std::string duplicate(Document& document, const SetupAddress& address) {
 }
 
 void rename(Document& document, const SetupAddress& address, const QString& name) {
-    document.apply(
-        Document::tr("Rename %1").arg(name_of(document.project(), address)),
-        [&](Project& project) {
-            visit_entry(project, address, [&](auto& entry, auto&) { entry.name = to_std(name); });
-        },
-        "name:" + to_qt(address.id));
+    document.apply(Document::tr("Rename %1").arg(name_of(document.project(), address)),
+                   [&](Project& project) {
+                       visit_entry(project, address, [&](auto& entry, auto&) { entry.name = to_std(name); });
+                   });
 }
 
 void set_notes(Document& document, const SetupAddress& address, const QString& notes) {

@@ -22,11 +22,18 @@ NotesPage::NotesPage(Document& document, SetupAddress entry, QWidget* parent)
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Notes"), notes_);
     refresh();
-    connect(name_, &QLineEdit::textEdited, this,
-            [this](const QString& text) { rename(document_, entry_, text); });
+    connect(name_, &QLineEdit::editingFinished, this, &NotesPage::take_name);
     connect(notes_, &QPlainTextEdit::textChanged, this,
             [this] { set_notes(document_, entry_, notes_->toPlainText()); });
     connect(&document_, &Document::project_changed, this, &NotesPage::refresh);
+}
+
+/// An entry without a name could not be told from others: then the name stays.
+void NotesPage::take_name() {
+    const QString name = name_->text().trimmed();
+    name_->setModified(false);
+    if (!name.isEmpty()) rename(document_, entry_, name);
+    refresh();
 }
 
 void NotesPage::refresh() {
@@ -37,7 +44,7 @@ void NotesPage::refresh() {
     if (!asset && !analysis) return;
     const QString name = to_qt(asset ? asset->name : analysis->name);
     const QString notes = to_qt(asset ? asset->notes : analysis->notes);
-    if (name != name_->text()) name_->setText(name);
+    if (name != name_->text() && !(name_->hasFocus() && name_->isModified())) name_->setText(name);
     const QSignalBlocker blocker(notes_);
     if (notes != notes_->toPlainText()) notes_->setPlainText(notes);
 }

@@ -18,6 +18,7 @@ public:
 
 private:
     void refresh();
+    void take_name();
 
     Document& document_;
     SetupAddress entry_;

@@ -21,6 +21,8 @@ public:
     Result<void> open(vtkRenderer* renderer);
     /// Draws the renderer. The context is current only during the call.
     Result<Image> picture(int width, int height);
+    /// Makes the context current while it lives: wherever VTK gives back what it has in the graphics memory.
+    CurrentContext current() const { return CurrentContext(context_); }
     /// Largest width and height that the driver draws.
     int largest_side() const { return largest_side_; }
 

@@ -84,6 +84,7 @@ double SceneRenderer::Implementation::pixel_ratio() const {
 
 void SceneRenderer::Implementation::realise() {
     if (realised && realised_palette == palette && *realised == scene) return;
+    const detail::CurrentContext current = window.current();  // actors that go give back their buffers
     const std::lock_guard lock(mesh_mutex());
     const bool comparable = realised && realised_palette == palette;
     actors.update(scene, comparable ? &*realised : nullptr, palette);

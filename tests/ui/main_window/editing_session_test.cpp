@@ -148,6 +148,7 @@ TEST_F(EditingSession, TypingANameIsOneStep) {
     name->setFocus();
     name->selectAll();
     QTest::keyClicks(name, QStringLiteral("As printed"));
+    QTest::keyClick(name, Qt::Key_Return);
     EXPECT_TRUE(names_in_tree().contains(QStringLiteral("As printed")));
     EXPECT_EQ(window_->document().undo_stack().count(), 1);
 }

@@ -1,0 +1,191 @@
+// What a user waits for in the window, as a table: start, a live edit, turning the scene, memory. Run by
+// hand; the goals are those of ARCHITECTURE.md. usage: window_bench [start|edit|turn|memory ...]
+#include <unistd.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+#include "core/project/project_file.h"
+#include "tests/viz/stewart_scene.h"
+#include "ui/main_window/main_window.h"
+#include "ui/pages/properties_pane.h"
+#include "ui/scene_view/scene_panel.h"
+
+namespace covaria::ui {
+namespace {
+
+const QString project_file = QStringLiteral(COVARIA_SOURCE_DIR "/projects/stewart-platform.covaria");
+
+void row(const char* what, double value, const char* unit, const char* goal) {
+    std::printf("%-58s %9.1f %-8s %s\n", what, value, unit, goal);
+    std::fflush(stdout);
+}
+
+/// Since the kernel started this process, s.
+double age_of_process() {
+    std::ifstream stat("/proc/self/stat"), uptime("/proc/uptime");
+    std::string text((std::istreambuf_iterator<char>(stat)), {});
+    std::istringstream fields(text.substr(text.rfind(')') + 2));
+    std::string field;
+    for (int i = 3; i <= 22; ++i) fields >> field;  // 22: start time in clock ticks
+    double now = 0.0;
+    uptime >> now;
+    return now - std::stod(field) / double(sysconf(_SC_CLK_TCK));
+}
+
+double resident_mib() {
+    std::ifstream statm("/proc/self/statm");
+    double total = 0.0, resident = 0.0;
+    statm >> total >> resident;
+    return resident * double(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+struct OpenWindow {
+    OpenWindow() : window(RecoveryStore(folder.path())) {
+        window.files().dialogs.save_changes = [](const QString&) { return SaveAnswer::discard; };
+        window.show();
+        window.begin(project_file);
+    }
+    ~OpenWindow() { window.close(); }
+    /// Forms filled, first-order results and a picture of the scene there.
+    bool is_usable() {
+        const AnalysisStatus& status = window.runner().status(window.selection().analysis());
+        return field() && field()->isVisible() && status.result && !window.scene().view().image().isNull();
+    }
+    QLineEdit* field() { return window.properties().findChild<QLineEdit*>(QStringLiteral("base_u_x")); }
+    const AnalysisStatus& status() { return window.runner().status(window.selection().analysis()); }
+    void wait_usable() {
+        while (!is_usable()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    /// By the keyboard; returns when the results of the law of propagation for it are shown, ms.
+    double live_edit(int i) {
+        QLineEdit* edit = field();
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, QString::number(0.07 + 1e-5 * i) + QStringLiteral(" mm"));
+        const PreparedPointer before = status().result_of;
+        bool shown = false;
+        const auto connection = QObject::connect(
+            &window.runner(), &AnalysisRunner::result_changed, &window,
+            [&] { shown = shown || (status().is_current() && status().result_of != before); });
+        QElapsedTimer clock;
+        clock.start();
+        QTest::keyClick(edit, Qt::Key_Return);
+        while (!shown) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        window.repaint();  // the result's views have changed; now they are painted
+        const double ms = double(clock.nsecsElapsed()) * 1e-6;
+        QObject::disconnect(connection);
+        return ms;
+    }
+
+    QTemporaryDir folder;
+    MainWindow window;
+};
+
+void measure_start() {
+    OpenWindow open;
+    open.wait_usable();
+    open.window.repaint();
+    row("start: process to usable window with results and scene", 1000.0 * age_of_process(), "ms",
+        "goal 1500");
+}
+
+void measure_edits() {
+    OpenWindow open;
+    open.wait_usable();
+    open.window.runner().wait_until_idle(60'000);
+    std::vector<double> idle, busy;
+    for (int i = 0; i < 20; ++i) {
+        idle.push_back(open.live_edit(i));
+        open.window.runner().wait_until_idle(60'000);
+        QTest::qWait(300);
+    }
+    for (int i = 20; i < 60; ++i) {
+        busy.push_back(open.live_edit(i));
+        QTest::qWait(100);
+    }
+    row("live edit: Enter to first-order results, 13 poses, median", median(idle), "ms", "goal 50");
+    row("live edit: the slowest of 20", *std::max_element(idle.begin(), idle.end()), "ms", "");
+    row("live edit: median while Monte Carlo still runs", median(busy), "ms", "goal 50");
+}
+
+void measure_turning() {
+    SceneView view;
+    view.resize(1280, 800);
+    view.show();
+    view.show_scene(std::make_shared<const Scene>(build_scene(test::stewart_setup(14'286).source(), {})));
+    view.service().wait_until_idle();
+    int pictures = 0;
+    QObject::connect(&view.service(), &RenderService::rendered, &view, [&] { ++pictures; });
+    QElapsedTimer clock;
+    clock.start();
+    QPoint at(400, 400);
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    for (int i = 0; clock.elapsed() < 5000; ++i) {
+        at.rx() += i % 200 < 100 ? 5 : -5;
+        QTest::mouseMove(&view, at);
+        QCoreApplication::processEvents();
+        QTest::qSleep(4);  // a mouse reports some 125 to 250 times a second
+    }
+    const double seconds = double(clock.elapsed()) / 1000.0;
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+    row("turning 1e5 trials at 1280 x 800: pictures a second", pictures / seconds, "1/s", "goal 20");
+}
+
+void measure_memory() {
+    OpenWindow open;
+    open.wait_usable();
+    open.window.runner().wait_until_idle(60'000);
+    const auto edits = [&](int from, int to) {
+        for (int i = from; i < to; ++i) {
+            open.live_edit(i);
+            open.window.document().end_merging();
+        }
+        open.window.runner().wait_until_idle(60'000);
+    };
+    edits(0, 100);
+    const double early = resident_mib();
+    edits(100, 1100);
+    row("memory: resident after 100 live edits", early, "MiB", "");
+    row("memory: growth over 1000 more", resident_mib() - early, "MiB", "goal: flat");
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("CovariaBench"));
+    QTemporaryDir settings;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    const QStringList wanted = QApplication::arguments().mid(1);
+    const auto wants = [&](const char* name) {
+        return wanted.isEmpty() || wanted.contains(QString::fromLatin1(name));
+    };
+    if (wants("start")) measure_start();
+    if (wants("edit")) measure_edits();
+    if (wants("turn")) measure_turning();
+    if (wants("memory")) measure_memory();
+    return 0;
+}
+
+}  // namespace covaria::ui
+
+int main(int argc, char** argv) {
+    return covaria::ui::run(argc, argv);
+}
