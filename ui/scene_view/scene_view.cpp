@@ -75,7 +75,12 @@ SceneView::~SceneView() = default;
 
 void SceneView::show_scene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
-    if (scene_) service_.post([shown = scene_](SceneRenderer& renderer) { renderer.set_scene(*shown); });
+    if (scene_)
+        service_.post([shown = scene_, framed = framed_](SceneRenderer& renderer) {
+            const bool other = renderer.scene().title != shown->title;
+            renderer.set_scene(*shown);
+            if (other && framed) renderer.fit();
+        });
     update();
 }
 
@@ -88,10 +93,12 @@ void SceneView::set_layers(const LayerVisibility& layers) {
 }
 
 void SceneView::set_view(StandardView view) {
+    framed_ = true;
     service_.post([view](SceneRenderer& renderer) { renderer.set_view(view); });
 }
 
 void SceneView::fit() {
+    framed_ = true;
     service_.post([](SceneRenderer& renderer) { renderer.fit(); });
 }
 
@@ -134,12 +141,18 @@ void SceneView::paintEvent(QPaintEvent*) {
     painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
+void SceneView::post_framing(RenderService::Step step) {
+    framed_ = false;
+    post_moving(std::move(step));
+}
+
 void SceneView::send_size() {
     const double ratio = devicePixelRatioF();
     const QSize pixels = (QSizeF(size()) * ratio).toSize();
-    post_moving([pixels, ratio](SceneRenderer& renderer) {
+    post_moving([pixels, ratio, framed = framed_](SceneRenderer& renderer) {
         renderer.set_size(pixels.width(), pixels.height());
         renderer.set_pixel_ratio(ratio);
+        if (framed && renderer.scene().size > 0) renderer.fit();
     });
 }
 
@@ -168,9 +181,9 @@ void SceneView::drag_by(QPointF delta) {
         button_ == Qt::MiddleButton ||
         (button_ == Qt::LeftButton && QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier));
     if (pans)
-        post_moving([d](SceneRenderer& renderer) { renderer.pan(d.x(), d.y()); });
+        post_framing([d](SceneRenderer& renderer) { renderer.pan(d.x(), d.y()); });
     else if (button_ == Qt::RightButton)
-        post_moving([d](SceneRenderer& renderer) { renderer.zoom(std::exp(-0.005 * d.y())); });
+        post_framing([d](SceneRenderer& renderer) { renderer.zoom(std::exp(-0.005 * d.y())); });
     else
         post_moving([d](SceneRenderer& renderer) { renderer.orbit(d.x(), d.y()); });
 }
@@ -190,7 +203,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent*) {
 
 void SceneView::wheelEvent(QWheelEvent* event) {
     const double factor = std::pow(1.0015, event->angleDelta().y());
-    post_moving([factor](SceneRenderer& renderer) { renderer.zoom(factor); });
+    post_framing([factor](SceneRenderer& renderer) { renderer.zoom(factor); });
     event->accept();
 }
 
@@ -203,9 +216,9 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     else if (event->key() == Qt::Key_F)
         fit();
     else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
-        post_moving([](SceneRenderer& renderer) { renderer.zoom(zoom_per_key); });
+        post_framing([](SceneRenderer& renderer) { renderer.zoom(zoom_per_key); });
     else if (event->key() == Qt::Key_Minus)
-        post_moving([](SceneRenderer& renderer) { renderer.zoom(1.0 / zoom_per_key); });
+        post_framing([](SceneRenderer& renderer) { renderer.zoom(1.0 / zoom_per_key); });
     else
         QWidget::keyPressEvent(event);
 }

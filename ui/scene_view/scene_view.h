@@ -59,6 +59,8 @@ private:
     void send_size();
     void drag_by(QPointF delta);
     void post_moving(RenderService::Step step) { service_.post(std::move(step), RenderQuality::moving); }
+    /// Pan and zoom: from then on the user decides what is in the picture.
+    void post_framing(RenderService::Step step);
     void finish_save(const QImage& image);
 
     std::shared_ptr<const Scene> scene_;
@@ -71,6 +73,7 @@ private:
     QPointF last_at_;
     Qt::MouseButton button_ = Qt::NoButton;
     bool dragged_ = false;
+    bool framed_ = true;  ///< everything is in the picture, and stays so when the pane changes its size
     RenderService service_;
 };
 

@@ -68,14 +68,14 @@ TEST_F(RunSession, ALongRunIsStoppedAndTheWindowStaysResponsive) {
 TEST_F(RunSession, ResultsAreMarkedOutOfDateWhileLiveIsOff) {
     open(project_copy());
     wait_until_idle();
-    EXPECT_FALSE(says(window_->results(), QStringLiteral("out of date")));
+    EXPECT_FALSE(says(*window_, QStringLiteral("out of date")));
     trigger(QStringLiteral("Live"));
     const double before = expanded_uncertainty(2);
     type_into("base_u_z", QStringLiteral("1.05 mm"));
     ASSERT_TRUE(wait_for([this] { return !window_->runner().is_busy() && !status().is_current(); }));
     EXPECT_EQ(status().state, RunState::out_of_date);
     EXPECT_EQ(expanded_uncertainty(2), before);
-    EXPECT_TRUE(says(window_->results(), QStringLiteral("out of date")));
+    EXPECT_TRUE(says(*window_, QStringLiteral("out of date")));
     EXPECT_EQ(answer_.messages.size(), 0);
     trigger(QStringLiteral("Report as PDF"));
     EXPECT_FALSE(QFile::exists(folder_.filePath(QStringLiteral("stale.pdf"))));
@@ -83,7 +83,7 @@ TEST_F(RunSession, ResultsAreMarkedOutOfDateWhileLiveIsOff) {
     wait_until_idle();
     EXPECT_EQ(status().state, RunState::up_to_date);
     EXPECT_GT(expanded_uncertainty(2), 2.0 * before);
-    EXPECT_FALSE(says(window_->results(), QStringLiteral("out of date")));
+    EXPECT_FALSE(says(*window_, QStringLiteral("out of date")));
 }
 
 }  // namespace

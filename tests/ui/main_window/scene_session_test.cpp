@@ -87,6 +87,7 @@ TEST_F(SceneSession, ThePickedValuesFollowTheResults) {
 }
 
 TEST_F(SceneSession, TheToolbarChangesThePicture) {
+    window_->resize(1900, 1000);  // room for the legend
     expect_change("magnification", [this] {
         choose_in(combo(QStringLiteral("Magnification of the uncertainty")), QStringLiteral("× 500"));
     });
@@ -117,6 +118,32 @@ TEST_F(SceneSession, MouseAndKeysMoveTheCamera) {
     });
     for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Plus, Qt::Key_2, Qt::Key_1})
         expect_change("key", [&] { QTest::keyClick(&view(), key); });
+}
+
+TEST_F(SceneSession, TheSceneStaysInThePictureWhenThePaneShrinks) {
+    const auto all_inside = [this] {
+        bool inside = true;
+        view().service().post([&](SceneRenderer& renderer) {
+            for (const ScenePoint& shown : renderer.scene().points) {
+                const Pixel at = renderer.project(shown.item.position);
+                inside = inside && at.x > 0 && at.y > 0 && at.x < view().width() && at.y < view().height();
+            }
+        });
+        view().service().wait_until_idle();
+        return inside;
+    };
+    ASSERT_TRUE(all_inside());
+    window_->resize(1280, 620);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(all_inside());
+    expect_change("zoom", [this] { QTest::keyClick(&view(), Qt::Key_Plus); });
+    for (int i = 0; i < 20; ++i) QTest::keyClick(&view(), Qt::Key_Plus);
+    ASSERT_FALSE(all_inside());
+    window_->resize(1280, 640);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(all_inside()) << "what the user zoomed to stays";
+    QTest::keyClick(&view(), Qt::Key_F);
+    EXPECT_TRUE(all_inside());
 }
 
 TEST_F(SceneSession, ThePictureIsCopiedAndSaved) {
