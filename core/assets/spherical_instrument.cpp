@@ -171,23 +171,41 @@ private:
 
     void add_station(const Eigen::Vector3d& p, const Eigen::Isometry3d& X_WS,
                      std::vector<PointDeviation>& found) const {
-        const Station& station = sensor_.station();
-        const Eigen::Vector3d v = X_WS.inverse() * p;
+        const Eigen::Matrix<double, 3, 6> moves = station_moves(X_WS.inverse() * p);
+        if (!sensor_.station_correlations().empty()) return add_correlated_station(moves, found);
         for (std::size_t i = 0; i < 6; ++i) {
             const UncertaintyComponent& component = sensor_.station_components()[i];
-            if (component.distribution.standard_deviation() == 0.0) continue;
-            Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-            if (i < 3) {
-                direction[static_cast<int>(i)] = 1.0;
-            } else {
-                constexpr double step = 1e-5;
-                Station higher = station, lower = station;
-                higher.coordinates[i] += step;
-                lower.coordinates[i] -= step;
-                direction = (higher.X_WS() * v - lower.X_WS() * v) / (2.0 * step);
-            }
-            found.push_back({component.id, component.name, direction, component, true});
+            if (component.distribution.standard_deviation() > 0.0)
+                found.push_back(
+                    {component.id, component.name, moves.col(static_cast<int>(i)), component, true});
         }
+    }
+
+    /// Correlated coordinates as combinations of independent deviations of standard uncertainty one.
+    void add_correlated_station(const Eigen::Matrix<double, 3, 6>& moves,
+                                std::vector<PointDeviation>& found) const {
+        const Eigen::Matrix<double, 3, 6> combined = moves * station_factor(sensor_);
+        for (int k = 0; k < 6; ++k) {
+            const std::string number = std::to_string(k + 1);
+            UncertaintyComponent component =
+                typed_component("station." + number, "station, combination " + number, "1", 1.0);
+            component.origin = "instrument: standard uncertainties and correlation of the station";
+            found.push_back({component.id, component.name, combined.col(k), component, true});
+        }
+    }
+
+    /// Columns: how a target at v in the sensor's axes moves with the six coordinates.
+    Eigen::Matrix<double, 3, 6> station_moves(const Eigen::Vector3d& v) const {
+        constexpr double step = 1e-5;
+        const Station& station = sensor_.station();
+        Eigen::Matrix<double, 3, 6> moves;
+        for (std::size_t i = 0; i < 6; ++i) {
+            Station higher = station, lower = station;
+            higher.coordinates[i] += step;
+            lower.coordinates[i] -= step;
+            moves.col(static_cast<int>(i)) = (higher.X_WS() * v - lower.X_WS() * v) / (2.0 * step);
+        }
+        return moves;
     }
 
     const PlacedSensor& sensor_;
@@ -276,8 +294,9 @@ void read_station(const SetupReader& setup, SensorData& data, Problems& problems
         const std::size_t first = coordinate_index(setup.cell_text("station_correlation", row, "first"));
         const std::size_t second = coordinate_index(setup.cell_text("station_correlation", row, "second"));
         if (first == second)
-            problems.error("/station_correlation/rows/" + std::to_string(row),
-                           "a coordinate of the station is correlated with itself; name two different ones");
+            return problems.error(
+                "/station_correlation/rows/" + std::to_string(row),
+                "a coordinate of the station is correlated with itself; name two different ones");
         data.correlations.push_back({first, second, setup.cell_number("station_correlation", row, "r")});
     }
 }
@@ -303,7 +322,12 @@ std::unique_ptr<Asset> create_instrument(const SetupReader& setup, Problems& pro
         data.systematic.push_back(
             {typed_component(std::string(field.key).substr(2), field.name, field.unit, u), field.effect});
     }
-    return std::make_unique<SphericalInstrument>(std::move(data));
+    auto instrument = std::make_unique<SphericalInstrument>(std::move(data));
+    if (!has_valid_correlation(*instrument->sensor()))
+        problems.error(
+            "/station_correlation",
+            "these coefficients are not possible together: their matrix has a negative eigenvalue");
+    return instrument;
 }
 
 }  // namespace
@@ -317,9 +341,10 @@ AssetDescriptor spherical_instrument_kind() {
         "A sensor that stands somewhere and reads a distance, two angles, or some of them. Its uncertainty: "
         "each "
         "reading for itself, what all its readings share, and where it stands.";
-    d.references = {{"ISO 17123-4, ISO 10360-10"},
-                    {"M. Galetto, L. Mastrogiacomo, D. A. Maisano, F. Franceschini: Uncertainty evaluation of "
-                     "distributed Large-Scale-Metrology systems by a Monte Carlo approach"}};
+    d.references = {
+        {"ISO 17123-4, ISO 10360-10"},
+        {"M. Galetto, L. Mastrogiacomo, D. A. Maisano, F. Franceschini: Uncertainty evaluation of "
+         "distributed Large-Scale-Metrology systems by a Monte Carlo approach"}};
     d.notes = {
         "The distance has the figure a + b L, each angle its own; these are independent from reading to "
         "reading. "

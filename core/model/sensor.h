@@ -61,4 +61,10 @@ public:
     virtual const std::vector<SystematicDeviation>& systematic() const = 0;
 };
 
+/// Whether the correlation coefficients of the station are possible together (no negative eigenvalue).
+bool has_valid_correlation(const SensorSource& sensor);
+/// F with F Fᵀ the covariance of the station's six coordinates: they are F times six independent deviations
+/// of standard uncertainty one.
+Eigen::Matrix<double, 6, 6> station_factor(const SensorSource& sensor);
+
 }  // namespace covaria

@@ -1,6 +1,5 @@
 // Weights of a network, and whether its targets can be localised at all.
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <cmath>
 #include <cstdio>
@@ -46,21 +45,6 @@ Eigen::Matrix<double, 3, 6> station_effect(const Station& station, const Eigen::
             (higher.X_WS().inverse() * p - lower.X_WS().inverse() * p) / (2.0 * step);
     }
     return K;
-}
-
-/// F with F Fᵀ the covariance of the station's six coordinates.
-Eigen::Matrix<double, 6, 6> station_factor(const SensorSource& sensor) {
-    Eigen::Matrix<double, 6, 6> R = Eigen::Matrix<double, 6, 6>::Identity();
-    for (const StationCorrelation& c : sensor.station_correlations()) {
-        const auto i = static_cast<int>(c.first), j = static_cast<int>(c.second);
-        R(i, j) = R(j, i) = c.coefficient;
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(R);
-    Eigen::Matrix<double, 6, 1> u;
-    for (int i = 0; i < 6; ++i)
-        u[i] = sensor.station_components()[static_cast<std::size_t>(i)].distribution.standard_uncertainty();
-    return u.asDiagonal() * solver.eigenvectors() *
-           solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 std::string rounded(double value) {

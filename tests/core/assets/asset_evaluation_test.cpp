@@ -274,6 +274,75 @@ TEST(SphericalInstrument, DeviationsLieAlongAndAcrossTheLineOfSight) {
     EXPECT_EQ(asset->layout().bodies.front().glyph, "total-station");
 }
 
+Eigen::Matrix3d covariance_of(const std::vector<PointDeviation>& deviations, bool common) {
+    Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
+    for (const PointDeviation& d : deviations)
+        if (d.common == common)
+            C += std::pow(d.component.distribution.standard_uncertainty(), 2) * d.direction *
+                 d.direction.transpose();
+    return C;
+}
+
+covaria::Setup tracker_at_origin() {
+    return {{{"kind", std::string("tracker")},
+             {"u_scale", Quantity{2, Unit::of("ppm")}},
+             {"u_zero", Quantity{0.01, Unit::of("mm")}},
+             {"u_station_y", Quantity{0.1, Unit::of("mm")}},
+             {"u_station_kappa", Quantity{0.02, Unit::of("mrad")}}}};
+}
+
+TEST(SphericalInstrument, ScaleZeroAndStationAreCommonToAllPoints) {
+    const AssetDescriptor& d = *find_asset_kind("spherical-instrument");
+    const auto asset = make(d, tracker_at_origin());
+    const auto at = asset->point_uncertainty()->deviations({10.0, 0.0, 0.0});
+    const Eigen::Matrix3d C = covariance_of(at, true);
+    EXPECT_NEAR(C(0, 0), std::pow(20e-6, 2) + std::pow(10e-6, 2), 1e-18);  // scale over 10 m, zero
+    EXPECT_NEAR(C(1, 1), std::pow(0.1e-3, 2) + std::pow(0.2e-3, 2),
+                1e-15);  // station, its rotation over 10 m
+    EXPECT_NEAR(C(2, 2), 0.0, 1e-20);
+    EXPECT_EQ(covariance_of(at, false).norm(), 0.0);
+}
+
+TEST(SphericalInstrument, CorrelatedCoordinatesOfTheStation) {
+    const AssetDescriptor& d = *find_asset_kind("spherical-instrument");
+    for (const auto& [r, u_mm] : {std::pair{1.0, 0.3}, std::pair{-1.0, 0.1}}) {
+        covaria::Setup s = tracker_at_origin();
+        s.values["station_correlation"] =
+            table_of(d, "station_correlation", {{std::string("y_0"), std::string("kappa"), r}});
+        const auto asset = make(d, s);
+        const Eigen::Matrix3d C =
+            covariance_of(asset->point_uncertainty()->deviations({10.0, 0.0, 0.0}), true);
+        EXPECT_NEAR(std::sqrt(C(1, 1)), 1e-3 * u_mm, 1e-9) << r;
+    }
+    covaria::Setup impossible = tracker_at_origin();
+    impossible.values["station_correlation"] = table_of(d, "station_correlation",
+                                                        {{std::string("x_0"), std::string("y_0"), 0.9},
+                                                         {std::string("y_0"), std::string("z_0"), 0.9},
+                                                         {std::string("x_0"), std::string("z_0"), -0.9}});
+    Problems problems;
+    EXPECT_EQ(make(d, impossible, problems) != nullptr && !problems.has_errors(), false);
+    EXPECT_NE(problems.items().front().message.find("not possible together"), std::string::npos);
+}
+
+TEST(SphericalInstrument, WhatASensorReads) {
+    const AssetDescriptor& d = *find_asset_kind("spherical-instrument");
+    const auto camera = make(d, {{{"kind", std::string("camera")}}});
+    EXPECT_FALSE(camera->sensor()->reads(Observable::distance));
+    EXPECT_TRUE(camera->sensor()->reads(Observable::azimuth));
+    EXPECT_EQ(camera->point_uncertainty(), nullptr);  // a direction is no point
+    const auto meter = make(d, {{{"kind", std::string("distance-meter")}}});
+    EXPECT_TRUE(meter->sensor()->reads(Observable::distance));
+    EXPECT_FALSE(meter->sensor()->reads(Observable::elevation));
+    Problems problems;
+    make(d,
+         {{{"kind", std::string("generic")},
+           {"reads_distance", false},
+           {"reads_azimuth", false},
+           {"reads_elevation", false}}},
+         problems);
+    EXPECT_TRUE(problems.has_errors());
+}
+
 TEST(AssetRegistry, EveryFieldIsExplained) {
     for (const AssetDescriptor& d : asset_registry()) {
         EXPECT_FALSE(d.title.empty() || d.summary.empty() || d.references.empty() || d.notes.empty())
