@@ -1,4 +1,5 @@
 // Editing through the real widgets: fields, tables, lists, undo.
+#include <QAbstractItemModelTester>
 #include <QLineEdit>
 #include <QUndoStack>
 
@@ -222,6 +223,13 @@ protected:
                 return type_into("trials", QString::number(1000 + i));
         }
     }
+    /// Every table and tree that is there is watched while it is edited, proxies too.
+    void check_models() {
+        for (QAbstractItemView* view : window_->findChildren<QAbstractItemView*>())
+            if (qobject_cast<QTableView*>(view) || qobject_cast<QTreeView*>(view))
+                new QAbstractItemModelTester(
+                    view->model(), QAbstractItemModelTester::FailureReportingMode::Fatal, view->model());
+    }
     void rename_in_tree(const QString& name) {
         ProjectPane& tree = window_->project_pane();
         tree.setFocus();
@@ -241,6 +249,7 @@ TEST_F(MixedEdits, FiftyUndoneGiveTheSavedBytesAndRedoneTheEditedOnes) {
     open(file);
     const std::string saved = bytes();
     QUndoStack& stack = window_->document().undo_stack();
+    check_models();
     for (int i = 0; i < 50; ++i) {
         const int steps = stack.count();
         ASSERT_NO_FATAL_FAILURE(edit(i)) << i;

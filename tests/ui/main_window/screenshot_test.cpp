@@ -21,11 +21,18 @@ protected:
         const QImage image = window_->grab().toImage();
         const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
         folder.mkpath(QStringLiteral("."));
-        image.save(folder.filePath(name + QStringLiteral(".png")));
+        image.save(folder.filePath(name + density_ending() + QStringLiteral(".png")));
         return image;
     }
-    /// Part of the pixels of a region that differ from its most frequent grey.
-    static double busy_part(const QImage& image, const QRect& region) {
+    /// Told apart in file names: "-2x" where a pixel of the window is two of the display.
+    QString density_ending() const {
+        const double ratio = window_->devicePixelRatioF();
+        return ratio == 1.0 ? QString() : QStringLiteral("-%1x").arg(ratio);
+    }
+    /// Part of the pixels of a region (of the window) that differ from its most frequent grey.
+    static double busy_part(const QImage& image, const QRect& window_region) {
+        const double ratio = image.devicePixelRatio();
+        const QRect region(window_region.topLeft() * ratio, window_region.size() * ratio);
         std::vector<int> greys(256, 0);
         for (int y = region.top(); y <= region.bottom(); ++y)
             for (int x = region.left(); x <= region.right(); ++x)
@@ -39,9 +46,12 @@ protected:
 };
 
 TEST_F(Screenshots, StartPageOffersWhatToDo) {
-    const QImage image = shoot(QStringLiteral("start-page"));
+    window_->findChild<ThemeSwitch*>()->choose(QStringLiteral("dark"));
+    EXPECT_GT(busy_part(shoot(QStringLiteral("start-page-dark")), window_->rect()), 0.02);
+    window_->findChild<ThemeSwitch*>()->choose(QStringLiteral("light"));
+    const QImage image = shoot(QStringLiteral("start-page-light"));
     EXPECT_EQ(image.size(), QSize(1280, 800) * window_->devicePixelRatioF());
-    EXPECT_GT(busy_part(image, image.rect()), 0.02);
+    EXPECT_GT(busy_part(image, window_->rect()), 0.02);
 }
 
 TEST_F(Screenshots, EveryTabShowsSomething) {

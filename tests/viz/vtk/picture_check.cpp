@@ -62,11 +62,28 @@ std::string left_picture(const Image& image, const std::string& name) {
 }
 
 testing::AssertionResult matches_baseline(const Image& image, const std::string& name) {
-    const auto baseline = read_png(fs::path(COVARIA_SOURCE_DIR) / "tests/viz/baselines" / (name + ".png"));
+    return matches_baseline(image, fs::path(COVARIA_SOURCE_DIR) / "tests/viz/baselines" / (name + ".png"),
+                            {largest_fraction, largest_mean});
+}
+
+testing::AssertionResult matches_baseline(const Image& image, const fs::path& file,
+                                          const Difference& largest) {
+    const std::string name = file.stem().string();
+    const char* update = std::getenv("COVARIA_UPDATE_BASELINES");
+    if (update && std::string(update) == "1") {
+        std::error_code ignored;
+        fs::create_directories(file.parent_path(), ignored);
+        if (const auto written = write_png(image, file); !written)
+            return testing::AssertionFailure() << written.error().message;
+        return testing::AssertionSuccess();
+    }
+    const auto baseline = read_png(file);
     if (!baseline)
-        return testing::AssertionFailure() << baseline.error().message << "; " << left_picture(image, name);
+        return testing::AssertionFailure()
+               << baseline.error().message << "; " << left_picture(image, name)
+               << "; look at it, and if it is right run this test with COVARIA_UPDATE_BASELINES=1 to keep it";
     const Difference d = difference(image, *baseline);
-    if (d.fraction <= largest_fraction && d.mean <= largest_mean) return testing::AssertionSuccess();
+    if (d.fraction <= largest.fraction && d.mean <= largest.mean) return testing::AssertionSuccess();
     return testing::AssertionFailure() << 100 * d.fraction << " % of the pixels differ, mean difference "
                                        << d.mean << "; " << left_picture(image, name);
 }
