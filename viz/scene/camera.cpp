@@ -51,32 +51,38 @@ Eigen::Vector3d world_at(const Camera& camera, PictureSize size, Pixel pixel,
            scale * (pixel.y - size.height / 2.0) * camera.up + depth * camera.direction;
 }
 
-Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size) {
+Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room) {
     constexpr double margin = 1.17;  // room for the axis titles, the title line and the caption
     const Eigen::Vector3d extent = bounds.high - bounds.low;
     const double width = extent.dot(camera.right().cwiseAbs());
     const double height = extent.dot(camera.up.cwiseAbs());
     const double half = std::max(height, width / aspect(size)) / 2;
+    const auto with_room = [room](double pixels) {
+        return pixels / (pixels - 2 * std::min(room, pixels / 4));
+    };
+    const double needed = std::max(height * with_room(std::max(1, size.height)),
+                                   width / aspect(size) * with_room(std::max(1, size.width))) /
+                          2;
     Camera result = camera;
     result.focal_point = (bounds.low + bounds.high) / 2;
-    result.half_height = half > smallest_half_height ? margin * half : 1.0;
+    result.half_height = half > smallest_half_height ? std::max(margin * half, needed) : 1.0;
     return result;
 }
 
-Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size) {
+Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room) {
     const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
     switch (view) {
         case StandardView::top:
-            return fitted(looking_along(-z, Eigen::Vector3d::UnitY()), bounds, size);
+            return fitted(looking_along(-z, Eigen::Vector3d::UnitY()), bounds, size, room);
         case StandardView::front:
-            return fitted(looking_along(Eigen::Vector3d::UnitY(), z), bounds, size);
+            return fitted(looking_along(Eigen::Vector3d::UnitY(), z), bounds, size, room);
         case StandardView::right:
-            return fitted(looking_along(-Eigen::Vector3d::UnitX(), z), bounds, size);
+            return fitted(looking_along(-Eigen::Vector3d::UnitX(), z), bounds, size, room);
         case StandardView::iso:
             break;
     }
     // Not quite isometric: from 25 degrees right of front, so that equal triangles do not fall on a line.
-    return fitted(looking_along({-0.62, 1.0, -0.52}, z), bounds, size);
+    return fitted(looking_along({-0.62, 1.0, -0.52}, z), bounds, size, room);
 }
 
 bool far_side_is_high(const Camera& camera, int axis) {

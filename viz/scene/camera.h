@@ -41,9 +41,10 @@ Eigen::Vector3d world_at(const Camera& camera, PictureSize size, Pixel pixel,
                          const Eigen::Vector3d& through_W);
 
 /// Looking along a standard direction with the whole box in the picture.
-Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size);
-/// Same direction, the whole box in the picture with a margin for captions.
-Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size);
+Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room = 0.0);
+/// Same direction, the whole box in the picture with a margin for captions: `room` pixels at least (letters
+/// do not shrink with the picture), though never more than a quarter of a side.
+Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room = 0.0);
 
 /// Is the high side of a box along `axis` (0 x, 1 y, 2 z) farther from the eye than its low side? Where
 /// neither is, the answer puts the axes of the plane views below and to the left.

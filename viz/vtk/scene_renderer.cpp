@@ -36,6 +36,8 @@ struct SceneRenderer::Implementation {
 
     Implementation();
     double pixel_ratio() const;
+    /// Of an axis' figures and title, and of the caption: pixels.
+    double room_for_words() const { return 50.0 * pixel_ratio(); }
     void realise();
     void aim(double scale, RenderQuality quality);
     Result<Image> draw(RenderQuality quality);
@@ -162,10 +164,12 @@ void SceneRenderer::set_selected(const std::string& item_id) {
 }
 
 void SceneRenderer::set_view(StandardView view) {
-    set_camera(view_of(bounds_of(implementation_->scene), view, implementation_->size));
+    const Implementation& self = *implementation_;
+    set_camera(view_of(bounds_of(self.scene), view, self.size, self.room_for_words()));
 }
 void SceneRenderer::fit() {
-    set_camera(fitted(implementation_->camera, bounds_of(implementation_->scene), implementation_->size));
+    const Implementation& self = *implementation_;
+    set_camera(fitted(self.camera, bounds_of(self.scene), self.size, self.room_for_words()));
 }
 void SceneRenderer::orbit(double dx, double dy) {
     set_camera(orbited(implementation_->camera, implementation_->size, dx, dy));

@@ -49,6 +49,21 @@ TEST(Camera, StandardViewsShowTheirAxes) {
     EXPECT_EQ(standard_view_from("behind"), std::nullopt);
 }
 
+TEST(Camera, SmallPicturesKeepRoomForWords) {
+    constexpr double room = 50.0;
+    const SceneBounds b = bounds_of(stewart());
+    for (PictureSize s : {PictureSize{660, 320}, PictureSize{320, 660}, PictureSize{2560, 1600}}) {
+        const Camera camera = view_of(b, StandardView::iso, s, room);
+        for (int i = 0; i < 8; ++i) {
+            const Eigen::Vector3d corner(i & 1 ? b.high.x() : b.low.x(), i & 2 ? b.high.y() : b.low.y(),
+                                         i & 4 ? b.high.z() : b.low.z());
+            const Pixel at = project(camera, s, corner);
+            EXPECT_GE(std::min(at.x, s.width - at.x), room - 1e-6) << s.width << " x " << s.height;
+            EXPECT_GE(std::min(at.y, s.height - at.y), room - 1e-6) << s.width << " x " << s.height;
+        }
+    }
+}
+
 TEST(Camera, EverythingIsInThePicture) {
     const SceneBounds b = bounds_of(stewart());
     for (StandardView view : {StandardView::iso, StandardView::top, StandardView::front, StandardView::right})
