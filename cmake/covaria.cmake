@@ -101,5 +101,5 @@ function(covaria_test name)
     target_compile_definitions(test_${name} PRIVATE COVARIA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
         COVARIA_BINARY_DIR="${PROJECT_BINARY_DIR}")
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-        PROPERTIES TIMEOUT 600 ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
+        PROPERTIES TIMEOUT 180 ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
 endfunction()

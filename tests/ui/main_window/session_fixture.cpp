@@ -2,7 +2,6 @@
 #include "tests/ui/main_window/session_fixture.h"
 
 #include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QTimer>
@@ -137,21 +136,6 @@ QStringList Session::names_in_tree() const {
 
 void type_keys(const QString& text) {
     for (const QChar c : text) QTest::keyClick(QApplication::focusWidget(), c.toLatin1());
-}
-
-void answer_file_dialog(const QString& file) {
-    auto* watch = new QTimer(qApp);
-    QObject::connect(watch, &QTimer::timeout, watch, [watch, file] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog) return;
-        watch->deleteLater();
-        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setFocus();
-        name->selectAll();
-        QTest::keyClicks(name, file);
-        QTest::keyClick(name, Qt::Key_Return);
-    });
-    watch->start(20);
 }
 
 void choose_from_context_menu(QWidget& widget, QPoint at, const QString& words) {

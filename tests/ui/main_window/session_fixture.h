@@ -67,8 +67,6 @@ protected:
 
 /// To whatever has the focus, as a keyboard does.
 void type_keys(const QString& text);
-/// Answers the next question asked by a dialog of Qt itself: types the file name and accepts.
-void answer_file_dialog(const QString& file);
 /// Chooses an entry of the context menu that `widget` opens at `at`.
 void choose_from_context_menu(QWidget& widget, QPoint at, const QString& words);
 /// An entry's words without mnemonics and trailing dots.
