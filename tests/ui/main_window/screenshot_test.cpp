@@ -4,6 +4,7 @@
 #include <QTabWidget>
 #include <cmath>
 
+#include "tests/ui/main_window/baseline_check.h"
 #include "tests/ui/main_window/window_fixture.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/pages/report_preview.h"
@@ -22,7 +23,21 @@ protected:
         const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
         folder.mkpath(QStringLiteral("."));
         image.save(folder.filePath(name + density_ending() + QStringLiteral(".png")));
+        if (has_baseline(name + density_ending()))
+            EXPECT_TRUE(matches_screenshot(
+                image, QStringLiteral(COVARIA_SOURCE_DIR "/tests/ui/main_window/baselines"),
+                name + density_ending()));
         return image;
+    }
+    /// A choice that shows every tab and both themes once.
+    static bool has_baseline(const QString& name) {
+        static const QStringList compared{
+            QStringLiteral("start-page-light"),  QStringLiteral("start-page-dark"),
+            QStringLiteral("results-light"),     QStringLiteral("results-dark"),
+            QStringLiteral("budget-light"),      QStringLiteral("distributions-dark"),
+            QStringLiteral("correlation-light"), QStringLiteral("convergence-dark"),
+            QStringLiteral("report-light"),      QStringLiteral("results-light-2x")};
+        return compared.contains(name);
     }
     /// Told apart in file names: "-2x" where a pixel of the window is two of the display.
     QString density_ending() const {
