@@ -54,6 +54,7 @@ bool is_project(const QUrl& url) {
 
 MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     : QMainWindow(parent), files_(document_, std::move(store), this) {
+    theme_ = new ThemeSwitch(this);  // first: views take their rows' height from its font
     files_.dialogs = standard_dialogs(this);
     setObjectName(QStringLiteral("MainWindow"));
     setAccessibleName(tr("Covaria"));
@@ -218,7 +219,6 @@ void MainWindow::make_view_menu() {
                                      [this] { pages_->setCurrentWidget(scene_); });
     project_actions_ << scene;
     menu->addSeparator();
-    theme_ = new ThemeSwitch(this);
     theme_->add_to(*menu);
 }
 
