@@ -2,6 +2,7 @@
 
 #include "app/terminal.h"
 #include "core/project/project_file.h"
+#include "core/study/study.h"
 
 namespace covaria {
 namespace {
@@ -19,7 +20,11 @@ EvaluationOptions overridden(EvaluationOptions options, const RunRequest& reques
 
 /// The project as the command line wants it evaluated; the fingerprint then covers the changes too.
 Project with_overrides(Project project, const RunRequest& request) {
-    for (AnalysisEntry& analysis : project.analyses) analysis.options = overridden(analysis.options, request);
+    for (AnalysisEntry& analysis : project.analyses) {
+        analysis.options = overridden(analysis.options, request);
+        for (Study& study : analysis.studies)
+            if (request.first_order) study.method = Method::first_order;
+    }
     return project;
 }
 
@@ -51,6 +56,29 @@ Result<EvaluatedAnalysis> evaluate_one(const Project& project, const AssetLibrar
     return evaluated;
 }
 
+Result<void> evaluate_studies(const Project& project, const AssetLibrary& assets, const RunRequest& request,
+                              const std::stop_token& stop, EvaluatedAnalysis& evaluated) {
+    const std::string& id = evaluated.analysis->id;
+    for (const Study& study : project.find_analysis(id)->studies) {
+        Problems problems;
+        const auto prepared = prepare_study(project, id, study.id, assets, problems);
+        if (!prepared) {
+            print_problems(problems);
+            return fail(ErrorCode::bad_input, "study \"" + study.id + "\" cannot be evaluated");
+        }
+        const std::string what = "study " + id + "/" + study.id;
+        auto result = run_study(*prepared, {stop, progress_line(what), request.threads});
+        end_progress_line();
+        if (!result) return fail(result.error());
+        if (const std::size_t failed = result->failed(); failed > 0)
+            print_message(what + ": warning: " + std::to_string(failed) + " of " +
+                          std::to_string(result->points.size()) + " grid points have no values: " +
+                          result->reasons[1]);
+        evaluated.studies.push_back(std::make_shared<const StudyResult>(std::move(*result)));
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<OpenedProject> open_project(const std::string& file) {
@@ -76,6 +104,9 @@ Result<std::vector<EvaluatedAnalysis>> evaluate_analyses(const OpenedProject& op
         end_progress_line();
         if (!one) return fail(one.error());
         for (const std::string& warning : one->result->warnings) print_message(id + ": warning: " + warning);
+        if (request.studies)
+            if (auto done = evaluate_studies(project, opened.assets, request, stop, *one); !done)
+                return fail(done.error());
         evaluated.push_back(std::move(*one));
     }
     return evaluated;

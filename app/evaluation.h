@@ -18,6 +18,7 @@ struct RunRequest {
     std::optional<std::uint64_t> trials = {};
     bool adaptive = false;
     bool first_order = false;
+    bool studies = true;  ///< evaluate the studies of the analyses too
     std::optional<std::uint64_t> seed = {};
     int threads = 0;
 };

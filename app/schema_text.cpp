@@ -149,4 +149,21 @@ std::string description_of(const AssetDescriptor& asset) {
     return out.str();
 }
 
+std::string study_targets_text() {
+    static const char* const lines[][2] = {
+        {"/setup/KEY", "a number of the set-up, of the analysis or of an asset"},
+        {"/setup/KEY/position/0", "a coordinate of a pose; /setup/KEY/angles/0 an angle of it"},
+        {"/setup/KEY/rows/0/COLUMN", "a cell of a table"},
+        {"/setup/KEY/columns/COLUMN", "a column of a table, all rows"},
+        {"/inputs/SYMBOL/estimate", "the estimate of an input quantity"},
+        {"/inputs/SYMBOL/components", "the uncertainty of an input quantity, by a factor"},
+        {"/components/ID", "one component of uncertainty wherever it contributes, by a factor"}};
+    std::ostringstream out;
+    for (const auto& [target, words] : lines)
+        out << "  " << target << std::string(28 - std::string(target).size(), ' ') << words << '\n';
+    out << "  change: value (takes the number's place), factor, added\n"
+           "  spacing: linear, logarithmic; method: first-order, monte-carlo\n";
+    return out.str();
+}
+
 }  // namespace covaria

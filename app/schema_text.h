@@ -9,5 +9,7 @@ namespace covaria {
 
 std::string description_of(const ModelDescriptor& model);
 std::string description_of(const AssetDescriptor& asset);
+/// What the axes of a study can vary.
+std::string study_targets_text();
 
 }  // namespace covaria

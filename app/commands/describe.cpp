@@ -20,6 +20,7 @@ void list_everything() {
     std::printf("\nAssets\n");
     for (const AssetDescriptor& asset : asset_registry())
         std::printf("  %-24s %s\n", asset.kind.c_str(), asset.title.c_str());
+    std::printf("\nStudies (sweeps and maps; a part of any analysis)\n%s", study_targets_text().c_str());
     std::printf("\n\"covaria describe NAME\" shows the fields of one of them.\n");
 }
 

@@ -23,6 +23,7 @@ void add_run_options(CLI::App& command, RunRequest& request) {
     command.add_option("--threads", request.threads, "number of threads (results do not depend on it)")
         ->type_name("T")
         ->check(CLI::Range(0, 1024));
+    command.add_flag("!--no-studies", request.studies, "leave the studies (sweeps and maps) out");
 }
 
 }  // namespace covaria

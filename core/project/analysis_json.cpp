@@ -8,6 +8,7 @@
 #include "core/project/json_location.h"
 #include "core/project/options_json.h"
 #include "core/project/setup_json.h"
+#include "core/project/study_json.h"
 
 namespace covaria {
 
@@ -272,6 +273,7 @@ void read_analysis_details(ObjectReader& reader, AnalysisEntry& analysis) {
     if (const Json* options = reader.find("options"))
         analysis.options = options_from_json(*options, reader.path_of("options"), reader.problems());
     read_list(reader, "requirements", analysis.requirements, read_requirement);
+    read_list(reader, "studies", analysis.studies, study_from_json);
 }
 
 void write_analysis_details(JsonWriter& out, const AnalysisEntry& analysis) {
@@ -282,6 +284,7 @@ void write_analysis_details(JsonWriter& out, const AnalysisEntry& analysis) {
         write_options(out, analysis.options);
     }
     write_list(out, "requirements", analysis.requirements, write_requirement);
+    write_list(out, "studies", analysis.studies, write_study);
 }
 
 }  // namespace covaria

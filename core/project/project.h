@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/setup.h"
+#include "core/project/study.h"
 #include "core/propagation/options.h"
 #include "core/quantity/distribution.h"
 #include "core/quantity/input_quantity.h"
@@ -67,6 +68,7 @@ struct AnalysisEntry {
     std::vector<CorrelationEdit> correlations = {};
     EvaluationOptions options = {};
     std::vector<Requirement> requirements = {};
+    std::vector<Study> studies = {};
     bool operator==(const AnalysisEntry&) const = default;
 };
 

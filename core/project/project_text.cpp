@@ -67,6 +67,7 @@ Project numbers_only(Project project) {
         analysis.name.clear();
         analysis.notes.clear();
         analysis.requirements.clear();
+        for (Study& study : analysis.studies) study.name.clear();
         keep_numbers(analysis.setup);
         for (InputEdit& edit : analysis.inputs) {
             if (!edit.components) continue;

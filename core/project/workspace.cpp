@@ -11,6 +11,7 @@
 #include "core/project/project_file.h"
 #include "core/project/references.h"
 #include "core/project/registered.h"
+#include "core/project/study_target.h"
 #include "core/propagation/engine.h"
 
 namespace covaria {
@@ -90,6 +91,7 @@ std::string analysis_fingerprint(const Project& project, const AnalysisEntry& en
     for (const std::string& id : assets_used_by(project, entry))
         part.assets.push_back(*project.find_asset(id));
     part.analyses.push_back(entry);
+    part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
     return fingerprint(part);
 }
 
@@ -110,12 +112,12 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
         return nullptr;
     }
     check_options(entry.options, problems);
-    Problems of_setup;
     auto prepared = std::make_shared<PreparedAnalysis>();
     prepared->assets = used_assets(project, entry, assets);
-    prepared->model = make_model(project, entry, *descriptor, prepared->assets, of_setup);
-    if (took_errors(of_setup, "/setup", problems) || !prepared->model) return nullptr;
-    prepared->inputs = apply_edits(prepared->model->inputs(), entry, problems);
+    ModelOfAnalysis made = make_model_of(project, entry, prepared->assets, problems);
+    if (!made.model) return nullptr;
+    prepared->model = std::move(made.model);
+    prepared->inputs = std::move(made.inputs);
     for (std::size_t i = 0; i < entry.requirements.size(); ++i)
         check_requirement(entry.requirements[i], prepared->model->outputs(),
                           "/requirements/" + std::to_string(i), problems);
@@ -128,20 +130,13 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
     return prepared;
 }
 
-bool is_id(const std::string& id) {
-    return !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-               c == '_';
-    });
-}
-
 template <class Entry>
 void check_ids(const std::vector<Entry>& entries, const std::string& place, Problems& problems) {
     std::set<std::string> known;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::string path = place + "/" + std::to_string(i) + "/id";
         const std::string& id = entries[i].id;
-        if (!is_id(id))
+        if (!is_project_id(id))
             problems.error(path, "the id " + quoted(id) + " must be made of letters, digits, '-' and '_'");
         else if (!known.insert(id).second)
             problems.error(path, "the id " + quoted(id) + " is used twice");
@@ -150,20 +145,47 @@ void check_ids(const std::vector<Entry>& entries, const std::string& place, Prob
 
 }  // namespace
 
+bool is_project_id(const std::string& id) {
+    return !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
+    });
+}
+
+ModelOfAnalysis make_model_of(const Project& project, const AnalysisEntry& entry, const AssetLibrary& assets,
+                              Problems& problems) {
+    const ModelDescriptor* descriptor = find_model(entry.model);
+    if (!descriptor) {
+        problems.error("/model", unknown_model(entry));
+        return {};
+    }
+    Problems of_setup;
+    ModelOfAnalysis made{make_model(project, entry, *descriptor, assets, of_setup), {}};
+    if (took_errors(of_setup, "/setup", problems) || !made.model) return {};
+    made.inputs = apply_edits(made.model->inputs(), entry, problems);
+    return made;
+}
+
+std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, Problems& problems) {
+    const AssetDescriptor* kind = find_asset_kind(entry.kind);
+    if (!kind) {
+        problems.error("/kind", unknown_kind(entry));
+        return nullptr;
+    }
+    Problems found;
+    std::shared_ptr<const Asset> asset = make_asset(entry, *kind, found);
+    return took_errors(found, "/setup", problems) ? nullptr : asset;
+}
+
 AssetLibrary make_assets(const Project& project, Problems& problems) {
     AssetLibrary library;
     for (std::size_t i = 0; i < project.assets.size(); ++i) {
         const AssetEntry& entry = project.assets[i];
         const std::string path = "/assets/" + std::to_string(i);
-        const AssetDescriptor* kind = find_asset_kind(entry.kind);
-        if (!kind) {
-            problems.error(path + "/kind", unknown_kind(entry));
-            continue;
-        }
         Problems found;
-        std::shared_ptr<const Asset> asset = make_asset(entry, *kind, found);
-        if (took_errors(found, path + "/setup", problems) || !asset) continue;
-        library.add(entry.id, {entry.name, kind, std::move(asset)});
+        std::shared_ptr<const Asset> asset = make_asset_of(entry, found);
+        if (took_errors(found, path, problems) || !asset) continue;
+        library.add(entry.id, {entry.name, find_asset_kind(entry.kind), std::move(asset)});
     }
     return library;
 }
@@ -190,7 +212,9 @@ void check_project(const Project& project, Problems& problems) {
     const AssetLibrary assets = make_assets(project, problems);
     for (std::size_t i = 0; i < project.analyses.size(); ++i) {
         Problems found;
-        prepare(project, project.analyses[i], assets, found);
+        const auto prepared = prepare(project, project.analyses[i], assets, found);
+        check_studies(project, project.analyses[i], prepared ? &prepared->inputs : nullptr,
+                      prepared ? &prepared->model->outputs() : nullptr, found);
         problems.take(found, "/analyses/" + std::to_string(i));
     }
 }

@@ -32,7 +32,21 @@ AssetLibrary make_assets(const Project& project, Problems& problems);
 std::shared_ptr<const PreparedAnalysis> prepare_analysis(const Project& project,
                                                          const std::string& analysis_id,
                                                          const AssetLibrary& assets, Problems& problems);
-/// Every problem of the project: setups, assets, models, edits.
+
+/// A model with its inputs, edits applied; no model after an error (paths relative to the analysis).
+struct ModelOfAnalysis {
+    std::shared_ptr<const MeasurementModel> model;
+    InputSet inputs;
+};
+/// As `prepare_analysis` makes it, for an entry that is not in the project: a changed copy, of a study.
+ModelOfAnalysis make_model_of(const Project& project, const AnalysisEntry& entry, const AssetLibrary& assets,
+                              Problems& problems);
+/// Null after an error (paths relative to the asset).
+std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, Problems& problems);
+/// Made of letters, digits, '-' and '_'.
+bool is_project_id(const std::string& id);
+
+/// Every problem of the project: setups, assets, models, edits, studies.
 void check_project(const Project& project, Problems& problems);
 
 /// Evaluates and fills in provenance.

@@ -8,6 +8,7 @@
 
 #include "core/project/workspace.h"
 #include "core/report/report_document.h"
+#include "core/result/study_result.h"
 #include "core/result/uncertainty_result.h"
 
 namespace covaria {
@@ -16,6 +17,7 @@ struct EvaluatedAnalysis {
     std::shared_ptr<const PreparedAnalysis> analysis;
     std::shared_ptr<const UncertaintyResult> result;
     std::vector<std::string> warnings = {};  ///< of the model's creation
+    std::vector<std::shared_ptr<const StudyResult>> studies = {};
 };
 
 /// Title block, model and references, inputs and origin, asset evaluations, budgets, results, distributions,
@@ -24,8 +26,10 @@ ReportDocument build_report(const Project& project, const AssetLibrary& assets,
                             const std::vector<EvaluatedAnalysis>& analyses);
 
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
-/// with Monte Carlo, "histograms" and "convergence" (the ids).
+/// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
 std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated);
+/// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
+DataTable study_table(const StudyResult& study);
 /// The evaluation of each asset; ids start with the asset's.
 std::vector<DataTable> asset_tables(const AssetLibrary& assets);
 

@@ -255,6 +255,7 @@ std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated) {
     }
     if (evaluated.analysis && evaluated.analysis->model)
         for (DataTable& table : evaluated.analysis->model->evaluation()) tables.push_back(std::move(table));
+    for (const auto& study : evaluated.studies) tables.push_back(study_table(*study));
     return tables;
 }
 

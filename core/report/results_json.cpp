@@ -6,6 +6,7 @@
 #include "core/project/project_file.h"
 #include "core/report/number_format.h"
 #include "core/report/report.h"
+#include "core/report/study_json.h"
 
 namespace covaria {
 namespace {
@@ -129,14 +130,16 @@ Json analysis_json(const EvaluatedAnalysis& evaluated) {
     Json outputs = Json::array();
     for (const OutputResult& output : result.outputs)
         outputs.push_back(output_json(output, result.coverage_probability));
-    return {{"id", evaluated.analysis->id},
-            {"model", evaluated.analysis->descriptor ? evaluated.analysis->descriptor->id : ""},
-            {"trials", result.trials},
-            {"failedTrials", result.failed_trials},
-            {"stabilised", result.stabilised},
-            {"seed", std::to_string(result.provenance.seed)},
-            {"outputs", std::move(outputs)},
-            {"covariance", covariance_json(result)}};
+    Json json = {{"id", evaluated.analysis->id},
+                 {"model", evaluated.analysis->descriptor ? evaluated.analysis->descriptor->id : ""},
+                 {"trials", result.trials},
+                 {"failedTrials", result.failed_trials},
+                 {"stabilised", result.stabilised},
+                 {"seed", std::to_string(result.provenance.seed)},
+                 {"outputs", std::move(outputs)},
+                 {"covariance", covariance_json(result)}};
+    for (const auto& study : evaluated.studies) json["studies"].push_back(study_json(*study));
+    return json;
 }
 
 }  // namespace

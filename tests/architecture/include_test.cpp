@@ -21,7 +21,7 @@ const fs::path root = COVARIA_SOURCE_DIR;
 // list.
 const std::vector<std::string> core_order = {
     "core/base",        "core/math",   "core/random", "core/quantity", "core/model", "core/result",
-    "core/propagation", "core/assets", "core/models", "core/project",  "core/report"};
+    "core/propagation", "core/assets", "core/models", "core/project",  "core/study", "core/report"};
 const std::vector<std::string> ui_order = {"ui/theme",      "ui/charts", "ui/print",      "ui/document",
                                            "ui/run",        "ui/export", "ui/models",     "ui/forms",
                                            "ui/scene_view", "ui/pages",  "ui/main_window"};

@@ -1,0 +1,233 @@
+// Problems of studies, and everything that a study can vary.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/model/words.h"
+#include "core/project/json_location.h"
+#include "core/project/registered.h"
+#include "core/project/study_target.h"
+#include "core/project/workspace.h"
+
+namespace covaria {
+
+namespace {
+
+std::string in_quotes(const std::string& text) {
+    return "'" + text + "'";
+}
+
+bool has_offset(const Unit& unit) {
+    return unit.to_si(0.0) != unit.interval_to_si(0.0);
+}
+
+class StudyCheck {
+public:
+    StudyCheck(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
+               const std::vector<OutputQuantity>* outputs, Problems& problems)
+        : project_(project), analysis_(analysis), inputs_(inputs), outputs_(outputs), problems_(problems) {}
+
+    void run() {
+        std::set<std::string> ids;
+        for (std::size_t i = 0; i < analysis_.studies.size(); ++i) {
+            path_ = "/studies/" + std::to_string(i);
+            const std::string& id = analysis_.studies[i].id;
+            if (!ids.insert(id).second)
+                problems_.error(path_ + "/id", "the id " + in_quotes(id) + " is used twice");
+            check(analysis_.studies[i]);
+        }
+    }
+
+private:
+    void check(const Study& study) {
+        if (!is_project_id(study.id))
+            problems_.error(path_ + "/id", "the id " + in_quotes(study.id) +
+                                               " must be made of letters, digits, '-' and '_'");
+        if (study.axes.empty() || study.axes.size() > 3)
+            problems_.error(path_ + "/axes", "a study has one to three axes; this one has " +
+                                                 std::to_string(study.axes.size()));
+        check_size(study);
+        for (std::size_t i = 0; i < study.axes.size(); ++i) {
+            check_axis(study.axes[i], path_ + "/axes/" + std::to_string(i));
+            for (std::size_t j = 0; j < i; ++j)
+                if (study.axes[j].asset == study.axes[i].asset &&
+                    study.axes[j].target == study.axes[i].target)
+                    problems_.error(path_ + "/axes/" + std::to_string(i) + "/target",
+                                    in_quotes(study.axes[i].target) + " is varied by two axes");
+        }
+        for (std::size_t i = 0; i < study.outputs.size(); ++i)
+            check_output(study.outputs[i], path_ + "/outputs/" + std::to_string(i));
+        if (study.method == Method::monte_carlo && study.trials < 2)
+            problems_.error(path_ + "/trials", "Monte Carlo needs at least two trials");
+    }
+
+    void check_size(const Study& study) {
+        double points = 1.0;
+        for (const StudyAxis& axis : study.axes) points *= static_cast<double>(axis.values);
+        if (points > static_cast<double>(most_study_points))
+            problems_.error(path_ + "/axes", "the grid has " + readable_number(points) +
+                                                 " points; a study may have " +
+                                                 std::to_string(most_study_points));
+    }
+
+    void check_axis(const StudyAxis& axis, const std::string& path) {
+        if (axis.values < 2) problems_.error(path + "/values", "an axis needs at least two values");
+        if (!std::isfinite(axis.from) || !std::isfinite(axis.to) || axis.from == axis.to)
+            problems_.error(path + "/to", "'from' and 'to' must be two different numbers");
+        if (axis.spacing == StudySpacing::logarithmic && !(axis.from > 0 && axis.to > 0))
+            problems_.error(path + "/spacing",
+                            "with logarithmic spacing both ends must be greater than zero");
+        const auto target = find_study_target(project_, analysis_, inputs_, axis);
+        if (!target) return problems_.error(path + target.error().path, target.error().message);
+        check_change(axis, *target, path);
+        if (target->whole && axis.change == StudyChange::value &&
+            std::abs(axis.to - axis.from) + 1.0 < static_cast<double>(axis.values))
+            problems_.error(path + "/values", "'" + target->title +
+                                                  "' takes whole numbers: there are fewer than " +
+                                                  std::to_string(axis.values) + " between the ends");
+    }
+
+    void check_change(const StudyAxis& axis, const StudyTarget& target, const std::string& path) {
+        using Kind = StudyTarget::Kind;
+        const bool factor_only = target.kind == Kind::components || target.kind == Kind::component;
+        if (factor_only && axis.change != StudyChange::factor)
+            return problems_.error(path + "/change",
+                                   "the uncertainty of an input quantity can be varied by a factor only");
+        if (axis.change == StudyChange::factor) {
+            if (!axis.unit.dimension().is_one())
+                problems_.error(path + "/unit", "a factor has no unit");
+            else if (factor_only && (axis.from < 0 || axis.to < 0))
+                problems_.error(path + "/from", "a factor of an uncertainty must not be negative");
+            if (has_offset(target.unit))
+                problems_.error(path + "/change", "a temperature in " + target.unit.text() +
+                                                      " cannot be multiplied; add to it, or give its values");
+            return;
+        }
+        if (target.kind == Kind::estimate && !inputs_) return;
+        if (axis.change == StudyChange::added && has_offset(axis.unit))
+            return problems_.error(path + "/unit", "a difference of temperatures is given in K");
+        const std::string objection = unit_objection(target.title, {axis.from, axis.unit}, target.unit);
+        if (!objection.empty() && std::isfinite(axis.from)) problems_.error(path + "/unit", objection);
+    }
+
+    void check_output(const StudyOutput& wanted, const std::string& path) {
+        if (!outputs_) return;
+        std::vector<std::string> symbols;
+        for (const OutputQuantity& output : *outputs_) {
+            if (output.group == wanted.group && output.symbol == wanted.symbol) return;
+            symbols.push_back(output.symbol);
+        }
+        const std::string where = wanted.group.empty() ? "" : " in " + in_quotes(wanted.group);
+        problems_.error(path, "the model has no output quantity " + in_quotes(wanted.symbol) + where +
+                                  did_you_mean(wanted.symbol, symbols));
+    }
+
+    const Project& project_;
+    const AnalysisEntry& analysis_;
+    const InputSet* inputs_;
+    const std::vector<OutputQuantity>* outputs_;
+    Problems& problems_;
+    std::string path_;
+};
+
+class TargetList {
+public:
+    TargetList(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs)
+        : project_(project), analysis_(analysis), inputs_(inputs) {}
+
+    std::vector<StudyTargetChoice> take() {
+        if (const SetupSchema* schema = schema_of(analysis_)) add_setup("", *schema, analysis_.setup);
+        for (const std::string& id : assets_used_by(project_, analysis_)) {
+            const AssetEntry& asset = *project_.find_asset(id);
+            if (const SetupSchema* schema = schema_of(asset)) add_setup(id, *schema, asset.setup);
+        }
+        if (inputs_) add_inputs();
+        return std::move(choices_);
+    }
+
+private:
+    void add(const std::string& asset, const std::string& pointer, StudyChange change) {
+        StudyAxis axis{.asset = asset, .target = pointer, .change = change};
+        auto target = find_study_target(project_, analysis_, inputs_, axis);
+        if (!target) return;
+        const double now = target->current;
+        axis.from = change == StudyChange::factor ? 0.5
+                    : !std::isfinite(now)         ? 1.0
+                    : now == 0.0                  ? -1.0
+                                                  : std::min(0.5 * now, 1.5 * now);
+        axis.to = change == StudyChange::factor ? 2.0
+                  : !std::isfinite(now)         ? 100.0
+                  : now == 0.0                  ? 1.0
+                                                : std::max(0.5 * now, 1.5 * now);
+        if (change != StudyChange::factor) axis.unit = target->unit;
+        if (target->whole && change == StudyChange::value) {
+            axis.from = std::max(1.0, std::floor(axis.from));
+            axis.to = std::max(axis.from + 1.0, std::ceil(axis.to));
+            axis.values =
+                std::min<std::size_t>(axis.values, static_cast<std::size_t>(axis.to - axis.from) + 1);
+        }
+        choices_.push_back({std::move(*target), std::move(axis)});
+    }
+
+    void add_setup(const std::string& asset, const SetupSchema& schema, const Setup& setup) {
+        for (const FieldSpec& field : schema.fields()) {
+            const SetupValue& value = value_of(field, setup);
+            const std::string place = "/setup/" + field.key;
+            if (field.kind == FieldKind::number || field.kind == FieldKind::integer)
+                add(asset, place, StudyChange::value);
+            else if (std::holds_alternative<PoseValue>(value))
+                for (int i = 0; i < 6; ++i)
+                    add(asset, place + (i < 3 ? "/position/" : "/angles/") + std::to_string(i % 3),
+                        StudyChange::value);
+            else if (const auto* table = std::get_if<SetupTable>(&value))
+                add_table(asset, field, *table);
+        }
+    }
+
+    void add_table(const std::string& asset, const FieldSpec& field, const SetupTable& table) {
+        constexpr std::size_t most_rows = 200;  // of a list to choose from
+        const std::string place = "/setup/" + field.key;
+        for (const ColumnSpec& column : field.columns) {
+            if (column.kind != FieldKind::number && column.kind != FieldKind::integer) continue;
+            add(asset, place + "/columns/" + pointer_token(column.key), StudyChange::factor);
+        }
+        for (std::size_t row = 0; row < std::min(most_rows, table.rows.size()); ++row)
+            for (const ColumnSpec& column : field.columns)
+                if (column.kind == FieldKind::number || column.kind == FieldKind::integer)
+                    add(asset, place + "/rows/" + std::to_string(row) + "/" + pointer_token(column.key),
+                        StudyChange::value);
+    }
+
+    void add_inputs() {
+        for (const InputQuantity& quantity : inputs_->quantities) {
+            const std::string place = "/inputs/" + pointer_token(quantity.symbol);
+            add("", place + "/estimate", StudyChange::value);
+            if (!quantity.shares.empty()) add("", place + "/components", StudyChange::factor);
+        }
+        std::vector<std::size_t> uses(inputs_->components.size(), 0);
+        for (const InputQuantity& quantity : inputs_->quantities)
+            for (const Share& share : quantity.shares) ++uses[share.component];
+        for (std::size_t i = 0; i < uses.size(); ++i)
+            if (uses[i] > 1)
+                add("", "/components/" + pointer_token(inputs_->components[i].id), StudyChange::factor);
+    }
+
+    const Project& project_;
+    const AnalysisEntry& analysis_;
+    const InputSet* inputs_;
+    std::vector<StudyTargetChoice> choices_;
+};
+
+}  // namespace
+
+void check_studies(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
+                   const std::vector<OutputQuantity>* outputs, Problems& problems) {
+    StudyCheck(project, analysis, inputs, outputs, problems).run();
+}
+
+std::vector<StudyTargetChoice> study_targets(const Project& project, const AnalysisEntry& analysis,
+                                             const InputSet* inputs) {
+    return TargetList(project, analysis, inputs).take();
+}
+
+}  // namespace covaria

@@ -1,0 +1,243 @@
+// Targets of studies: from a JSON pointer to a number of a set-up or an input quantity.
+#include "core/project/study_target.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/model/words.h"
+#include "core/project/registered.h"
+
+namespace covaria {
+
+namespace {
+
+std::string in_quotes(const std::string& text) {
+    return "'" + text + "'";
+}
+
+bool is_numeric(FieldKind kind) {
+    return kind == FieldKind::number || kind == FieldKind::integer;
+}
+
+// The tokens of a JSON pointer, unescaped (RFC 6901); none when it does not begin with '/'.
+std::vector<std::string> tokens_of(const std::string& pointer) {
+    std::vector<std::string> tokens;
+    for (std::size_t i = 0; i < pointer.size(); ++i) {
+        if (pointer[i] == '/') {
+            tokens.emplace_back();
+        } else if (tokens.empty()) {
+            return {};
+        } else if (pointer[i] == '~' && i + 1 < pointer.size()) {
+            tokens.back() += pointer[++i] == '1' ? '/' : '~';
+        } else {
+            tokens.back() += pointer[i];
+        }
+    }
+    return tokens;
+}
+
+std::optional<std::size_t> index_from(const std::string& text) {
+    std::size_t index = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), index);
+    if (status != std::errc{} || end != text.data() + text.size()) return {};
+    return index;
+}
+
+// What stands first in a row: a name or a reference; else its number.
+std::string row_words(const SetupTable& table, std::size_t row) {
+    for (const SetupCell& cell : table.rows[row])
+        if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) return *text;
+    return "row " + std::to_string(row + 1);
+}
+
+class TargetFinder {
+public:
+    TargetFinder(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
+                 const StudyAxis& axis)
+        : project_(project),
+          analysis_(analysis),
+          inputs_(inputs),
+          axis_(axis),
+          tokens_(tokens_of(axis.target)) {}
+
+    Result<StudyTarget> find() {
+        if (tokens_.size() >= 2 && tokens_[0] == "setup") return in_setup();
+        if (!axis_.asset.empty()) return no("only numbers of the set-up of an asset can be varied");
+        if (tokens_.size() == 3 && tokens_[0] == "inputs") return quantity();
+        if (tokens_.size() == 2 && tokens_[0] == "components") return component();
+        return no(
+            "a target is written as \"/setup/KEY\", \"/setup/KEY/rows/0/COLUMN\", "
+            "\"/inputs/SYMBOL/estimate\" or \"/inputs/SYMBOL/components\"");
+    }
+
+private:
+    tl::unexpected<Error> no(const std::string& why) const {
+        return fail(ErrorCode::bad_input, in_quotes(axis_.target) + " cannot be varied: " + why, "/target");
+    }
+
+    Result<StudyTarget> in_setup() {
+        const SetupSchema* schema = schema_of(analysis_);
+        setup_ = &analysis_.setup;
+        if (!axis_.asset.empty()) {
+            const AssetEntry* asset = project_.find_asset(axis_.asset);
+            if (!asset)
+                return fail(ErrorCode::bad_input, "there is no asset " + in_quotes(axis_.asset), "/asset");
+            schema = schema_of(*asset);
+            setup_ = &asset->setup;
+            target_.asset = static_cast<std::size_t>(asset - project_.assets.data());
+            prefix_ = (asset->name.empty() ? asset->id : asset->name) + ": ";
+        }
+        if (!schema) return no("the set-up has no schema");
+        const FieldSpec* field = schema->find(tokens_[1]);
+        if (!field)
+            return no("the set-up has no field " + in_quotes(tokens_[1]) +
+                      did_you_mean(tokens_[1], schema->keys()));
+        if (!is_shown(*schema, *field, *setup_))
+            return no("'" + field->title + "' is not used with the present choices of the set-up");
+        target_.key = field->key;
+        return of_field(*field, value_of(*field, *setup_));
+    }
+
+    Result<StudyTarget> of_field(const FieldSpec& field, const SetupValue& value) {
+        if (field.kind == FieldKind::table) return of_table(field, value);
+        if (field.kind == FieldKind::pose) return of_pose(field, value);
+        if (!is_numeric(field.kind) || tokens_.size() != 2)
+            return no("'" + field.title + "' is not a number");
+        const auto* number = std::get_if<Quantity>(&value);
+        target_.kind = StudyTarget::Kind::field;
+        target_.whole = field.kind == FieldKind::integer;
+        target_.unit = number ? number->unit : field.unit;
+        target_.current = number ? number->value : 0.0;
+        target_.title = prefix_ + field.title;
+        if (!number && axis_.change != StudyChange::value)
+            return no("'" + field.title + "' is not given, so there is nothing to change");
+        return target_;
+    }
+
+    Result<StudyTarget> of_pose(const FieldSpec& field, const SetupValue& value) {
+        static const char* const names[] = {"x", "y", "z", "alpha", "beta", "gamma"};
+        const auto index = tokens_.size() == 4 ? index_from(tokens_[3]) : std::nullopt;
+        const bool angle = tokens_.size() == 4 && tokens_[2] == "angles";
+        if (!index || *index > 2 || !(angle || tokens_[2] == "position"))
+            return no("a coordinate of the pose '" + field.title + "' is written as \"/setup/" + field.key +
+                      "/position/0\" or \"/setup/" + field.key + "/angles/2\"");
+        const auto* pose = std::get_if<PoseValue>(&value);
+        if (!pose) return no("'" + field.title + "' is not given");
+        target_.kind = StudyTarget::Kind::pose;
+        target_.column = *index + (angle ? 3 : 0);
+        target_.unit = angle ? pose->angle_unit : pose->length_unit;
+        target_.current = angle ? pose->angles[*index] : pose->position[*index];
+        target_.title = prefix_ + field.title + ", " + names[target_.column];
+        return target_;
+    }
+
+    Result<StudyTarget> of_table(const FieldSpec& field, const SetupValue& value) {
+        const auto* table = std::get_if<SetupTable>(&value);
+        const bool cell = tokens_.size() == 5 && tokens_[2] == "rows";
+        const bool column = tokens_.size() == 4 && tokens_[2] == "columns";
+        if (!cell && !column)
+            return no("a number of the table '" + field.title + "' is written as \"/setup/" + field.key +
+                      "/rows/0/COLUMN\" or \"/setup/" + field.key + "/columns/COLUMN\"");
+        const std::size_t index = SetupSchema::column(field, tokens_.back());
+        if (index == SetupSchema::npos)
+            return no("the table '" + field.title + "' has no column " + in_quotes(tokens_.back()));
+        const ColumnSpec& spec = field.columns[index];
+        if (!is_numeric(spec.kind)) return no("the column " + in_quotes(spec.key) + " does not hold numbers");
+        if (!table || table->rows.empty()) return no("the table '" + field.title + "' is empty");
+        target_.column = index;
+        target_.whole = spec.kind == FieldKind::integer;
+        target_.unit = index < table->units.size() ? table->units[index] : spec.unit;
+        const std::string name = spec.title.empty() ? spec.key : spec.title;
+        return cell ? of_cell(field, *table, name) : of_column(field, *table, name);
+    }
+
+    static const double* number_at(const SetupTable& table, std::size_t row, std::size_t column) {
+        const auto& cells = table.rows[row];
+        return column < cells.size() ? std::get_if<double>(&cells[column]) : nullptr;
+    }
+
+    Result<StudyTarget> of_cell(const FieldSpec& field, const SetupTable& table, const std::string& name) {
+        const auto row = index_from(tokens_[3]);
+        if (!row || *row >= table.rows.size())
+            return no("the table '" + field.title + "' has " + std::to_string(table.rows.size()) +
+                      " rows, counted from 0");
+        const double* number = number_at(table, *row, target_.column);
+        if (!number && axis_.change != StudyChange::value)
+            return no("the cell is empty, so there is nothing to change");
+        target_.kind = StudyTarget::Kind::cell;
+        target_.row = *row;
+        target_.current = number ? *number : 0.0;
+        target_.title = prefix_ + field.title + ", " + row_words(table, *row) + ": " + name;
+        return target_;
+    }
+
+    Result<StudyTarget> of_column(const FieldSpec& field, const SetupTable& table, const std::string& name) {
+        target_.kind = StudyTarget::Kind::column;
+        target_.title = prefix_ + field.title + ", all rows: " + name;
+        for (std::size_t row = 0; row < table.rows.size(); ++row)
+            if (const double* number = number_at(table, row, target_.column)) {
+                target_.current = *number;
+                return target_;
+            }
+        if (axis_.change != StudyChange::value)
+            return no("the column is empty, so there is nothing to change");
+        return target_;
+    }
+
+    Result<StudyTarget> quantity() {
+        const bool estimate = tokens_[2] == "estimate";
+        if (!estimate && tokens_[2] != "components")
+            return no("of an input quantity, \"estimate\" or \"components\" can be varied");
+        target_.kind = estimate ? StudyTarget::Kind::estimate : StudyTarget::Kind::components;
+        target_.key = tokens_[1];
+        target_.title = tokens_[1] + (estimate ? ": estimate" : ": uncertainty");
+        if (!estimate) target_.current = 1.0;
+        if (!inputs_) return target_;
+        target_.index = inputs_->find(target_.key);
+        if (target_.index == InputSet::npos) {
+            std::vector<std::string> symbols;
+            for (const InputQuantity& q : inputs_->quantities) symbols.push_back(q.symbol);
+            return no("the model has no input quantity " + in_quotes(target_.key) +
+                      did_you_mean(target_.key, symbols));
+        }
+        if (!estimate) return target_;
+        target_.unit = inputs_->quantities[target_.index].unit;
+        target_.current = target_.unit.from_si(estimate_of(*inputs_, target_.index));
+        return target_;
+    }
+
+    Result<StudyTarget> component() {
+        target_.kind = StudyTarget::Kind::component;
+        target_.key = tokens_[1];
+        target_.title = tokens_[1] + ": uncertainty";
+        target_.current = 1.0;
+        if (!inputs_) return target_;
+        std::vector<std::string> ids;
+        for (std::size_t i = 0; i < inputs_->components.size(); ++i) {
+            ids.push_back(inputs_->components[i].id);
+            if (ids.back() != target_.key) continue;
+            target_.index = i;
+            return target_;
+        }
+        return no("there is no component " + in_quotes(target_.key) + did_you_mean(target_.key, ids));
+    }
+
+    const Project& project_;
+    const AnalysisEntry& analysis_;
+    const InputSet* inputs_;
+    const StudyAxis& axis_;
+    std::vector<std::string> tokens_;
+    const Setup* setup_ = nullptr;
+    std::string prefix_;
+    StudyTarget target_;
+};
+
+}  // namespace
+
+Result<StudyTarget> find_study_target(const Project& project, const AnalysisEntry& analysis,
+                                      const InputSet* inputs, const StudyAxis& axis) {
+    return TargetFinder(project, analysis, inputs, axis).find();
+}
+
+}  // namespace covaria

@@ -1,0 +1,33 @@
+// The essentials of an evaluation - estimates, uncertainties, covariance of some outputs - without budget,
+// intervals and regions: for evaluations by the thousand (studies).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/model/measurement_model.h"
+#include "core/propagation/options.h"
+
+namespace covaria {
+
+struct EvaluationSummary {
+    Eigen::VectorXd estimate;
+    Eigen::VectorXd standard_uncertainty;
+    Eigen::VectorXd coverage_factor;  ///< of the law of propagation, or the fixed one: U = k u
+    Eigen::MatrixXd covariance;       ///< of the chosen outputs
+    std::uint64_t failed_trials = 0;
+};
+
+/// As `evaluate` gives them, on the calling thread. `outputs`: indices of those looked at. With
+/// Method::monte_carlo `options.trials` trials; `advance(n)` is called after each block of n trials, and
+/// false ends with Error{cancelled}. The adaptive procedure is treated as Monte Carlo with a fixed number of
+/// trials.
+Result<EvaluationSummary> evaluate_summary(const MeasurementModel& model, const InputSet& inputs,
+                                           const std::vector<std::size_t>& outputs,
+                                           const EvaluationOptions& options,
+                                           const std::function<bool(std::uint64_t)>& advance);
+
+}  // namespace covaria

@@ -1,0 +1,205 @@
+// Changes of a grid point, its model, its numbers.
+#include "core/study/grid_point.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/project/registered.h"
+
+namespace covaria::detail {
+
+namespace {
+
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+std::vector<StudyOutput> wanted_outputs(const PreparedStudy& prepared) {
+    if (!prepared.study.outputs.empty()) return prepared.study.outputs;
+    std::vector<StudyOutput> wanted;
+    for (const OutputQuantity& output : prepared.analysis->model->outputs())
+        if (output.role == OutputRole::measurand) wanted.push_back({output.group, output.symbol});
+    return wanted;
+}
+
+/// Index of an output in a model: mostly where it was in the unchanged one.
+std::size_t find_output(const std::vector<OutputQuantity>& outputs, const StudyOutput& wanted,
+                        std::size_t guess) {
+    const auto fits = [&](const OutputQuantity& output) {
+        return output.symbol == wanted.symbol && output.group == wanted.group;
+    };
+    if (guess < outputs.size() && fits(outputs[guess])) return guess;
+    const auto found = std::find_if(outputs.begin(), outputs.end(), fits);
+    return found == outputs.end() ? none : static_cast<std::size_t>(found - outputs.begin());
+}
+
+std::vector<double> estimates_of(const InputSet& inputs) {
+    std::vector<double> x;
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) x.push_back(estimate_of(inputs, i));
+    return x;
+}
+
+/// The points of the layout whose three coordinates are among the outputs looked at.
+std::vector<StudyTriple> triples_of(const PreparedAnalysis& analysis,
+                                    const std::vector<std::size_t>& indices) {
+    std::vector<StudyTriple> triples;
+    const auto position = [&](std::size_t output) {
+        return static_cast<std::size_t>(std::find(indices.begin(), indices.end(), output) - indices.begin());
+    };
+    for (const LayoutPoint& point : analysis.model->layout(estimates_of(analysis.inputs)).points) {
+        if (!point.outputs) continue;
+        StudyTriple triple{point.name, {}};
+        for (std::size_t c = 0; c < 3; ++c) triple.outputs[c] = position((*point.outputs)[c]);
+        const bool known = std::all_of(triple.outputs.begin(), triple.outputs.end(),
+                                       [&](std::size_t output) { return output < indices.size(); }) &&
+                           std::none_of(triples.begin(), triples.end(), [&](const StudyTriple& other) {
+                               return other.outputs == triple.outputs;
+                           });
+        if (known) triples.push_back(triple);
+    }
+    return triples;
+}
+
+std::string first_error(const Problems& problems) {
+    for (const Problem& problem : problems.items())
+        if (problem.severity == Severity::error) return problem.message;
+    return "the model cannot be made";
+}
+
+EvaluatedPoint without_values(const std::string& reason) {
+    return {{}, reason.empty() ? "the model cannot be evaluated" : reason, false};
+}
+
+}  // namespace
+
+StudyPlan::StudyPlan(const PreparedStudy& study) : prepared(study), outputs(wanted_outputs(study)) {
+    options = prepared.analysis->options;
+    options.method = prepared.study.method;
+    options.trials = prepared.study.trials;
+    for (std::size_t axis = 0; axis < prepared.study.axes.size(); ++axis) {
+        values.push_back(axis_values(prepared.study.axes[axis], prepared.targets[axis].whole));
+        points *= values.back().size();
+        setup_varied = setup_varied || prepared.targets[axis].in_setup();
+    }
+    for (const StudyOutput& output : outputs)
+        indices.push_back(find_output(prepared.analysis->model->outputs(), output, none));
+    triples = triples_of(*prepared.analysis, indices);
+}
+
+GridWalker::GridWalker(const StudyPlan& plan)
+    : plan_(plan), entry_(plan.prepared.project.analyses.front()), library_(plan.prepared.assets) {
+    std::vector<std::size_t> known;
+    for (const StudyTarget& target : plan.prepared.targets) {
+        asset_of_axis_.push_back(none);
+        if (!target.in_setup() || target.asset == StudyTarget::analysis) continue;
+        const auto found = std::find(known.begin(), known.end(), target.asset);
+        asset_of_axis_.back() = static_cast<std::size_t>(found - known.begin());
+        if (found != known.end()) continue;
+        known.push_back(target.asset);
+        varied_assets_.push_back(plan.prepared.project.assets[target.asset]);
+    }
+}
+
+EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(std::uint64_t)>& advance) {
+    std::vector<std::size_t> indices(plan_.values.size());
+    for (std::size_t axis = indices.size(); axis-- > 0;) {
+        indices[axis] = point % plan_.values[axis].size();
+        point /= plan_.values[axis].size();
+    }
+    change(indices);
+    ModelOfAnalysis made{plan_.prepared.analysis->model, {}};
+    if (plan_.setup_varied) {
+        Problems problems;
+        if (make_assets(problems)) made = make_model_of(plan_.prepared.project, entry_, library_, problems);
+        if (problems.has_errors() || !made.model) return without_values(first_error(problems));
+    } else {
+        made.inputs = plan_.prepared.analysis->inputs;
+    }
+    return of_model(made, advance);
+}
+
+// All axes of one table or asset begin from the unchanged set-up, cell by cell.
+void GridWalker::change(const std::vector<std::size_t>& indices) {
+    const PreparedStudy& prepared = plan_.prepared;
+    values_.clear();
+    for (std::size_t axis = 0; axis < indices.size(); ++axis) {
+        values_.push_back(plan_.values[axis][indices[axis]]);
+        const StudyTarget& target = prepared.targets[axis];
+        if (!target.in_setup()) continue;
+        const bool own = target.asset == StudyTarget::analysis;
+        const Setup& base =
+            own ? prepared.project.analyses.front().setup : prepared.project.assets[target.asset].setup;
+        vary_setup(target, prepared.study.axes[axis], values_.back(), base,
+                   own ? entry_.setup : varied_assets_[asset_of_axis_[axis]].setup);
+    }
+}
+
+bool GridWalker::make_assets(Problems& problems) {
+    for (const AssetEntry& entry : varied_assets_) {
+        auto asset = make_asset_of(entry, problems);
+        if (!asset) return false;
+        AssetLibrary::Entry changed = *library_.find(entry.id);
+        changed.asset = std::move(asset);
+        library_.add(entry.id, std::move(changed));
+    }
+    return true;
+}
+
+EvaluatedPoint GridWalker::of_model(const ModelOfAnalysis& made,
+                                    const std::function<bool(std::uint64_t)>& advance) {
+    InputSet inputs = made.inputs;
+    for (std::size_t axis = 0; axis < values_.size(); ++axis) {
+        StudyTarget target = plan_.prepared.targets[axis];
+        if (target.in_setup()) continue;
+        if (target.kind == StudyTarget::Kind::component) {
+            const auto found = std::find_if(inputs.components.begin(), inputs.components.end(),
+                                            [&](const auto& c) { return c.id == target.key; });
+            target.index = static_cast<std::size_t>(found - inputs.components.begin());
+            if (found == inputs.components.end())
+                return without_values("there is no component '" + target.key + "' here");
+        } else if ((target.index = inputs.find(target.key)) == InputSet::npos) {
+            return without_values("there is no input quantity '" + target.key + "' here");
+        }
+        vary_inputs(target, plan_.prepared.study.axes[axis], values_[axis], inputs);
+    }
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < plan_.outputs.size(); ++k) {
+        indices.push_back(find_output(made.model->outputs(), plan_.outputs[k], plan_.indices[k]));
+        if (indices.back() == none)
+            return without_values("there is no output quantity '" + plan_.outputs[k].symbol + "' here");
+    }
+    const auto summary = evaluate_summary(*made.model, inputs, indices, plan_.options, advance);
+    if (!summary && summary.error().code == ErrorCode::cancelled) return {{}, {}, true};
+    if (!summary) return without_values(summary.error().message);
+    EvaluatedPoint evaluated;
+    evaluated.point.failed_trials = summary->failed_trials;
+    for (Eigen::Index k = 0; k < summary->estimate.size(); ++k)
+        evaluated.point.values.push_back({summary->estimate(k), summary->standard_uncertainty(k),
+                                          summary->coverage_factor(k) * summary->standard_uncertainty(k)});
+    add_places({made.model, std::move(inputs)}, indices, *summary, evaluated.point);
+    return evaluated;
+}
+
+void GridWalker::add_places(const ModelOfAnalysis& made, const std::vector<std::size_t>& indices,
+                            const EvaluationSummary& summary, StudyPoint& point) const {
+    if (plan_.triples.empty()) return;
+    const Layout layout = made.model->layout(estimates_of(made.inputs));
+    for (const StudyTriple& triple : plan_.triples) {
+        StudyPlace place;
+        std::array<std::size_t, 3> outputs{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            outputs[a] = indices[triple.outputs[a]];
+            for (std::size_t b = 0; b < 3; ++b)
+                place.covariance(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
+                    summary.covariance(static_cast<Eigen::Index>(triple.outputs[a]),
+                                       static_cast<Eigen::Index>(triple.outputs[b]));
+        }
+        for (const LayoutPoint& candidate : layout.points) {
+            if (!candidate.outputs || *candidate.outputs != outputs) continue;
+            place.p_W = candidate.p_W;
+            place.R_WQ = candidate.R_WQ;
+            break;
+        }
+        point.places.push_back(place);
+    }
+}
+
+}  // namespace covaria::detail

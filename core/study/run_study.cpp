@@ -1,0 +1,83 @@
+// All points of a study on several threads, their results in the order of the grid.
+#include <map>
+
+#include "core/propagation/parallel_blocks.h"
+#include "core/study/grid_point.h"
+
+namespace covaria {
+
+namespace {
+
+using namespace detail;
+
+StudyResult frame_of(const StudyPlan& plan) {
+    const PreparedStudy& prepared = plan.prepared;
+    StudyResult result;
+    result.id = prepared.study.id;
+    result.name = prepared.study.name.empty() ? prepared.study.id : prepared.study.name;
+    for (std::size_t axis = 0; axis < plan.values.size(); ++axis) {
+        const StudyAxis& given = prepared.study.axes[axis];
+        std::string title = prepared.targets[axis].title;
+        if (given.change == StudyChange::factor) title += ", factor";
+        if (given.change == StudyChange::added) title += ", added";
+        result.axes.push_back(
+            {title, given.unit, given.spacing == StudySpacing::logarithmic, plan.values[axis]});
+    }
+    for (const std::size_t output : plan.indices)
+        result.outputs.push_back(prepared.analysis->model->outputs()[output]);
+    result.triples = plan.triples;
+    result.reasons = {""};
+    result.trials = prepared.study.method == Method::first_order ? 0 : prepared.study.trials;
+    result.seed = plan.options.seed;
+    result.coverage_probability = plan.options.coverage_probability;
+    result.fingerprint = prepared.fingerprint;
+    return result;
+}
+
+/// Equal reasons are kept once.
+class ReasonBook {
+public:
+    explicit ReasonBook(std::vector<std::string>& reasons) : reasons_(reasons) {}
+    std::size_t index_of(const std::string& reason) {
+        if (reason.empty()) return 0;
+        const auto [entry, is_new] = known_.try_emplace(reason, reasons_.size());
+        if (is_new) reasons_.push_back(reason);
+        return entry->second;
+    }
+
+private:
+    std::vector<std::string>& reasons_;
+    std::map<std::string, std::size_t> known_;
+};
+
+}  // namespace
+
+Result<StudyResult> run_study(const PreparedStudy& study, const RunControl& control) {
+    const StudyPlan plan(study);
+    StudyResult result = frame_of(plan);
+    result.points.reserve(plan.points);
+    ReasonBook reasons(result.reasons);
+    RunMonitor monitor(control, plan.points * std::max<std::uint64_t>(1, result.trials));
+
+    OrderedWork<EvaluatedPoint> work;
+    work.units = plan.points;
+    work.make_partial = [] { return EvaluatedPoint{}; };
+    work.make_worker = [&] {
+        return [walker = std::make_shared<GridWalker>(plan), &monitor](std::uint64_t point,
+                                                                       EvaluatedPoint& evaluated) {
+            const auto advance = [&monitor](std::uint64_t trials) { return monitor.advance(trials); };
+            evaluated = walker->evaluate(point, advance);
+            return !evaluated.cancelled && !monitor.stopped();
+        };
+    };
+    work.merge = [&](std::uint64_t, EvaluatedPoint& evaluated) {
+        evaluated.point.reason = reasons.index_of(evaluated.reason);
+        result.points.push_back(std::move(evaluated.point));
+        return true;
+    };
+    if (run_in_order(work, monitor) == WorkEnd::cancelled)
+        return fail(ErrorCode::cancelled, "the study was stopped");
+    return result;
+}
+
+}  // namespace covaria
