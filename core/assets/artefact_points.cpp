@@ -316,7 +316,7 @@ private:
     OwnFrameSource source_;
 };
 
-std::unique_ptr<Asset> create_artefact(const SetupReader& setup, Problems& problems) {
+std::unique_ptr<Asset> create_artefact(const SetupReader& setup, const AssetLibrary&, Problems& problems) {
     ArtefactReader reader(setup, problems);
     std::vector<CalibratedPoint> points = reader.points();
     std::vector<ObservedErrors> errors;

@@ -11,6 +11,8 @@ AssetDescriptor artefact_points_kind();
 AssetDescriptor length_standard_kind();
 /// An instrument that measures distance and two angles, standing somewhere.
 AssetDescriptor spherical_instrument_kind();
+/// Instruments that measure the same points together (Galetto et al.).
+AssetDescriptor sensor_network_kind();
 /// A manufacturer's figure for the uncertainty of a measured point.
 AssetDescriptor point_specification_kind();
 

@@ -159,7 +159,8 @@ ErrorBudget printed_budget(const SetupReader& setup, Problems& problems) {
     return {};
 }
 
-std::unique_ptr<Asset> create_length_standard(const SetupReader& setup, Problems& problems) {
+std::unique_ptr<Asset> create_length_standard(const SetupReader& setup, const AssetLibrary&,
+                                              Problems& problems) {
     const bool measured = setup.text("evaluation") == "observations";
     std::vector<LengthError> errors;
     if (measured) errors = read_errors(setup);

@@ -71,7 +71,7 @@ private:
     OwnFrameSource source_;
 };
 
-std::unique_ptr<Asset> create_specification(const SetupReader& setup, Problems&) {
+std::unique_ptr<Asset> create_specification(const SetupReader& setup, const AssetLibrary&, Problems&) {
     const std::string meaning = setup.text("meaning");
     const bool of_length = setup.text("applies_to") == "length";
     const Distribution distribution = specified_distribution(meaning, setup.number("figure"))

@@ -7,7 +7,8 @@ namespace covaria {
 
 const std::vector<AssetDescriptor>& asset_registry() {
     static const std::vector<AssetDescriptor> kinds{artefact_points_kind(), length_standard_kind(),
-                                                    spherical_instrument_kind(), point_specification_kind()};
+                                                    spherical_instrument_kind(), sensor_network_kind(),
+                                                    point_specification_kind()};
     return kinds;
 }
 

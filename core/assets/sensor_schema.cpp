@@ -1,5 +1,7 @@
 #include "core/assets/sensor_schema.h"
 
+#include <numbers>
+
 #include "core/assets/specification.h"
 
 namespace covaria {
@@ -83,7 +85,35 @@ std::vector<FieldSpec> specification_fields() {
                with_angles),
         figure("angle_elevation", "Elevation", "arcsec", "Figure for the vertical angle.", section,
                with_angles),
+        figure("across_constant", "Angles: constant part across", "mm",
+               "Part of both angles' figures that is a length across the line of sight, as trackers state it "
+               "(15 µm + 6 µm/m); an angle's figure is this over the distance plus its own.",
+               section, with_angles),
         meaning_field(section)};
+}
+
+/// Range and field of view: blank where there is no limit.
+std::vector<FieldSpec> view_fields() {
+    const char* section = "Range and field of view";
+    const auto limit = [&](const char* key, const char* title, const char* unit, double high,
+                           const char* help) {
+        return FieldSpec{.key = key,
+                         .title = title,
+                         .help = help,
+                         .unit = Unit::of(unit),
+                         .range = {.low = 0.0, .high = high, .low_open = true},
+                         .optional = true,
+                         .section = section};
+    };
+    constexpr double turn = 2.0 * std::numbers::pi;
+    return {figure("view_nearest", "Shortest distance", "m", "Targets nearer than this are not measured.",
+                   section),
+            limit("view_farthest", "Longest distance", "m", Range::infinity_value,
+                  "Targets farther than this are not measured; empty: no limit."),
+            limit("view_azimuth", "Horizontal field of view", "deg", turn,
+                  "Full angle, half of it to either side of the sensor's x-axis; empty: all round."),
+            limit("view_elevation", "Vertical field of view", "deg", 0.5 * turn,
+                  "Full angle, half of it above the sensor's xy-plane and half below; empty: no limit.")};
 }
 
 std::vector<FieldSpec> systematic_fields() {
@@ -169,7 +199,7 @@ const std::array<StationCoordinate, 6>& station_coordinates() {
 SetupSchema sensor_schema() {
     std::vector<FieldSpec> fields = station_fields();
     for (const std::vector<FieldSpec>& more :
-         {specification_fields(), systematic_fields(), station_uncertainty_fields()})
+         {specification_fields(), view_fields(), systematic_fields(), station_uncertainty_fields()})
         fields.insert(fields.end(), more.begin(), more.end());
     return SetupSchema(std::move(fields));
 }

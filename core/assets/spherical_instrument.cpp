@@ -18,16 +18,19 @@ struct Specification {
     double distance_scale = 0.0;     ///< b of a + b L
     double azimuth = 0.0;            ///< rad
     double elevation = 0.0;          ///< rad
+    double across = 0.0;             ///< constant part across the line of sight, m
     std::string meaning;
 
-    double figure(Observable observable, double distance) const {
+    double figure(Observable observable, const Eigen::Vector3d& v) const {
+        const double distance = v.norm();
+        const double level = std::max(v.head<2>().norm(), near_zenith * distance);
         switch (observable) {
             case Observable::distance:
                 return distance_constant + distance_scale * distance;
             case Observable::azimuth:
-                return azimuth;
+                return azimuth + across / level;
             case Observable::elevation:
-                return elevation;
+                return elevation + across / distance;
         }
         return 0.0;
     }
@@ -94,6 +97,7 @@ struct SensorData {
     std::array<UncertaintyComponent, 6> station_components;
     std::vector<StationCorrelation> correlations;
     std::vector<SystematicDeviation> systematic;
+    FieldOfView view;
 
     bool locates() const { return reads[0] && reads[1] && reads[2]; }
 };
@@ -111,6 +115,8 @@ public:
         return data_.correlations;
     }
     const std::vector<SystematicDeviation>& systematic() const override { return data_.systematic; }
+    bool sees(const Eigen::Vector3d& v) const override { return data_.view.contains(v); }
+    const FieldOfView& field_of_view() const override { return data_.view; }
 
     UncertaintyComponent reading(Observable observable, const Eigen::Vector3d& v) const override {
         const Specification& s = data_.specification;
@@ -118,7 +124,7 @@ public:
         return {.id = name_of(observable),
                 .name = name_of(observable),
                 .unit = Unit::of(units[static_cast<int>(observable)]),
-                .distribution = specified_distribution(s.meaning, s.figure(observable, v.norm())),
+                .distribution = specified_distribution(s.meaning, s.figure(observable, v)),
                 .origin = "instrument: " + meaning_words(s.meaning)};
     }
 
@@ -153,6 +159,15 @@ public:
         }
         add_station(p, X_WS, found);
         return found;
+    }
+
+    std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d&) const override {
+        return {sensor_.station().X_WS().translation()};
+    }
+
+    std::string objection(const Eigen::Vector3d& p) const override {
+        const Eigen::Vector3d v = sensor_.station().X_WS().inverse() * p;
+        return sensor_.sees(v) ? "" : "it is out of the range or field of view of the instrument";
     }
 
 private:
@@ -257,10 +272,33 @@ public:
                                  .source = source});
         layout.points.push_back(
             {.name = "station", .kind = PointKind::station, .p_W = X_WS.translation(), .source = source});
+        add_view(layout);
         return layout;
     }
 
 private:
+    /// Edges of a limited field of view, from the station to the end of the range (or 1 m).
+    void add_view(Layout& layout) const {
+        const FieldOfView& view = sensor_.field_of_view();
+        if (!view.is_limited() || view.azimuth >= 0.5 * std::numbers::pi) return;
+        const Eigen::Isometry3d X_WS = sensor_.station().X_WS();
+        const double length = std::isfinite(view.farthest) ? view.farthest : 1.0;
+        std::array<Eigen::Vector3d, 4> corners;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double azimuth = i == 0 || i == 3 ? -view.azimuth : view.azimuth;
+            const double elevation = i < 2 ? -view.elevation : view.elevation;
+            corners[i] = X_WS * (length * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                                          std::cos(elevation) * std::sin(azimuth),
+                                                          std::sin(elevation)));
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            layout.links.push_back(
+                {"field of view", LinkKind::field_of_view, X_WS.translation(), corners[i], {}});
+            layout.links.push_back(
+                {"field of view", LinkKind::field_of_view, corners[i], corners[(i + 1) % 4], {}});
+        }
+    }
+
     bool locates_;
     PlacedSensor sensor_;
     SphericalSource source_;
@@ -301,7 +339,19 @@ void read_station(const SetupReader& setup, SensorData& data, Problems& problems
     }
 }
 
-std::unique_ptr<Asset> create_instrument(const SetupReader& setup, Problems& problems) {
+void read_view(const SetupReader& setup, SensorData& data, Problems& problems) {
+    FieldOfView& view = data.view;
+    view.nearest = setup.number("view_nearest");
+    if (setup.has("view_farthest")) view.farthest = setup.number("view_farthest");
+    if (setup.has("view_azimuth")) view.azimuth = 0.5 * setup.number("view_azimuth");
+    if (setup.has("view_elevation")) view.elevation = 0.5 * setup.number("view_elevation");
+    if (!(view.nearest < view.farthest))
+        problems.error("/view_farthest",
+                       "the range ends before it begins: the longest distance must be "
+                       "greater than the shortest");
+}
+
+std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLibrary&, Problems& problems) {
     SensorData data;
     data.reads = readings_of(setup);
     if (!data.reads[0] && !data.reads[1] && !data.reads[2]) {
@@ -310,9 +360,10 @@ std::unique_ptr<Asset> create_instrument(const SetupReader& setup, Problems& pro
     }
     data.glyph = setup.text("kind") == "generic" ? "total-station" : setup.text("kind");
     data.specification = {setup.number("distance_constant"), setup.number("distance_scale"),
-                          setup.number("angle_azimuth"), setup.number("angle_elevation"),
-                          setup.text("meaning")};
+                          setup.number("angle_azimuth"),     setup.number("angle_elevation"),
+                          setup.number("across_constant"),   setup.text("meaning")};
     read_station(setup, data, problems);
+    read_view(setup, data, problems);
     const bool angles = data.reads[1] || data.reads[2];
     for (const SharedField& field : shared_fields) {
         const bool applies =

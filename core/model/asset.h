@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,15 @@ struct PointDeviation {
     bool common = false;             ///< one and the same draw for all points of a set-up
 };
 
+/// Deviation of several points measured together that one component causes.
+struct JointDeviation {
+    std::string id, name;
+    UncertaintyComponent component;
+    std::optional<std::size_t> point = {};  ///< whose reading it is; empty: of the whole set-up
+    std::string owner = {};  ///< id of the asset whose deviation it is; empty: the asset that is asked
+    std::vector<Eigen::Vector3d> directions;  ///< per unit of the component, one for each point
+};
+
 /// Capability "point-uncertainty": what the asset says about the uncertainty of a measured point's
 /// coordinates.
 class PointUncertaintySource {
@@ -42,7 +52,16 @@ public:
     virtual Axes axes() const = 0;
     /// Deviations of a point at p (in the frame that `axes` names).
     virtual std::vector<PointDeviation> deviations(const Eigen::Vector3d& p) const = 0;
+    /// Deviations of points measured together, from one set-up. Default: each point by itself, `common` ones
+    /// shared by all.
+    virtual std::vector<JointDeviation> joint_deviations(const std::vector<Eigen::Vector3d>& points) const;
+    /// Where the instruments stand that measure a point at p, for its sight lines.
+    virtual std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d&) const { return {}; }
+    /// Why a point at p cannot be measured so; empty if it can.
+    virtual std::string objection(const Eigen::Vector3d&) const { return {}; }
 };
+
+class AssetLibrary;
 
 /// Made from a checked set-up; immutable.
 class Asset {
@@ -72,8 +91,10 @@ struct AssetDescriptor {
     std::vector<std::string> notes;
     std::vector<std::string> capabilities;  ///< "point-uncertainty"
     SetupSchema schema;
-    /// Null if `problems` got an error. `setup` has passed check_setup.
-    std::function<std::unique_ptr<Asset>(const SetupReader& setup, Problems& problems)> create;
+    /// Null if `problems` got an error. `setup` has passed check_setup; `assets` holds those it refers to.
+    std::function<std::unique_ptr<Asset>(const SetupReader& setup, const AssetLibrary& assets,
+                                         Problems& problems)>
+        create;
 };
 
 /// The assets of a project, made; what models see.

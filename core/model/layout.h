@@ -43,7 +43,7 @@ struct LayoutPoint {
         Eigen::Matrix3d::Identity();  ///< axes in which those three coordinates are expressed
 };
 
-enum class LinkKind { leg, robot_link, bar, joint_axis, sight_line, dimension, edge };
+enum class LinkKind { leg, robot_link, bar, joint_axis, sight_line, dimension, field_of_view, edge };
 
 struct LayoutLink {
     std::string name;

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,14 @@ struct StationCorrelation {
     double coefficient = 0.0;
 };
 
+/// Where a sensor sees targets, in its own axes.
+struct FieldOfView {
+    double nearest = 0.0, farthest = std::numeric_limits<double>::infinity();  ///< m
+    double azimuth = std::numbers::pi, elevation = 0.5 * std::numbers::pi;     ///< half angles about x, rad
+    bool contains(const Eigen::Vector3d& v) const;
+    bool is_limited() const;
+};
+
 class SensorSource {
 public:
     virtual ~SensorSource() = default;
@@ -59,7 +69,27 @@ public:
     /// Deviation of one reading of the target at v, independent of all others.
     virtual UncertaintyComponent reading(Observable observable, const Eigen::Vector3d& v) const = 0;
     virtual const std::vector<SystematicDeviation>& systematic() const = 0;
+    /// Whether a target at v (sensor's axes, m) is in its range and field of view.
+    virtual bool sees(const Eigen::Vector3d& v) const = 0;
+    virtual const FieldOfView& field_of_view() const = 0;
 };
+
+/// Horizontal distance over distance below which a target counts as overhead: its azimuth is then read by its
+/// effect, a displacement in m across the azimuth read.
+inline constexpr double near_zenith = 1e-3;
+
+/// What readings of a target depend on, to first order: a row for every observable.
+struct ReadingSensitivity {
+    Eigen::Matrix3d to_point;                ///< by the target's coordinates in W
+    Eigen::Matrix<double, 3, 6> to_station;  ///< by the six coordinates of the station
+    bool overhead = false;
+    /// What an azimuth's own deviation in rad is multiplied by: 1, overhead the horizontal distance (at least
+    /// near_zenith of the distance).
+    double azimuth_scale = 1.0;
+};
+ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W);
+/// The same for an azimuth that was read, which decides what "across" is where the target is overhead.
+ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W, double azimuth);
 
 /// Whether the correlation coefficients of the station are possible together (no negative eigenvalue).
 bool has_valid_correlation(const SensorSource& sensor);

@@ -9,8 +9,6 @@ namespace covaria::network {
 
 namespace {
 
-constexpr double near_zenith = 1e-3;  // horizontal distance over distance
-
 class SetupReading {
 public:
     SetupReading(const SetupReader& setup, const AssetLibrary& assets, Problems& problems)
@@ -106,6 +104,7 @@ private:
         for (std::size_t t = 0; t < network_.targets.size(); ++t)
             for (std::size_t s = 0; s < network_.sensors.size(); ++s) {
                 const SensorSource& source = network_.sensors[s].source();
+                if (!sees(s, t)) continue;
                 Sight sight;
                 sight.sensor = s;
                 for (std::size_t i = 0; i < 3; ++i) {
@@ -115,6 +114,16 @@ private:
                 sight.reading = readings_of(source.station(), network_.targets[t].nominal);
                 network_.targets[t].sights.push_back(sight);
             }
+    }
+
+    bool sees(std::size_t s, std::size_t t) {
+        const SensorSource& source = network_.sensors[s].source();
+        const Target& target = network_.targets[t];
+        if (source.sees(source.station().X_WS().inverse() * target.nominal)) return true;
+        problems_.warning(row_path("targets", t), network_.sensors[s].name + " does not see target " +
+                                                      target.name +
+                                                      ": it is out of its range or field of view");
+        return false;
     }
 
     void read_readings() {

@@ -10,43 +10,6 @@ namespace covaria::network {
 
 namespace {
 
-/// d(reading)/d(point) in the sensor's axes, a row for every observable.
-Eigen::Matrix3d reading_gradients(const Eigen::Vector3d& v) {
-    const double rho = v.head<2>().norm(), d = v.norm();
-    Eigen::Matrix3d G;
-    G.row(0) = v.transpose() / d;
-    G.row(1) = Eigen::RowVector3d(-v.y(), v.x(), 0.0) / (rho * rho);
-    G.row(2) = Eigen::RowVector3d(-v.x() * v.z(), -v.y() * v.z(), rho * rho) / (rho * d * d);
-    return G;
-}
-
-/// The same where the horizontal distance is next to nothing: the azimuth as its effect across the azimuth
-/// read.
-Eigen::Matrix3d overhead_gradients(const Eigen::Vector3d& v, double azimuth) {
-    Eigen::Matrix3d G;
-    const Eigen::Vector3d across(-std::sin(azimuth), std::cos(azimuth), 0.0);
-    const Eigen::Vector3d along(std::cos(azimuth), std::sin(azimuth), 0.0);
-    G.row(0) = v.transpose() / v.norm();
-    G.row(1) = across.transpose();
-    G.row(2) = -along.transpose() / v.z();
-    return G;
-}
-
-/// d(v)/d(station): six columns, v the target in the sensor's axes.
-Eigen::Matrix<double, 3, 6> station_effect(const Station& station, const Eigen::Vector3d& p) {
-    constexpr double step = 1e-5;
-    Eigen::Matrix<double, 3, 6> K;
-    K.leftCols<3>() = -station.X_WS().linear().transpose();
-    for (std::size_t i = 3; i < 6; ++i) {
-        Station higher = station, lower = station;
-        higher.coordinates[i] += step;
-        lower.coordinates[i] -= step;
-        K.col(static_cast<int>(i)) =
-            (higher.X_WS().inverse() * p - lower.X_WS().inverse() * p) / (2.0 * step);
-    }
-    return K;
-}
-
 std::string rounded(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
@@ -172,16 +135,14 @@ Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, 
         for (std::size_t k = 0; k < sight.sensor; ++k)
             column += 6 + static_cast<Eigen::Index>(setup.sensors[k].source().systematic().size());
         const SensorSource& source = setup.sensors[sight.sensor].source();
-        const Eigen::Isometry3d X_WS = source.station().X_WS();
-        const Eigen::Vector3d v = X_WS.inverse() * p;
-        const Eigen::Matrix3d G =
-            sight.overhead ? overhead_gradients(v, sight.reading[1]) : reading_gradients(v);
-        const Eigen::Matrix<double, 3, 6> K =
-            G * station_effect(source.station(), p) * station_factor(source);
+        const Eigen::Vector3d v = source.station().X_WS().inverse() * p;
+        const ReadingSensitivity reading =
+            reading_sensitivity(source.station(), p, sight.has[1] ? sight.reading[1] : 0.0);
+        const Eigen::Matrix<double, 3, 6> K = reading.to_station * station_factor(source);
         for (std::size_t i = 0; i < 3; ++i) {
             if (!sight.has[i]) continue;
             const auto g = static_cast<Eigen::Index>(i);
-            s.to_point.row(row) = G.row(g) * X_WS.linear().transpose();
+            s.to_point.row(row) = reading.to_point.row(g);
             s.shared.block<1, 6>(row, column) = K.row(g);
             for (std::size_t k = 0; k < source.systematic().size(); ++k) {
                 const SystematicDeviation& deviation = source.systematic()[k];

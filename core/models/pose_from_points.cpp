@@ -48,6 +48,8 @@ std::unique_ptr<MeasurementModel> create_pose_model(const SetupReader& setup, co
                                                     Problems& problems) {
     std::optional<pose::PoseSetup> read = pose::read_pose_setup(setup, assets, problems);
     if (!read) return nullptr;
+    pose::check_measurable(*read, problems);
+    if (problems.has_errors()) return nullptr;
     InputSet inputs = pose::pose_inputs(*read);
     pose::warn_about(*read, inputs, problems);
     return std::make_unique<PoseFromPoints>(std::move(*read), std::move(inputs));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 
 #include "core/models/pose_equations.h"
 
@@ -11,98 +12,144 @@ namespace {
 
 constexpr char axis_letters[] = "xyz";
 
+/// A point in frame 0, and how its deviations reach its coordinates.
+struct MeasuredPoint {
+    const FrameRule* rule;
+    const UncertaintyRule* uncertainty;
+    Side side;
+    std::size_t index;  ///< in its frame
+    std::size_t pose;   ///< counts from 1; 0 is the base
+    Eigen::Vector3d p_0;
+    Eigen::Matrix3d axes;  ///< of the frame that it is a point of
+
+    const NominalPoint& nominal() const { return rule->points[index]; }
+    bool is_world() const {
+        return uncertainty->asset->point_uncertainty()->axes() == PointUncertaintySource::Axes::world;
+    }
+    std::string letter() const { return letter_of(side) + "_" + std::to_string(index + 1); }
+    std::string suffix() const { return pose == 0 ? "" : "_" + std::to_string(pose); }
+    std::string symbol() const { return letter() + suffix(); }
+};
+
+using Shares = std::array<std::vector<Share>, 3>;
+
 class InputBuilder {
 public:
     explicit InputBuilder(const PoseSetup& setup) : setup_(setup) {}
 
     InputSet build() {
-        add_points(setup_.base, setup_.base_uncertainty, setup_.base_points, Side::base, 0);
+        list_points(setup_.base, setup_.base_uncertainty, setup_.base_points, 0);
         for (std::size_t k = 0; k < setup_.poses.size(); ++k)
-            add_points(setup_.moving, setup_.moving_uncertainty, setup_.poses[k].points, Side::moving, k + 1);
+            list_points(setup_.moving, setup_.moving_uncertainty, setup_.poses[k].points, k + 1);
+        shares_.resize(points_.size());
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (points_[i].uncertainty->asset)
+                add_asset(points_[i].uncertainty->asset.get());
+            else
+                add_typed(i);
+            add_quantities(i);
+        }
         return std::move(inputs_);
     }
 
 private:
-    /// `pose` counts from 1; 0 is the base.
-    void add_points(const FrameRule& rule, const UncertaintyRule& uncertainty,
-                    const std::vector<Eigen::Vector3d>& points, Side side, std::size_t pose) {
+    void list_points(const FrameRule& rule, const UncertaintyRule& uncertainty,
+                     const std::vector<Eigen::Vector3d>& points, std::size_t pose) {
         const Eigen::Matrix3d axes = frame_of(rule, points).linear();
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const std::string letter = letter_of(side) + "_" + std::to_string(i + 1);
-            const std::string suffix = pose == 0 ? "" : "_" + std::to_string(pose);
-            std::array<std::vector<Share>, 3> shares;
-            for (PointDeviation& d : deviations_at(rule.points[i], uncertainty, points[i])) {
-                const bool turned = !is_world(uncertainty);
-                const Eigen::Vector3d direction = turned ? Eigen::Vector3d(axes * d.direction) : d.direction;
-                const std::size_t component = component_of(d, uncertainty, side, letter + suffix);
-                for (int c = 0; c < 3;
-                     ++c)  // what rounding leaves off the axes of a turned frame is no share
-                    if (std::abs(direction[c]) > 1e-14 * direction.norm())
-                        shares[static_cast<std::size_t>(c)].push_back({component, direction[c]});
-            }
-            const std::string path = source_path(side, i, pose);
-            for (std::size_t c = 0; c < 3; ++c) {
-                InputQuantity quantity;
-                quantity.symbol = letter + axis_letters[c] + suffix;
-                quantity.name = rule.points[i].name +
-                                (pose == 0 ? "" : " in " + setup_.poses[pose - 1].name) + ", coordinate " +
-                                axis_letters[c];
-                quantity.unit = Unit::of("mm");
-                quantity.offset = points[i][static_cast<int>(c)];
-                quantity.shares = shares[c];
-                quantity.group = pose == 0 ? "base" : setup_.poses[pose - 1].name;
-                quantity.source = path;
-                inputs_.quantities.push_back(std::move(quantity));
+        const Side side = pose == 0 ? Side::base : Side::moving;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points_.push_back({&rule, &uncertainty, side, i, pose, points[i], axes});
+    }
+
+    void add_quantities(std::size_t i) {
+        const MeasuredPoint& point = points_[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            InputQuantity quantity;
+            quantity.symbol = point.letter() + axis_letters[c] + point.suffix();
+            quantity.name = point.nominal().name +
+                            (point.pose == 0 ? "" : " in " + setup_.poses[point.pose - 1].name) +
+                            ", coordinate " + axis_letters[c];
+            quantity.unit = Unit::of("mm");
+            quantity.offset = point.p_0[static_cast<int>(c)];
+            quantity.shares = shares_[i][c];
+            quantity.group = point.pose == 0 ? "base" : setup_.poses[point.pose - 1].name;
+            quantity.source = source_path(point);
+            inputs_.quantities.push_back(std::move(quantity));
+        }
+    }
+
+    std::string source_path(const MeasuredPoint& point) const {
+        if (setup_.a_posteriori) return "/measured_points";
+        if (point.pose > 0) return "/poses/rows/" + std::to_string(point.pose - 1);
+        return "/" + prefix_of(point.side) + "_points/rows/" + std::to_string(point.index);
+    }
+
+    /// All points that the asset measures, together, when the first of them is reached.
+    void add_asset(const Asset* asset) {
+        if (!added_.insert(asset).second) return;
+        std::vector<std::size_t> measured;
+        std::vector<Eigen::Vector3d> places;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (points_[i].uncertainty->asset.get() != asset) continue;
+            measured.push_back(i);
+            places.push_back(points_[i].is_world() ? points_[i].p_0 : points_[i].nominal().local);
+        }
+        for (JointDeviation& d : asset->point_uncertainty()->joint_deviations(places)) {
+            const UncertaintyRule& rule = *points_[measured.front()].uncertainty;
+            const std::string whose = d.point           ? points_[measured[*d.point]].symbol()
+                                      : d.owner.empty() ? rule.asset_id
+                                                        : d.owner;
+            const std::size_t component =
+                component_of(d.component, whose + "." + d.id, rule.asset_name, !d.point);
+            for (std::size_t k = 0; k < measured.size(); ++k) {
+                const MeasuredPoint& point = points_[measured[k]];
+                const Eigen::Vector3d& direction = d.directions[k];
+                add_shares(measured[k], component,
+                           point.is_world() ? direction : Eigen::Vector3d(point.axes * direction));
             }
         }
     }
 
-    std::string source_path(Side side, std::size_t i, std::size_t pose) const {
-        if (setup_.a_posteriori) return "/measured_points";
-        if (pose > 0) return "/poses/rows/" + std::to_string(pose - 1);
-        return "/" + prefix_of(side) + "_points/rows/" + std::to_string(i);
-    }
-
-    static bool is_world(const UncertaintyRule& rule) {
-        return rule.asset && rule.asset->point_uncertainty()->axes() == PointUncertaintySource::Axes::world;
-    }
-
-    static std::vector<PointDeviation> deviations_at(const NominalPoint& point, const UncertaintyRule& rule,
-                                                     const Eigen::Vector3d& p_0) {
-        if (rule.asset)
-            return rule.asset->point_uncertainty()->deviations(is_world(rule) ? p_0 : point.local);
-        std::vector<PointDeviation> deviations;
+    void add_typed(std::size_t i) {
+        const MeasuredPoint& point = points_[i];
         for (std::size_t c = 0; c < 3; ++c) {
             const std::string axis(1, axis_letters[c]);
-            const bool own = point.u[c].has_value();
-            PointDeviation d{
-                axis, "coordinate " + axis, Eigen::Vector3d::Unit(static_cast<int>(c)), {}, false};
-            d.component = {.id = axis,
-                           .name = d.name,
-                           .unit = Unit::of("mm"),
-                           .distribution = Distribution::normal(point.u[c].value_or(rule.u[c])),
-                           .origin = "typed"};
-            d.common = rule.common[c] && !own;
-            deviations.push_back(std::move(d));
+            const std::optional<double>& own = point.nominal().u[c];
+            const bool common = point.uncertainty->common[c] && !own;
+            UncertaintyComponent component{
+                .id = {},
+                .name = "coordinate " + axis,
+                .unit = Unit::of("mm"),
+                .distribution = Distribution::normal(own.value_or(point.uncertainty->u[c])),
+                .origin = "typed"};
+            const std::string id = (common ? prefix_of(point.side) : point.symbol()) + "." + axis;
+            add_shares(i, component_of(component, id, {}, common), point.axes.col(static_cast<int>(c)));
         }
-        return deviations;
     }
 
-    /// Index of the deviation's component: a new one, or the common one that another point has made.
-    std::size_t component_of(PointDeviation& d, const UncertaintyRule& rule, Side side,
-                             const std::string& point) {
-        const std::string owner = rule.asset ? rule.asset_id : prefix_of(side);
-        d.component.id = (d.common ? owner : point) + "." + d.id;
-        if (rule.asset && !rule.asset_name.empty())
-            d.component.origin = rule.asset_name + " (" + d.component.origin + ")";
-        if (!d.common) return inputs_.add(std::move(d.component));
-        const auto [known, is_new] = common_.try_emplace(d.component.id, inputs_.components.size());
-        if (is_new) inputs_.add(std::move(d.component));
+    /// What rounding leaves off the axes of a turned frame is no share.
+    void add_shares(std::size_t point, std::size_t component, const Eigen::Vector3d& direction) {
+        for (int c = 0; c < 3; ++c)
+            if (std::abs(direction[c]) > 1e-14 * direction.norm())
+                shares_[point][static_cast<std::size_t>(c)].push_back({component, direction[c]});
+    }
+
+    /// Index of the component: a new one, or the common one that another point has made.
+    std::size_t component_of(UncertaintyComponent& component, const std::string& id,
+                             const std::string& asset_name, bool common) {
+        component.id = id;
+        if (!asset_name.empty()) component.origin = asset_name + " (" + component.origin + ")";
+        if (!common) return inputs_.add(std::move(component));
+        const auto [known, is_new] = common_.try_emplace(id, inputs_.components.size());
+        if (is_new) inputs_.add(std::move(component));
         return known->second;
     }
 
     const PoseSetup& setup_;
     InputSet inputs_;
+    std::vector<MeasuredPoint> points_;
+    std::vector<Shares> shares_;
+    std::set<const Asset*> added_;
     std::map<std::string, std::size_t> common_;
 };
 
@@ -186,6 +233,25 @@ Eigen::Isometry3d frame_of(const FrameRule& rule, const std::vector<Eigen::Vecto
     X.linear() = f.R;
     X.translation() = f.o;
     return X;
+}
+
+void check_measurable(const PoseSetup& setup, Problems& problems) {
+    const auto check = [&](const FrameRule& rule, const UncertaintyRule& uncertainty,
+                           const std::vector<Eigen::Vector3d>& points, const std::string& where) {
+        if (!uncertainty.asset) return;
+        const PointUncertaintySource& source = *uncertainty.asset->point_uncertainty();
+        const bool world = source.axes() == PointUncertaintySource::Axes::world;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::string objection = source.objection(world ? points[i] : rule.points[i].local);
+            if (!objection.empty())
+                problems.error(where, "point " + rule.points[i].name + " cannot be measured by " +
+                                          uncertainty.asset_name + ": " + objection);
+        }
+    };
+    check(setup.base, setup.base_uncertainty, setup.base_points, "/base_points");
+    for (std::size_t k = 0; k < setup.poses.size(); ++k)
+        check(setup.moving, setup.moving_uncertainty, setup.poses[k].points,
+              "/poses/rows/" + std::to_string(k));
 }
 
 InputSet pose_inputs(const PoseSetup& setup) {

@@ -36,6 +36,8 @@ private:
             point.inputs = {{first + 3 * i, first + 3 * i + 1, first + 3 * i + 2}};
             point.source = nest_source(side, i, X);
             layout_.points.push_back(std::move(point));
+            add_sight_lines(side == Side::base ? setup_.base_uncertainty : setup_.moving_uncertainty, q[i],
+                            "sight of " + rule.points[i].name, group);
         }
         LayoutBody plate{.name = side == Side::base ? "base" : "moving platform"};
         plate.outline_W = outline(q, X);
@@ -82,14 +84,23 @@ private:
             return;
         const Layout own = rule.asset->layout();
         for (LayoutBody body : own.bodies) {
-            body.name = rule.asset_name.empty() ? body.name : rule.asset_name;
+            if (own.bodies.size() == 1 && !rule.asset_name.empty()) body.name = rule.asset_name;
             body.source = {};  // edited in the asset, not here
             layout_.bodies.push_back(std::move(body));
         }
         for (LayoutPoint point : own.points) {
+            if (own.points.size() == 1 && !rule.asset_name.empty()) point.name = rule.asset_name;
             point.source = {};
             layout_.points.push_back(std::move(point));
         }
+        layout_.links.insert(layout_.links.end(), own.links.begin(), own.links.end());
+    }
+
+    void add_sight_lines(const UncertaintyRule& rule, const Eigen::Vector3d& p, const std::string& name,
+                         const std::string& group) {
+        if (!rule.asset) return;
+        for (const Eigen::Vector3d& station : rule.asset->point_uncertainty()->stations_seeing(p))
+            layout_.links.push_back({name, LinkKind::sight_line, station, p, group});
     }
 
     const PoseSetup& setup_;

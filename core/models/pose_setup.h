@@ -70,6 +70,9 @@ std::optional<PoseSetup> read_pose_setup(const SetupReader& setup, const AssetLi
 /// X_0F of a frame made from the points q (in frame 0).
 Eigen::Isometry3d frame_of(const FrameRule& rule, const std::vector<Eigen::Vector3d>& q);
 
+/// An error for every point that its instrument cannot measure.
+void check_measurable(const PoseSetup& setup, Problems& problems);
+
 /// The input quantities b_ix ... and p_ix_k ... with their components.
 InputSet pose_inputs(const PoseSetup& setup);
 

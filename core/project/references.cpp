@@ -99,4 +99,30 @@ std::vector<std::string> analyses_using(const Project& project, const std::strin
     return users;
 }
 
+std::vector<std::size_t> assets_affected_by(const Project& project, const std::set<std::string>& ids) {
+    std::vector<std::set<std::string>> refers_to(project.assets.size());
+    for (std::size_t i = 0; i < project.assets.size(); ++i)
+        collect(project, schema_of(project.assets[i]), project.assets[i].setup, refers_to[i]);
+    std::set<std::string> waiting;
+    for (std::size_t i = 0; i < project.assets.size(); ++i) {
+        const auto is_changed = [&](const std::string& id) { return ids.count(id) > 0; };
+        if (is_changed(project.assets[i].id) ||
+            std::any_of(refers_to[i].begin(), refers_to[i].end(), is_changed))
+            waiting.insert(project.assets[i].id);
+    }
+    std::vector<std::size_t> ordered;
+    for (bool found = true; found;) {
+        found = false;
+        for (std::size_t i = 0; i < project.assets.size(); ++i) {
+            const auto waits = [&](const std::string& id) { return waiting.count(id) > 0; };
+            if (!waits(project.assets[i].id) || std::any_of(refers_to[i].begin(), refers_to[i].end(), waits))
+                continue;
+            ordered.push_back(i);
+            waiting.erase(project.assets[i].id);
+            found = true;
+        }
+    }
+    return ordered;
+}
+
 }  // namespace covaria

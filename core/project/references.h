@@ -16,7 +16,8 @@ struct AssetReference {
     std::vector<std::string> capabilities;
 };
 
-/// Of the fields that are shown, and of the cells of tables, in the order of the schema; empty references are left out.
+/// Of the fields that are shown, and of the cells of tables, in the order of the schema; empty references are
+/// left out.
 std::vector<AssetReference> references_of(const SetupSchema& schema, const Setup& setup);
 
 /// Reports references to assets that do not exist, have errors of their own, or lack the capability.

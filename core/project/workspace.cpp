@@ -28,12 +28,65 @@ bool took_errors(const Problems& part, const std::string& place, Problems& probl
     return part.has_errors();
 }
 
-std::unique_ptr<Asset> make_asset(const AssetEntry& entry, const AssetDescriptor& kind, Problems& problems) {
-    check_setup(kind.schema, entry.setup, problems);
-    if (problems.has_errors()) return nullptr;
-    auto asset = kind.create(SetupReader(kind.schema, entry.setup), problems);
-    return problems.has_errors() ? nullptr : std::move(asset);
-}
+// Makes every asset after those that it refers to.
+class AssetMaking {
+public:
+    AssetMaking(const Project& project, Problems& problems)
+        : project_(project), problems_(problems), states_(project.assets.size(), State::waiting) {}
+
+    AssetLibrary make_all() {
+        for (std::size_t i = 0; i < project_.assets.size(); ++i) make(i);
+        return std::move(library_);
+    }
+
+private:
+    enum class State { waiting, in_work, done };
+
+    void make(std::size_t i) {
+        if (states_[i] != State::waiting) return;
+        states_[i] = State::in_work;
+        const AssetEntry& entry = project_.assets[i];
+        const std::string path = "/assets/" + std::to_string(i);
+        const AssetDescriptor* kind = find_asset_kind(entry.kind);
+        if (!kind) {
+            problems_.error(path + "/kind", unknown_kind(entry));
+        } else {
+            Problems found;
+            std::shared_ptr<const Asset> asset = create(entry, *kind, found);
+            if (!took_errors(found, path + "/setup", problems_) && asset)
+                library_.add(entry.id, {entry.name, kind, std::move(asset)});
+        }
+        states_[i] = State::done;
+    }
+
+    std::unique_ptr<Asset> create(const AssetEntry& entry, const AssetDescriptor& kind, Problems& problems) {
+        check_setup(kind.schema, entry.setup, problems);
+        if (problems.has_errors()) return nullptr;
+        for (const AssetReference& reference : references_of(kind.schema, entry.setup))
+            make_referred(reference, problems);
+        if (problems.has_errors()) return nullptr;
+        check_references(project_, library_, kind.schema, entry.setup, problems);
+        if (problems.has_errors()) return nullptr;
+        auto asset = kind.create(SetupReader(kind.schema, entry.setup), library_, problems);
+        return problems.has_errors() ? nullptr : std::move(asset);
+    }
+
+    void make_referred(const AssetReference& reference, Problems& problems) {
+        const AssetEntry* other = project_.find_asset(reference.id);
+        if (!other) return;  // named by check_references
+        const auto index = static_cast<std::size_t>(other - project_.assets.data());
+        if (states_[index] == State::in_work)
+            problems.error(reference.path, "'" + reference.title + "' refers to the asset '" + reference.id +
+                                               "', which refers back to this one");
+        else
+            make(index);
+    }
+
+    const Project& project_;
+    Problems& problems_;
+    std::vector<State> states_;
+    AssetLibrary library_;
+};
 
 // "coverage_probability" -> "coverageProbability": fields of EvaluationOptions as they are called in files.
 std::string camel_case(const std::string& words) {
@@ -166,28 +219,22 @@ ModelOfAnalysis make_model_of(const Project& project, const AnalysisEntry& entry
     return made;
 }
 
-std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, Problems& problems) {
+std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, const AssetLibrary& assets,
+                                           Problems& problems) {
     const AssetDescriptor* kind = find_asset_kind(entry.kind);
     if (!kind) {
         problems.error("/kind", unknown_kind(entry));
         return nullptr;
     }
     Problems found;
-    std::shared_ptr<const Asset> asset = make_asset(entry, *kind, found);
+    check_setup(kind->schema, entry.setup, found);
+    std::shared_ptr<const Asset> asset;
+    if (!found.has_errors()) asset = kind->create(SetupReader(kind->schema, entry.setup), assets, found);
     return took_errors(found, "/setup", problems) ? nullptr : asset;
 }
 
 AssetLibrary make_assets(const Project& project, Problems& problems) {
-    AssetLibrary library;
-    for (std::size_t i = 0; i < project.assets.size(); ++i) {
-        const AssetEntry& entry = project.assets[i];
-        const std::string path = "/assets/" + std::to_string(i);
-        Problems found;
-        std::shared_ptr<const Asset> asset = make_asset_of(entry, found);
-        if (took_errors(found, path, problems) || !asset) continue;
-        library.add(entry.id, {entry.name, find_asset_kind(entry.kind), std::move(asset)});
-    }
-    return library;
+    return AssetMaking(project, problems).make_all();
 }
 
 std::shared_ptr<const PreparedAnalysis> prepare_analysis(const Project& project,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,12 @@ struct ModelOfAnalysis {
 /// As `prepare_analysis` makes it, for an entry that is not in the project: a changed copy, of a study.
 ModelOfAnalysis make_model_of(const Project& project, const AnalysisEntry& entry, const AssetLibrary& assets,
                               Problems& problems);
-/// Null after an error (paths relative to the asset).
-std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, Problems& problems);
+/// Null after an error (paths relative to the asset). `assets` has those it refers to, checked.
+std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, const AssetLibrary& assets,
+                                           Problems& problems);
+/// Those of the project's assets that are in `ids` or refer to one of them, directly or through another; each
+/// after all that it refers to. Indices.
+std::vector<std::size_t> assets_affected_by(const Project& project, const std::set<std::string>& ids);
 /// Made of letters, digits, '-' and '_'.
 bool is_project_id(const std::string& id);
 

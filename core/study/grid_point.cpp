@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "core/project/registered.h"
 
@@ -87,15 +88,18 @@ StudyPlan::StudyPlan(const PreparedStudy& study) : prepared(study), outputs(want
 GridWalker::GridWalker(const StudyPlan& plan)
     : plan_(plan), entry_(plan.prepared.project.analyses.front()), library_(plan.prepared.assets) {
     std::vector<std::size_t> known;
-    for (const StudyTarget& target : plan.prepared.targets) {
-        asset_of_axis_.push_back(none);
-        if (!target.in_setup() || target.asset == StudyTarget::analysis) continue;
-        const auto found = std::find(known.begin(), known.end(), target.asset);
-        asset_of_axis_.back() = static_cast<std::size_t>(found - known.begin());
-        if (found != known.end()) continue;
-        known.push_back(target.asset);
-        varied_assets_.push_back(plan.prepared.project.assets[target.asset]);
+    std::set<std::string> varied;
+    for (const StudyTarget& target : plan.prepared.targets)
+        if (target.in_setup() && target.asset != StudyTarget::analysis)
+            varied.insert(plan.prepared.project.assets[target.asset].id);
+    std::vector<std::size_t> place(plan.prepared.project.assets.size(), none);
+    for (const std::size_t index : assets_affected_by(plan.prepared.project, varied)) {
+        place[index] = changed_assets_.size();
+        changed_assets_.push_back(plan.prepared.project.assets[index]);
     }
+    for (const StudyTarget& target : plan.prepared.targets)
+        asset_of_axis_.push_back(
+            target.in_setup() && target.asset != StudyTarget::analysis ? place[target.asset] : none);
 }
 
 EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(std::uint64_t)>& advance) {
@@ -128,13 +132,13 @@ void GridWalker::change(const std::vector<std::size_t>& indices) {
         const Setup& base =
             own ? prepared.project.analyses.front().setup : prepared.project.assets[target.asset].setup;
         vary_setup(target, prepared.study.axes[axis], values_.back(), base,
-                   own ? entry_.setup : varied_assets_[asset_of_axis_[axis]].setup);
+                   own ? entry_.setup : changed_assets_[asset_of_axis_[axis]].setup);
     }
 }
 
 bool GridWalker::make_assets(Problems& problems) {
-    for (const AssetEntry& entry : varied_assets_) {
-        auto asset = make_asset_of(entry, problems);
+    for (const AssetEntry& entry : changed_assets_) {
+        auto asset = make_asset_of(entry, library_, problems);
         if (!asset) return false;
         AssetLibrary::Entry changed = *library_.find(entry.id);
         changed.asset = std::move(asset);

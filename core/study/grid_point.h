@@ -44,8 +44,8 @@ private:
 
     const StudyPlan& plan_;
     AnalysisEntry entry_;
-    std::vector<AssetEntry> varied_assets_;   ///< copies of those with an axis
-    std::vector<std::size_t> asset_of_axis_;  ///< into varied_assets_
+    std::vector<AssetEntry> changed_assets_;  ///< copies of those with an axis and those that refer to them
+    std::vector<std::size_t> asset_of_axis_;  ///< into changed_assets_
     AssetLibrary library_;
     std::vector<double> values_;  ///< of the axes at the point
 };

@@ -123,7 +123,8 @@ void add_bodies(const Scene& scene, Parts& parts) {
 
 void add_links(const Scene& scene, Parts& parts) {
     for (const SceneLink& link : scene.links) {
-        const Colour colour = parts.colour(link.kind == LinkKind::sight_line ? Role::sight_line : Role::link);
+        const bool seeing = link.kind == LinkKind::sight_line || link.kind == LinkKind::field_of_view;
+        const Colour colour = parts.colour(seeing ? Role::sight_line : Role::link);
         if (link.radius > 0) {
             parts.solids.cylinder(link.from, link.to, link.radius, colour);
             if (link.kind == LinkKind::robot_link)  // round joints

@@ -25,7 +25,7 @@ SetupTable table_of(const AssetDescriptor& d, const std::string& key,
 std::unique_ptr<Asset> make(const AssetDescriptor& d, const Setup& s, Problems& problems) {
     check_setup(d.schema, s, problems);
     if (problems.has_errors()) return nullptr;
-    return d.create(SetupReader(d.schema, s), problems);
+    return d.create(SetupReader(d.schema, s), {}, problems);
 }
 
 std::unique_ptr<Asset> make(const AssetDescriptor& d, const Setup& s) {

@@ -12,7 +12,7 @@ AssetLibrary library_of(const std::string& kind, const Setup& s) {
     Problems problems;
     check_setup(d->schema, s, problems);
     std::shared_ptr<const Asset> asset;
-    if (!problems.has_errors()) asset = d->create(SetupReader(d->schema, s), problems);
+    if (!problems.has_errors()) asset = d->create(SetupReader(d->schema, s), {}, problems);
     if (!asset)
         throw std::runtime_error(problems.items().front().path + ": " + problems.items().front().message);
     AssetLibrary library;
