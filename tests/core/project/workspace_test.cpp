@@ -205,8 +205,10 @@ TEST(Workspace, AssetsWithErrorsAreNamedByTheirUsers) {
     const AssetLibrary assets = make_assets(project, problems);
     EXPECT_EQ(assets.find("block-1"), nullptr);
     EXPECT_EQ(problem_with(problems, "'length of the block' must be given").path, "/assets/0/setup/length");
-    EXPECT_EQ(prepare_analysis(project, "sum-1", assets, problems), nullptr);
-    EXPECT_EQ(problem_with(problems, "which has errors of its own").path, "/analyses/0/setup/block");
+    EXPECT_EQ(problem_with(problems, "which has errors of its own").path, "/assets/1/setup/block");
+    Problems of_analysis;
+    EXPECT_EQ(prepare_analysis(project, "sum-1", assets, of_analysis), nullptr);
+    EXPECT_EQ(problem_with(of_analysis, "which has errors of its own").path, "/analyses/0/setup/block");
 }
 
 TEST(Workspace, UnknownAnalysis) {
