@@ -87,7 +87,6 @@ StudyPlan::StudyPlan(const PreparedStudy& study) : prepared(study), outputs(want
 
 GridWalker::GridWalker(const StudyPlan& plan)
     : plan_(plan), entry_(plan.prepared.project.analyses.front()), library_(plan.prepared.assets) {
-    std::vector<std::size_t> known;
     std::set<std::string> varied;
     for (const StudyTarget& target : plan.prepared.targets)
         if (target.in_setup() && target.asset != StudyTarget::analysis)

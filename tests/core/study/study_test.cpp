@@ -61,6 +61,35 @@ void expect_equal(const StudyResult& a, const StudyResult& b) {
     }
 }
 
+TEST(Study, AnInstrumentIsVariedInsideItsNetwork) {
+    Project project = load_project(data_directory() / "projects/tracker-pose.covaria").project;
+    project.analyses.erase(project.analyses.begin() + 1, project.analyses.end());
+    AnalysisEntry& analysis = project.analyses[0];
+    analysis.options.method = Method::first_order;
+    analysis.studies = {{.id = "s",
+                         .axes = {{.asset = "tracker",
+                                   .target = "/setup/u_scale",
+                                   .from = 1,
+                                   .to = 50,
+                                   .unit = Unit::of("ppm"),
+                                   .values = 2}},
+                         .outputs = {{"pose 1", "z"}}}};
+    Problems problems;
+    const auto study = prepare_study(project, analysis.id, "s", make_assets(project, problems), problems);
+    ASSERT_TRUE(study);
+    const StudyResult result = *run_study(*study, {});
+    for (const std::size_t point : {0, 1}) {
+        project.assets[0].setup.values["u_scale"] = Quantity{point == 0 ? 1.0 : 50.0, Unit::of("ppm")};
+        const auto changed = prepare_analysis(project, analysis.id, make_assets(project, problems), problems);
+        ASSERT_TRUE(changed);
+        const UncertaintyResult whole = *run_analysis(*changed);
+        EXPECT_DOUBLE_EQ(result.points[point].values[0].standard_uncertainty,
+                         whole.outputs[2].standard_uncertainty);
+    }
+    EXPECT_GT(result.points[1].values[0].standard_uncertainty,
+              result.points[0].values[0].standard_uncertainty);
+}
+
 TEST(Study, EveryGridPointIsWhatTheChangedProjectGives) {
     Project project = network();
     project.analyses[0].studies = {{.id = "s",
