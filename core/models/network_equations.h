@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/math/dual.h"
+#include "core/math/frames.h"
 #include "core/models/network_setup.h"
 
 namespace covaria::network {
@@ -278,8 +279,38 @@ mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& join
     return done;
 }
 
-/// All targets of a trial, then the distances. Inputs: six coordinates of every station for each set-up, then
-/// the readings target by target. Outputs: x, y, z of every target, then the distances.
+/// Distances, angles and frames of targets that y has already, from output `out` on.
+template <class Real, class Out>
+void add_derived(const NetworkSetup& setup, std::size_t out, Out& y) {
+    using namespace real_functions;
+    const auto target = [&](std::size_t t) {
+        Vector3<Real> p;
+        for (int c = 0; c < 3; ++c) p[c] = y.get(3 * t + static_cast<std::size_t>(c));
+        return p;
+    };
+    for (const Distance& distance : setup.distances) {
+        const Vector3<Real> d = target(distance.to) - target(distance.from);
+        y.set(out++, sqrt(Real(d.dot(d))));
+    }
+    for (const Angle& angle : setup.angles) {
+        const Vector3<Real> at = target(angle.at);
+        const Vector3<Real> a = target(angle.from) - at, b = target(angle.to) - at;
+        const Vector3<Real> n = a.cross(b);
+        y.set(out++, atan2(sqrt(Real(n.dot(n))), Real(a.dot(b))));
+    }
+    for (const TargetFrame& frame : setup.frames) {
+        const Vector3<Real> origin = target(frame.targets[0]);
+        const Matrix3<Real> R = axes_3_2_1<Real>(origin, target(frame.targets[1]), target(frame.targets[2]),
+                                                 ThirdPoint::positive_y);
+        const Vector3<Real> angles = zyx_from_rotation(R);
+        for (int c = 0; c < 3; ++c) y.set(out++, origin[c]);
+        for (int c = 0; c < 3; ++c) y.set(out++, angles[c]);
+    }
+}
+
+/// All targets of a trial, then the distances, angles and frames. Inputs: six coordinates of every station
+/// for each set-up, then the readings target by target. Outputs: x, y, z of every target, then what derives
+/// from them.
 template <class Real, class In, class Out>
 mask_of<Real> all_targets(const NetworkSetup& setup, const In& x, Out& y) {
     using namespace real_functions;
@@ -298,15 +329,7 @@ mask_of<Real> all_targets(const NetworkSetup& setup, const In& x, Out& y) {
             for (int c = 0; c < 3; ++c) y.set(out++, found[c]);
         }
     }
-    std::array<Vector3<Real>, 2> ends;
-    for (const Distance& distance : setup.distances) {
-        for (int c = 0; c < 3; ++c) {
-            ends[0][c] = y.get(3 * distance.from + static_cast<std::size_t>(c));
-            ends[1][c] = y.get(3 * distance.to + static_cast<std::size_t>(c));
-        }
-        const Vector3<Real> d = ends[1] - ends[0];
-        y.set(out++, sqrt(Real(d.dot(d))));
-    }
+    add_derived<Real>(setup, out, y);
     return valid;
 }
 

@@ -20,6 +20,10 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
                                  .p_W = X.translation(),
                                  .inputs = {{first, first + 1, first + 2}}});
     }
+    for (const Sensor& sensor : setup.sensors)  // edges of its field of view
+        for (const LayoutLink& link : sensor.asset->layout().links) layout.links.push_back(link);
+    for (const TargetFrame& frame : setup.frames)
+        layout.frames.push_back({.name = frame.name, .X_WF = frame_of(setup, frame), .group = frame.name});
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         const Target& target = setup.targets[t];
         layout.points.push_back({.name = target.name,

@@ -57,6 +57,39 @@ FieldSpec distances_table() {
     return table;
 }
 
+ColumnSpec target_column(const char* key, const char* title, const char* help) {
+    return {.key = key, .title = title, .kind = FieldKind::text, .help = help};
+}
+
+FieldSpec angles_table() {
+    FieldSpec table{.key = "angles",
+                    .title = "Angles",
+                    .kind = FieldKind::table,
+                    .help = "Angles at a target between the directions to two others, measurands too.",
+                    .optional = true,
+                    .section = "Network"};
+    table.columns = {target_column("from", "from", "Name of a target."),
+                     target_column("at", "at", "Name of the target where the angle is."),
+                     target_column("to", "to", "Name of a third target.")};
+    return table;
+}
+
+FieldSpec frames_table() {
+    FieldSpec table{.key = "frames",
+                    .title = "Frames",
+                    .kind = FieldKind::table,
+                    .help =
+                        "Frames on three targets (3-2-1), whose position and Z-Y-X angles in the world "
+                        "are measurands too.",
+                    .optional = true,
+                    .section = "Network"};
+    table.columns = {target_column("name", "name", "Name of the frame, unique."),
+                     target_column("origin", "origin", "Target at its origin."),
+                     target_column("on_x", "on x", "Target on its positive x-axis."),
+                     target_column("in_xy", "in xy", "Target in its xy-plane, at positive y.")};
+    return table;
+}
+
 FieldSpec readings_table() {
     FieldSpec table{.key = "readings",
                     .title = "Readings",
@@ -99,6 +132,8 @@ SetupSchema network_schema() {
         {sensors_table(),
          targets_table(),
          distances_table(),
+         angles_table(),
+         frames_table(),
          {.key = "evaluation",
           .title = "Evaluation",
           .kind = FieldKind::choice,

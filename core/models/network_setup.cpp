@@ -4,10 +4,15 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
+
+#include "core/math/frames.h"
 
 namespace covaria::network {
 
 namespace {
+
+constexpr double least_sine = 1e-6;
 
 class SetupReading {
 public:
@@ -19,6 +24,8 @@ public:
         read_sensors();
         read_targets();
         read_distances();
+        read_angles();
+        read_frames();
         if (problems_.has_errors()) return {};
         if (network_.measured)
             read_readings();
@@ -97,6 +104,48 @@ private:
             if (!problems_.has_errors() && (from == to || (p(from) - p(to)).norm() == 0.0))
                 problems_.error(path, "a distance needs two targets at different places");
             network_.distances.push_back({from, to});
+        }
+    }
+
+    const Eigen::Vector3d& nominal(std::size_t target) const { return network_.targets[target].nominal; }
+
+    void read_angles() {
+        for (std::size_t row = 0; row < setup_.rows("angles"); ++row) {
+            const std::string path = row_path("angles", row);
+            const auto target = [&](const char* column) {
+                return target_called(setup_.cell_text("angles", row, column), path);
+            };
+            const Angle angle{target("from"), target("at"), target("to")};
+            if (problems_.has_errors()) continue;
+            const double sine = sine_of_corner(nominal(angle.at), nominal(angle.from), nominal(angle.to));
+            if (!(sine > least_sine))
+                problems_.error(path,
+                                "the targets of an angle must be at three places off one line: at 0° "
+                                "and 180° an angle has no sign and no derivative");
+            network_.angles.push_back(angle);
+        }
+    }
+
+    void read_frames() {
+        std::set<std::string> names;
+        for (std::size_t row = 0; row < setup_.rows("frames"); ++row) {
+            const std::string path = row_path("frames", row);
+            const auto target = [&](const char* column) {
+                return target_called(setup_.cell_text("frames", row, column), path);
+            };
+            TargetFrame frame{setup_.cell_text("frames", row, "name"),
+                              {target("origin"), target("on_x"), target("in_xy")}};
+            if (!names.insert(frame.name).second || target_index_.count(frame.name) > 0)
+                problems_.error(path, "the name " + frame.name + " is taken by another frame or a target");
+            if (problems_.has_errors()) continue;
+            const auto& t = frame.targets;
+            if (!(sine_of_corner(nominal(t[0]), nominal(t[1]), nominal(t[2])) > least_sine))
+                problems_.error(path, "the three targets of frame " + frame.name +
+                                          " lie on one line: its axes are undefined");
+            else if (std::abs(frame_of(network_, frame).linear()(2, 0)) > 1.0 - least_sine)
+                problems_.warning(path, "the x-axis of frame " + frame.name +
+                                            " is vertical: its Z-Y-X angles are undefined (gimbal lock)");
+            network_.frames.push_back(std::move(frame));
         }
     }
 
@@ -198,6 +247,14 @@ private:
 };
 
 }  // namespace
+
+Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame) {
+    const auto p = [&](std::size_t i) { return setup.targets[frame.targets[i]].nominal; };
+    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+    X.linear() = axes_3_2_1<double>(p(0), p(1), p(2), ThirdPoint::positive_y);
+    X.translation() = p(0);
+    return X;
+}
 
 std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d& p) {
     const Eigen::Vector3d v = station.X_WS().inverse() * p;

@@ -66,11 +66,24 @@ struct Distance {
     std::size_t from = 0, to = 0;
 };
 
+/// At the target `at`, between the directions to `from` and `to`.
+struct Angle {
+    std::size_t from = 0, at = 0, to = 0;
+};
+
+/// A frame on three targets: origin, a point on +x, a point in the xy-plane at positive y.
+struct TargetFrame {
+    std::string name;
+    std::array<std::size_t, 3> targets{};
+};
+
 struct NetworkSetup {
     std::vector<Sensor> sensors;
     std::vector<Target> targets;
     std::vector<JointSetUp> set_ups;  ///< in the order of the targets
     std::vector<Distance> distances;
+    std::vector<Angle> angles;
+    std::vector<TargetFrame> frames;
     Estimator estimator = Estimator::nonlinear;
     Weights weights = Weights::with_stations;
     bool measured = false;  ///< readings were given
@@ -80,6 +93,9 @@ struct NetworkSetup {
         return 6 * (set_up * sensors.size() + sensor);
     }
 };
+
+/// X_WF of a frame on targets at their nominal coordinates.
+Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame);
 
 SetupSchema network_schema();
 

@@ -27,6 +27,15 @@ public:
                                 .unit = mm,
                                 .group = "distances"});
         }
+        for (const network::Angle& angle : setup_.angles) {
+            const auto name = [&](std::size_t t) { return setup_.targets[t].name; };
+            outputs_.push_back(
+                {.symbol = name(angle.from) + name(angle.at) + name(angle.to),
+                 .name = "angle at " + name(angle.at) + " from " + name(angle.from) + " to " + name(angle.to),
+                 .unit = Unit::of("deg"),
+                 .group = "angles"});
+        }
+        for (const network::TargetFrame& frame : setup_.frames) add_frame(frame.name);
     }
 
     const InputSet& inputs() const override { return inputs_; }
@@ -40,6 +49,22 @@ public:
     }
 
 private:
+    void add_frame(const std::string& name) {
+        for (const std::string axis : {"x", "y", "z"})
+            outputs_.push_back({.symbol = axis,
+                                .name = "origin of " + name + ", coordinate " + axis,
+                                .unit = Unit::of("mm"),
+                                .group = name});
+        static constexpr const char* angles[] = {"alpha", "beta", "gamma"};
+        static constexpr const char* axes[] = {"x", "y", "z"};
+        for (std::size_t i = 0; i < 3; ++i)
+            outputs_.push_back({.symbol = angles[i],
+                                .name = "rotation of " + name + " about " + axes[i],
+                                .unit = Unit::of("deg"),
+                                .group = name,
+                                .periodic = true});
+    }
+
     network::NetworkSetup setup_;
     InputSet inputs_;
     std::vector<OutputQuantity> outputs_;
@@ -50,7 +75,8 @@ private:
 void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Problems& problems) {
     std::vector<double> x;
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i) x.push_back(estimate_of(inputs, i));
-    std::vector<double> y(3 * setup.targets.size() + setup.distances.size());
+    std::vector<double> y(3 * setup.targets.size() + setup.distances.size() + setup.angles.size() +
+                          6 * setup.frames.size());
     Outputs<double> out(y.data());
     const bool found = network::all_targets<double>(setup, Inputs<double>(x.data()), out) && out.finite();
     if (!found)

@@ -289,6 +289,63 @@ TEST(NetworkEdges, StraightAboveATracker) {
     EXPECT_NEAR(u[2], 4.0 * 2.5e-3, .01 * .03);
 }
 
+// Angles and frames on targets: estimates by geometry, uncertainties from the covariance of the targets.
+TEST(NetworkProject, AnglesAndFramesFollowTheirTargets) {
+    Network n;
+    const std::string id = "recommended";
+    n.table("targets", id).rows.push_back({std::string("D"), 4439.6, 114.2, 800.0, false});
+    n.setup(id).values["angles"] =
+        SetupTable{{Unit{}, Unit{}, Unit{}}, {{std::string("A"), std::string("D"), std::string("C")}}};
+    n.setup(id).values["frames"] =
+        SetupTable{{Unit{}, Unit{}, Unit{}, Unit{}},
+                   {{std::string("bar"), std::string("A"), std::string("C"), std::string("D")}}};
+    const UncertaintyResult result = n.run(id, 0);
+    ASSERT_EQ(result.outputs.size(), 12u + 3 + 1 + 6);
+    const auto target = [&](std::size_t t, const Eigen::VectorXd& y) {
+        return Eigen::Vector3d(y.segment<3>(static_cast<Eigen::Index>(3 * t)));
+    };
+    const auto derived = [&](const Eigen::VectorXd& y) {
+        const Eigen::Vector3d A = target(0, y), C = target(2, y), D = target(3, y);
+        Eigen::VectorXd values(7);
+        values[0] = std::acos((A - D).normalized().dot((C - D).normalized()));
+        values.segment<3>(1) = A;
+        const Eigen::Vector3d x = (C - A).normalized(), z = x.cross(D - A).normalized();
+        values[4] = std::atan2(z.cross(x).z(), z.z());
+        values[5] = std::asin(-x.z());
+        values[6] = std::atan2(x.y(), x.x());
+        return values;
+    };
+    Eigen::VectorXd y(12);
+    for (Eigen::Index i = 0; i < 12; ++i) y[i] = result.outputs[static_cast<std::size_t>(i)].estimate;
+    const Eigen::VectorXd values = derived(y);
+    Eigen::MatrixXd J(7, 12);
+    constexpr double step = 1e-4;
+    for (Eigen::Index i = 0; i < 12; ++i) {
+        Eigen::VectorXd higher = y, lower = y;
+        higher[i] += step;
+        lower[i] -= step;
+        J.col(i) = (derived(higher) - derived(lower)) / (2 * step);
+    }
+    const Eigen::MatrixXd C = J * result.covariance.topLeftCorner(12, 12) * J.transpose();
+    for (Eigen::Index i = 0; i < 7; ++i) {
+        const auto& output = result.outputs[static_cast<std::size_t>(15 + i)];
+        EXPECT_NEAR(output.estimate, values[i], 1e-12) << output.quantity.name;
+        EXPECT_NEAR(output.standard_uncertainty, std::sqrt(C(i, i)), 1e-6 * std::sqrt(C(i, i)))
+            << output.quantity.name;
+    }
+}
+
+TEST(NetworkEdges, AFrameOnALineIsRefused) {
+    Network n;
+    n.table("targets").rows[0] = {std::string("A"), 4000.0, 0.0, 0.0, false};
+    n.table("targets").rows[1] = {std::string("B"), 4000.0, 100.0, 0.0, false};
+    n.table("targets").rows[2] = {std::string("C"), 4000.0, 300.0, 0.0, false};
+    n.setup().values["frames"] =
+        SetupTable{{Unit{}, Unit{}, Unit{}, Unit{}},
+                   {{std::string("F"), std::string("A"), std::string("B"), std::string("C")}}};
+    expect_error(n, {"the three targets of frame F lie on one line: its axes are undefined"});
+}
+
 TEST(NetworkEdges, DistancesAloneHaveAMirrorImage) {
     Network network;
     const char* ids[] = {"camera-1", "camera-2", "camera-3"};
