@@ -20,7 +20,22 @@ enum class SeriesKind {
                ///< centres
     heat_map,  ///< `z` row-major over categories of both axes
 };
-enum class SeriesRole { data, fit, reference, first_order, monte_carlo, emphasis };  ///< decides the colour
+/// Decides the colour.
+enum class SeriesRole {
+    data,
+    fit,
+    reference,
+    first_order,
+    monte_carlo,
+    emphasis,
+    // lines of equal rank, told apart by their colours
+    family_1,
+    family_2,
+    family_3,
+    family_4,
+    family_5,
+    family_6
+};
 
 struct PlotSeries {
     std::string name;  ///< in the legend; empty = not in the legend

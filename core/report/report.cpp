@@ -51,6 +51,7 @@ void add_analysis(Blocks& blocks, const ReportSource& source, const EvaluatedAna
     add_distributions(blocks, evaluated);
     add_scene(blocks, evaluated);
     add_correlation(blocks, evaluated);
+    add_studies(blocks, evaluated);
 }
 
 }  // namespace

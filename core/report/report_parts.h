@@ -37,6 +37,7 @@ void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_notes(Blocks& blocks, const ReportSource& source);
 void add_provenance(Blocks& blocks, const ReportSource& source);
 
@@ -78,6 +79,8 @@ private:
     TableBlock block_;
 };
 
+/// Six significant digits without a tail of zeros.
+std::string value_words(double value);
 std::string project_fingerprint(const ReportSource& source);  ///< of the evaluated project
 std::string count_text(std::uint64_t count);                  ///< "1 000 000"
 std::string percent_text(double probability);                 ///< "95 %"

@@ -31,7 +31,7 @@ std::vector<StudyQuantity> study_quantities(const StudyResult& study) {
     for (std::size_t t = 0; t < study.triples.size(); ++t) {
         const OutputQuantity& first = study.outputs[study.triples[t].outputs[0]];
         const std::string& name = study.triples[t].name;
-        quantities.push_back({"u_3D" + in(name), "u_3D", first.unit, true, t});
+        quantities.push_back({"u(3D)" + in(name), "u(3D)", first.unit, true, t});
     }
     for (std::size_t j = 0; j < study.outputs.size(); ++j) {
         const OutputQuantity& output = study.outputs[j];

@@ -17,6 +17,7 @@ struct StudyAxisValues {
     Unit unit = {};     ///< of the values as typed and shown
     bool logarithmic = false;
     std::vector<double> values;  ///< in `unit`: factors, differences or values
+    double present = 0.0;        ///< of the unchanged analysis, in `unit`
 };
 
 struct StudyValue {
@@ -67,7 +68,7 @@ struct StudyResult {
 /// What can be shown of a study as one number at each point: the expanded uncertainty of an output, or u_3D
 /// of a point's position.
 struct StudyQuantity {
-    std::string title;   ///< "U(x), B", "u_3D, B"
+    std::string title;   ///< "U(x), B", "u(3D), B"
     std::string symbol;  ///< "U(x)"
     Unit unit = {};
     bool position = false;  ///< u_3D of a triple

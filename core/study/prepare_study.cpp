@@ -42,7 +42,7 @@ bool find_targets(PreparedStudy& prepared) {
 }
 
 void refuse_idle_assets(const Project& project, const AnalysisEntry& entry, const Study& study,
-                         const std::string& path, Problems& problems) {
+                        const std::string& path, Problems& problems) {
     const auto used = assets_used_by(project, entry);
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
         const std::string& asset = study.axes[i].asset;

@@ -10,6 +10,12 @@ namespace {
 
 using namespace detail;
 
+double present_value(const StudyAxis& axis, const StudyTarget& target) {
+    if (axis.change == StudyChange::factor) return 1.0;
+    if (axis.change == StudyChange::added) return 0.0;
+    return axis.unit == target.unit ? target.current : axis.unit.from_si(target.unit.to_si(target.current));
+}
+
 StudyResult frame_of(const StudyPlan& plan) {
     const PreparedStudy& prepared = plan.prepared;
     StudyResult result;
@@ -20,8 +26,8 @@ StudyResult frame_of(const StudyPlan& plan) {
         std::string title = prepared.targets[axis].title;
         if (given.change == StudyChange::factor) title += ", factor";
         if (given.change == StudyChange::added) title += ", added";
-        result.axes.push_back(
-            {title, given.unit, given.spacing == StudySpacing::logarithmic, plan.values[axis]});
+        result.axes.push_back({title, given.unit, given.spacing == StudySpacing::logarithmic,
+                               plan.values[axis], present_value(given, prepared.targets[axis])});
     }
     for (const std::size_t output : plan.indices)
         result.outputs.push_back(prepared.analysis->model->outputs()[output]);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/number_format.h"
 #include "ui/theme/label_text.h"
 
 namespace covaria::ui {
@@ -87,8 +88,10 @@ QColor cell_colour(const ChartDrawing& chart, double z) {
     return chart.theme.sequential((z - low) / (high - low));
 }
 
-QString cell_text(double z) {
-    return number_text(z, 2);
+/// Two significant digits of the largest value of the map.
+QString cell_text(const ChartDrawing& chart, double z) {
+    const double largest = std::max(std::abs(chart.plot.z_low), std::abs(chart.plot.z_high));
+    return number_text(z, std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 2)));
 }
 
 void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSeries& series) {
@@ -96,17 +99,18 @@ void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSerie
     const std::size_t columns = chart.plot.x.categories.size();
     const QFont& font = chart.layout.fonts.figures;
     const double room = std::abs(geometry.x_at(1.0) - geometry.x_at(0.0));
-    const bool with_text = QFontMetricsF(font).horizontalAdvance(cell_text(-0.88)) + 4.0 < room;
+    const bool with_text =
+        QFontMetricsF(font).horizontalAdvance(cell_text(chart, -0.88 * chart.plot.z_high)) + 4.0 < room;
     for (std::size_t i = 0; i < series.z.size(); ++i) {
         const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
         const QRectF cell = QRectF(geometry.at(column - 0.5, row - 0.5), geometry.at(column + 0.5, row + 0.5))
                                 .intersected(geometry.area);
-        if (cell.isEmpty()) continue;
+        if (cell.isEmpty() || !std::isfinite(series.z[i])) continue;
         const QColor colour = cell_colour(chart, series.z[i]);
         painter.setPen(room > 12.0 ? QPen(chart.theme.neutrals().ground, 1.0) : QPen(colour, 0.3));
         painter.setBrush(colour);
         painter.drawRect(cell);
-        const LabelText text(cell_text(series.z[i]), font);
+        const LabelText text(cell_text(chart, series.z[i]), font);
         if (!with_text || cell.width() < text.width() || cell.height() < text.height()) continue;
         painter.setPen(Theme::text_on(colour));
         text.draw(painter, cell.center() - QPointF(0.5 * text.width(), 0.5 * text.height()));

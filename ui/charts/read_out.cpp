@@ -45,9 +45,13 @@ struct Reader {
         const auto row = static_cast<std::size_t>(std::max(0.0, std::round(at.y())));
         const std::size_t columns = plot.x.categories.size();
         if (column >= columns || row >= plot.y.categories.size()) return {};
+        const double z = map.z[row * columns + column];
+        if (!std::isfinite(z)) return {};
+        const double largest = std::max(std::abs(plot.z_low), std::abs(plot.z_high));
+        const int decimals = std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 3));
         return ReadOut{QStringLiteral("%1 and %2: %3")
                            .arg(to_qt(plot.y.categories[row]), to_qt(plot.x.categories[column]),
-                                number_text(map.z[row * columns + column], 3)),
+                                number_text(z, decimals)),
                        {}};
     }
 

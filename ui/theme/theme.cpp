@@ -87,6 +87,18 @@ QColor Theme::series(SeriesRole role) const {
             return dark_ ? 0xe6c14a : 0x8a3d6e;
         case SeriesRole::reference:
             return neutrals_.quiet;
+        case SeriesRole::family_1:
+            return dark_ ? 0x56b4e9 : 0x0072b2;
+        case SeriesRole::family_2:
+            return dark_ ? 0xf0823a : 0xd55e00;
+        case SeriesRole::family_3:
+            return dark_ ? 0x2bc497 : 0x009e73;
+        case SeriesRole::family_4:
+            return dark_ ? 0xe6a5c9 : 0xb05a8a;
+        case SeriesRole::family_5:
+            return dark_ ? 0xe6c14a : 0xb8860b;
+        case SeriesRole::family_6:
+            return neutrals_.text;
     }
     return neutrals_.text;
 }

@@ -1,0 +1,261 @@
+// Sweeps as lines, maps as coloured cells.
+#include "core/report/study_plots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/base/symbol.h"
+#include "core/report/number_format.h"
+#include "core/report/plots_parts.h"
+#include "core/report/report_parts.h"
+
+namespace covaria {
+namespace {
+
+constexpr std::array<SeriesRole, 6> family = {SeriesRole::family_1, SeriesRole::family_2,
+                                              SeriesRole::family_3, SeriesRole::family_4,
+                                              SeriesRole::family_5, SeriesRole::family_6};
+constexpr double wide_range = 30.0;  // highest by lowest value, from which an axis is logarithmic
+
+std::string with_unit(const std::string& words, const Unit& unit) {
+    return unit == Unit{} ? words : words + " (" + unit.display() + ")";
+}
+
+std::string label_of(const StudyQuantity& quantity) {
+    const std::size_t comma = quantity.title.find(", ");
+    const std::string rest = comma == std::string::npos ? "" : quantity.title.substr(comma);
+    if (quantity.position) return quantity.symbol + rest;
+    const std::string inner = quantity.symbol.substr(2, quantity.symbol.size() - 3);
+    return "U(" + symbol_to_unicode(inner) + ")" + rest;
+}
+
+double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_t point) {
+    return quantity.unit.interval_from_si(value_at(study, quantity, point));
+}
+
+/// Six significant digits: 500, 1500.25; no tails of a logarithmic spacing.
+std::string value_text(double value) {
+    return report_parts::value_words(value);
+}
+
+/// Runs of points with values; only the first has the name.
+void add_line(PlotSpecification& plot, const std::string& name, SeriesRole role, const std::vector<double>& x,
+              const std::vector<double>& y) {
+    PlotSeries run;
+    run.name = name;
+    run.role = role;
+    const auto flush = [&] {
+        if (run.x.empty()) return;
+        if (run.x.size() == 1) run.kind = SeriesKind::points;
+        plot.series.push_back(run);
+        run = {};
+        run.role = role;
+    };
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (std::isfinite(y[i])) {
+            run.x.push_back(x[i]);
+            run.y.push_back(y[i]);
+        } else {
+            flush();
+        }
+    }
+    flush();
+}
+
+void choose_y_range(PlotSpecification& plot) {
+    double low = std::numeric_limits<double>::infinity(), high = 0.0;
+    for (const PlotSeries& series : plot.series)
+        for (const double y : series.y) {
+            low = std::min(low, y);
+            high = std::max(high, y);
+        }
+    plot.y.logarithmic = low > 0.0 && high > wide_range * low;
+    if (plot.y.logarithmic || !(high > 0.0)) return;
+    plot.y.high = 1.06 * high;  // from zero: lengths can be compared
+}
+
+void mark_present(PlotSpecification& plot, const StudyAxisValues& axis) {
+    const auto [low, high] = std::minmax(axis.values.front(), axis.values.back());
+    if (axis.present < low || axis.present > high) return;
+    plot.marks.push_back(
+        {"as set up: " + value_text(axis.present), axis.present, false, SeriesRole::reference});
+}
+
+/// Outputs whose lines can share a chart with the quantity.
+std::vector<StudyQuantity> companions(const std::vector<StudyQuantity>& all, const StudyResult& study,
+                                      const StudyQuantity& chosen) {
+    const auto group = [&](const StudyQuantity& q) {
+        return q.position ? study.outputs[study.triples[q.index].outputs[0]].group
+                          : study.outputs[q.index].group;
+    };
+    std::vector<StudyQuantity> found;
+    for (const bool same_group : {true, false})
+        for (const StudyQuantity& q : all)
+            if (q.unit == chosen.unit && (group(q) == group(chosen)) == same_group &&
+                found.size() < family.size())
+                found.push_back(q);
+    return found;
+}
+
+PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen) {
+    PlotSpecification plot;
+    const StudyAxisValues& axis = study.axes.front();
+    plot.title = study.name;
+    plot.x.title = with_unit(axis.title, axis.unit);
+    plot.x.logarithmic = axis.logarithmic;
+    plot.y.title = with_unit("uncertainty", chosen.unit);
+    const std::vector<StudyQuantity> lines = companions(study_quantities(study), study, chosen);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        std::vector<double> y;
+        for (std::size_t i = 0; i < study.points.size(); ++i) y.push_back(shown(study, lines[k], i));
+        add_line(plot, label_of(lines[k]), family[k], axis.values, y);
+    }
+    choose_y_range(plot);
+    mark_present(plot, axis);
+    return plot;
+}
+
+/// Two axes of the grid and the indices of the others.
+struct Plane {
+    std::size_t x = 0, y = 1;
+    std::vector<std::size_t> at;
+};
+
+std::size_t point_of(const StudyResult& study, const Plane& plane, std::size_t i, std::size_t j) {
+    std::vector<std::size_t> at = plane.at;
+    at[plane.x] = i;
+    at[plane.y] = j;
+    std::size_t point = 0;
+    for (std::size_t axis = 0; axis < at.size(); ++axis)
+        point = point * study.axes[axis].values.size() + at[axis];
+    return point;
+}
+
+Plane plane_of(const StudyResult& study, const StudyView& view) {
+    Plane plane{0, 1, std::vector<std::size_t>(study.axes.size(), 0)};
+    if (study.axes.size() < 3) return plane;
+    const std::size_t fixed = std::min<std::size_t>(view.fixed_axis, 2);
+    plane.x = fixed == 0 ? 1 : 0;
+    plane.y = fixed == 2 ? 1 : 2;
+    plane.at[fixed] = std::min(view.slice, study.axes[fixed].values.size() - 1);
+    return plane;
+}
+
+std::string title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity) {
+    std::string title = study.name + ": " + with_unit(label_of(quantity), quantity.unit);
+    if (study.axes.size() < 3) return title;
+    const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
+    const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
+    return title + " at " + axis.title + " = " + value_text(value) +
+           (axis.unit == Unit{} ? "" : " " + axis.unit.display());
+}
+
+PlotAxis category_axis(const StudyAxisValues& values, bool downwards) {
+    PlotAxis axis;
+    axis.title = with_unit(values.title, values.unit);
+    for (const double value : values.values) axis.categories.push_back(value_text(value));
+    if (downwards) std::reverse(axis.categories.begin(), axis.categories.end());
+    return axis;
+}
+
+/// Colours over the whole study, so that slices can be compared.
+void set_colour_range(PlotSpecification& plot, const StudyResult& study, const StudyQuantity& quantity) {
+    const StudyExtremes extremes = extremes_of(study, quantity);
+    if (!extremes.known) return;
+    plot.z_low = shown(study, quantity, extremes.best);
+    plot.z_high = shown(study, quantity, extremes.worst);
+    if (!(plot.z_high > plot.z_low)) plot.z_high = plot.z_low > 0.0 ? 1.001 * plot.z_low : 1.0;
+}
+
+PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQuantity& quantity) {
+    PlotSpecification plot;
+    plot.x = category_axis(study.axes[plane.x], false);
+    plot.y = category_axis(study.axes[plane.y], true);
+    PlotSeries cells;
+    cells.kind = SeriesKind::heat_map;
+    cells.name = with_unit(label_of(quantity), quantity.unit);
+    for (std::size_t j = plot.y.categories.size(); j-- > 0;)
+        for (std::size_t i = 0; i < plot.x.categories.size(); ++i)
+            cells.z.push_back(shown(study, quantity, point_of(study, plane, i, j)));
+    plot.series = {std::move(cells)};
+    set_colour_range(plot, study, quantity);
+    return plot;
+}
+
+PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
+                                   const StudyQuantity& quantity) {
+    PlotSpecification plot;
+    const StudyAxisValues &x = study.axes[plane.x], &other = study.axes[plane.y];
+    plot.x.title = with_unit(x.title, x.unit);
+    plot.x.logarithmic = x.logarithmic;
+    plot.y.title = with_unit(label_of(quantity), quantity.unit);
+    const std::size_t n = other.values.size(), lines = std::min(n, family.size());
+    for (std::size_t k = 0; k < lines; ++k) {
+        const std::size_t j = lines > 1 ? k * (n - 1) / (lines - 1) : 0;
+        std::vector<double> y;
+        for (std::size_t i = 0; i < x.values.size(); ++i)
+            y.push_back(shown(study, quantity, point_of(study, plane, i, j)));
+        const std::string unit = other.unit == Unit{} ? "" : " " + other.unit.display();
+        add_line(plot, other.title + " = " + value_text(other.values[j]) + unit, family[k], x.values, y);
+    }
+    choose_y_range(plot);
+    mark_present(plot, x);
+    return plot;
+}
+
+}  // namespace
+
+PlotSpecification study_plot(const StudyResult& study, const StudyView& view) {
+    const std::string id = "study-" + study.id;
+    const std::vector<StudyQuantity> quantities = study_quantities(study);
+    if (quantities.empty() || study.failed() == study.points.size())
+        return plot_parts::nothing_to_show(
+            id, study.points.empty() || quantities.empty()
+                    ? "Run the study \u201c" + study.name + "\u201d to see it"
+                    : "No grid point of \u201c" + study.name + "\u201d has values: " + study.reasons.back());
+    const StudyQuantity& quantity = quantities[std::min(view.quantity, quantities.size() - 1)];
+    PlotSpecification plot;
+    if (study.axes.size() == 1) {
+        plot = sweep(study, quantity);
+    } else {
+        const Plane plane = plane_of(study, view);
+        plot = view.lines ? lines_over_first(study, plane, quantity) : map(study, plane, quantity);
+        plot.title = title_of(study, view, quantity);
+    }
+    plot.id = id + "-" + report_parts::file_name_part(quantity.title);
+    return plot;
+}
+
+std::vector<PlotSpecification> study_plots(const StudyResult& study, std::size_t most) {
+    std::vector<PlotSpecification> plots;
+    std::set<std::string> shown_series;
+    StudyView view;
+    if (study.axes.size() == 3) {
+        view.fixed_axis = 2;
+        view.slice = study.axes[2].values.size() / 2;
+    }
+    const std::vector<StudyQuantity> quantities = study_quantities(study);
+    for (view.quantity = 0; view.quantity < quantities.size() && plots.size() < most; ++view.quantity) {
+        // a sweep shows several quantities at once
+        if (study.axes.size() == 1 && shown_series.contains(label_of(quantities[view.quantity]))) continue;
+        plots.push_back(study_plot(study, view));
+        for (const PlotSeries& series : plots.back().series) shown_series.insert(series.name);
+    }
+    return plots;
+}
+
+std::string point_words(const StudyResult& study, std::size_t point) {
+    const std::vector<std::size_t> at = study.indices_of(point);
+    std::string words;
+    for (std::size_t axis = 0; axis < at.size(); ++axis) {
+        const StudyAxisValues& values = study.axes[axis];
+        words += (axis ? ", " : "") + values.title + " = " + value_text(values.values[at[axis]]);
+        if (!(values.unit == Unit{})) words += " " + values.unit.display();
+    }
+    return words;
+}
+
+}  // namespace covaria
