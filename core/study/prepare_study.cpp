@@ -54,6 +54,10 @@ void refuse_idle_assets(const Project& project, const AnalysisEntry& entry, cons
 
 }  // namespace
 
+std::string study_fingerprint(const Project& project, const AnalysisEntry& entry, const Study& study) {
+    return fingerprint(part_of(project, entry, study));
+}
+
 std::shared_ptr<const PreparedStudy> prepare_study(const Project& project, const std::string& analysis_id,
                                                    const std::string& study_id, const AssetLibrary& assets,
                                                    Problems& problems) {

@@ -27,6 +27,9 @@ std::shared_ptr<const PreparedStudy> prepare_study(const Project& project, const
                                                    const std::string& study_id, const AssetLibrary& assets,
                                                    Problems& problems);
 
+/// Of everything that influences the numbers of a study: cheap, and without a check.
+std::string study_fingerprint(const Project& project, const AnalysisEntry& entry, const Study& study);
+
 /// Every grid point uses the seed of the analysis, so that neighbours differ by what was changed and not by
 /// other draws. A point whose model cannot be made or evaluated keeps the reason. Same bits for any number of
 /// threads. Error: cancelled, within 100 ms of a stop request (between two trials' blocks or grid points).

@@ -12,6 +12,7 @@ void Selection::select_entry(const SetupAddress& entry) {
     if (entry.owner != SetupOwner::analysis || to_qt(entry.id) == analysis_) return;
     analysis_ = to_qt(entry.id);
     output_ = -1;
+    study_.clear();
     emit analysis_changed(analysis_);
 }
 
@@ -33,11 +34,18 @@ void Selection::select_field(const QString& field) {
     emit field_changed(field);
 }
 
+void Selection::select_study(const QString& study) {
+    if (study == study_) return;
+    study_ = study;
+    emit study_changed(study);
+}
+
 void Selection::clear() {
     entry_ = {};
     analysis_.clear();
     group_.clear();
     field_.clear();
+    study_.clear();
     output_ = -1;
     emit entry_changed();
     emit analysis_changed(analysis_);

@@ -22,12 +22,14 @@ public:
     const QString& analysis() const { return analysis_; }
     const QString& group() const { return group_; }
     int output() const { return output_; }           ///< index into the result's outputs; -1 = none
+    const QString& study() const { return study_; }  ///< id of a study of the analysis
     const QString& field() const { return field_; }  ///< JSON pointer within the entry's set-up
 
     void select_entry(const SetupAddress& entry);
     void select_group(const QString& group);
     void select_output(int output);
     void select_field(const QString& field);
+    void select_study(const QString& study);
     void clear();
 
 signals:
@@ -36,10 +38,11 @@ signals:
     void group_changed(const QString& group);
     void output_changed(int output);
     void field_changed(const QString& field);
+    void study_changed(const QString& study);
 
 private:
     SetupAddress entry_;
-    QString analysis_, group_, field_;
+    QString analysis_, group_, field_, study_;
     int output_ = -1;
 };
 

@@ -24,6 +24,7 @@
 #include "ui/pages/results_pane.h"
 #include "ui/pages/run_status.h"
 #include "ui/pages/start_page.h"
+#include "ui/pages/study_tab.h"
 #include "ui/scene_view/scene_panel.h"
 #include "ui/theme/icons.h"
 
@@ -259,6 +260,11 @@ void MainWindow::connect_panes() {
     connect(&selection_, &Selection::field_changed, scene_, [this](const QString& field) {
         const bool of_scene = selection_.entry().owner == SetupOwner::analysis;
         scene_->select_source(of_scene ? to_std(field) : std::string());
+    });
+    connect(&results_->study_tab(), &StudyTab::edit_wanted, this, [this] {
+        selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
+        docks_[1]->show();
+        properties_->show_studies();
     });
     connect(theme_, &ThemeSwitch::changed, this, [this](bool dark) {
         scene_->set_dark(dark);

@@ -37,6 +37,7 @@ RunActions::RunActions(Document& document, AnalysisRunner& runner, Selection& se
     for (auto signal : {&AnalysisRunner::state_changed, &AnalysisRunner::result_changed})
         connect(&runner_, signal, this, &RunActions::update);
     connect(&runner_, &AnalysisRunner::idle, this, &RunActions::update);
+    connect(&runner_.studies(), &StudyRunner::changed, this, &RunActions::update);
     connect(&selection_, &Selection::analysis_changed, this, &RunActions::update);
     connect(&document_, &Document::project_changed, this, &RunActions::update);
     update();
@@ -52,9 +53,11 @@ void RunActions::update() {
     const auto& analyses = document_.project().analyses;
     run->setEnabled(document_.project().find_analysis(to_std(selection_.analysis())) != nullptr);
     run_all->setEnabled(!analyses.empty());
-    stop->setEnabled(std::any_of(analyses.begin(), analyses.end(), [this](const AnalysisEntry& analysis) {
-        return runner_.status(to_qt(analysis.id)).state == RunState::running;
-    }));
+    stop->setEnabled(std::any_of(analyses.begin(), analyses.end(),
+                                 [this](const AnalysisEntry& analysis) {
+                                     return runner_.status(to_qt(analysis.id)).state == RunState::running;
+                                 }) ||
+                     runner_.studies().is_busy());
 }
 
 }  // namespace covaria::ui

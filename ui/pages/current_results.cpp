@@ -8,7 +8,12 @@ std::vector<EvaluatedAnalysis> current_results(const Project& project, const Ana
     std::vector<EvaluatedAnalysis> current;
     for (const AnalysisEntry& analysis : project.analyses) {
         const AnalysisStatus& status = runner.status(to_qt(analysis.id));
-        if (status.is_current()) current.push_back({status.result_of, status.result, status.warnings});
+        if (!status.is_current()) continue;
+        current.push_back({status.result_of, status.result, status.warnings});
+        for (const Study& study : analysis.studies) {
+            const StudyStatus& of_study = runner.studies().status(to_qt(analysis.id), to_qt(study.id));
+            if (of_study.is_current()) current.back().studies.push_back(of_study.result);
+        }
     }
     return current;
 }

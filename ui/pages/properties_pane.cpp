@@ -10,6 +10,7 @@
 #include "ui/document/strings.h"
 #include "ui/forms/options_form.h"
 #include "ui/forms/setup_form.h"
+#include "ui/forms/studies_form.h"
 #include "ui/pages/asset_evaluation.h"
 #include "ui/pages/field_help.h"
 #include "ui/pages/inputs_page.h"
@@ -46,6 +47,7 @@ void PropertiesPane::rebuild() {
     setup_ = nullptr;
     inputs_ = nullptr;
     options_ = nullptr;
+    studies_ = nullptr;
     tabs_ = new QTabWidget(this);
     tabs_->setDocumentMode(true);
     static_cast<QVBoxLayout*>(layout())->insertWidget(0, tabs_, 1);
@@ -86,6 +88,8 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     options_ = new OptionsForm(document_, entry.id);
     tabs_->addTab(inputs_, tr("Inputs"));
     tabs_->addTab(scrolled(options_), tr("Evaluation"));
+    studies_ = new StudiesForm(document_, runner_, selection_, entry.id);
+    tabs_->addTab(scrolled(studies_), tr("Studies"));
 }
 
 void PropertiesPane::add_notes_page(const SetupAddress& entry) {
@@ -106,8 +110,13 @@ void PropertiesPane::follow_field(const QString& field) {
     if (focus) focus->setFocus();
 }
 
+void PropertiesPane::show_studies() {
+    if (studies_) tabs_->setCurrentIndex(3);
+}
+
 void PropertiesPane::focus_field(const QString& path) {
     const std::string field = to_std(path);
+    if (studies_ && studies_->focus_field(field)) return tabs_->setCurrentIndex(3);
     if (setup_ && setup_->focus_field(field))
         tabs_->setCurrentIndex(0);
     else if (options_ && options_->focus_field(field))

@@ -16,6 +16,7 @@ namespace covaria::ui {
 
 class InputsPage;
 class OptionsForm;
+class StudiesForm;
 class SetupForm;
 
 class PropertiesPane : public QWidget {
@@ -25,6 +26,8 @@ public:
                    QWidget* parent = nullptr);
 
     /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
+    /// The studies of the analysis.
+    void show_studies();
     void focus_field(const QString& path);
     SetupForm* setup_form() const { return setup_; }
     QTabWidget* tabs() const { return tabs_; }
@@ -44,6 +47,7 @@ private:
     SetupForm* setup_ = nullptr;
     InputsPage* inputs_ = nullptr;
     OptionsForm* options_ = nullptr;
+    StudiesForm* studies_ = nullptr;
     bool following_ = false;  ///< the selection's field is being set or followed
 };
 

@@ -16,6 +16,7 @@
 #include "ui/document/strings.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/pages/study_tab.h"
 #include "ui/pages/unit_button.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/typeset.h"
@@ -45,6 +46,8 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     tabs_->addTab(make_distributions_tab(), tr("Distributions"));
     tabs_->addTab(make_correlation_tab(), tr("Correlation"));
     tabs_->addTab(make_convergence_tab(), tr("Convergence"));
+    study_ = new StudyTab(document, runner, selection);
+    tabs_->addTab(study_, tr("Study"));
     report_ = new ReportPreview(document, runner);
     tabs_->addTab(report_, tr("Report"));
     auto* column = new QVBoxLayout(this);
@@ -240,7 +243,8 @@ void ResultsPane::refresh_charts() {
 }
 
 void ResultsPane::set_dark(bool dark) {
-    for (ChartView* chart : {contributions_, histogram_, quantiles_, correlation_map_, convergence_})
+    for (ChartView* chart :
+         {contributions_, histogram_, quantiles_, correlation_map_, convergence_, &study_->chart()})
         chart->set_theme(dark ? Theme::dark() : Theme::light());
 }
 

@@ -21,6 +21,7 @@ namespace covaria::ui {
 class ChartView;
 class ReportPreview;
 class SortableTable;
+class StudyTab;
 class UnitButton;
 
 class ResultsPane : public QWidget {
@@ -35,6 +36,7 @@ public:
     SortableTable& result_table() { return *results_; }
     SortableTable& budget_table() { return *budget_; }
     UnitButton& units() { return *units_; }
+    StudyTab& study_tab() { return *study_; }
 
 private:
     void make_head();
@@ -76,6 +78,7 @@ private:
     ChartView* quantiles_ = nullptr;
     ChartView* correlation_map_ = nullptr;
     ChartView* convergence_ = nullptr;
+    StudyTab* study_ = nullptr;
     ReportPreview* report_ = nullptr;
 };
 

@@ -46,6 +46,8 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
     connect(&runner_, &AnalysisRunner::progress_changed, this, &RunStatus::show_progress);
     connect(&runner_, &AnalysisRunner::state_changed, this, &RunStatus::show_state);
     connect(&runner_, &AnalysisRunner::idle, this, &RunStatus::show_idle);
+    connect(&runner_.studies(), &StudyRunner::progress_changed, this, &RunStatus::show_study_progress);
+    connect(&runner_.studies(), &StudyRunner::idle, this, &RunStatus::show_idle);
     connect(&selection_, &Selection::analysis_changed, this, &RunStatus::show_state);
     connect(&document_, &Document::project_changed, this, &RunStatus::show_state);
     show_idle();
@@ -67,9 +69,23 @@ void RunStatus::set_picture(const QString& name) {
 }
 
 void RunStatus::show_progress(const QString& id, const RunProgress& progress) {
+    show_bar(name_of(id) + QStringLiteral(": ") + progress_words(progress), progress);
+}
+
+void RunStatus::show_study_progress(const QString& name, const RunProgress& progress) {
+    QString words = tr("%1: %2 %")
+                        .arg(name)
+                        .arg(progress.trials_planned > 0
+                                 ? int(100.0 * double(progress.trials_done) / double(progress.trials_planned))
+                                 : 0);
+    if (progress.seconds_left >= 0) words += tr(", %1 s left").arg(std::ceil(progress.seconds_left));
+    show_bar(words, progress);
+}
+
+void RunStatus::show_bar(const QString& words, const RunProgress& progress) {
     running_ = true;
     set_picture(state_icon(RunState::running));
-    text_->setText(name_of(id) + QStringLiteral(": ") + progress_words(progress));
+    text_->setText(words);
     bar_->setRange(0, progress.trials_planned > 0 ? 1000 : 0);
     if (progress.trials_planned > 0)
         bar_->setValue(int(1000.0 * double(progress.trials_done) / double(progress.trials_planned)));
@@ -99,6 +115,7 @@ void RunStatus::show_state() {
 }
 
 void RunStatus::show_idle() {
+    if (runner_.is_busy() || runner_.studies().is_busy()) return;
     running_ = false;
     bar_->hide();
     stop_->hide();

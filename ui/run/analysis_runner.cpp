@@ -39,6 +39,7 @@ AnalysisRunner::AnalysisRunner(QObject* parent)
 AnalysisRunner::AnalysisRunner(RunBackend backend, Execution execution, QObject* parent)
     : QObject(parent),
       backend_(std::move(backend)),
+      studies_(execution),
       prepare_jobs_(this, execution),
       run_jobs_(this, execution) {}
 
@@ -49,6 +50,7 @@ AnalysisRunner::~AnalysisRunner() {
 }
 
 void AnalysisRunner::set_project(ProjectSnapshot project) {
+    studies_.set_project(project);
     ++preparing_;
     const quint64 number = ++prepare_number_;
     prepare_jobs_.push([this, project = std::move(project), live = live_, number, generation = generation_] {
@@ -60,6 +62,7 @@ void AnalysisRunner::set_project(ProjectSnapshot project) {
 
 void AnalysisRunner::reset(ProjectSnapshot project) {
     stop_all();
+    studies_.reset();
     entries_.clear();
     wanted_.clear();
     ++generation_;
@@ -172,6 +175,7 @@ void AnalysisRunner::stop(const QString& id) {
 }
 
 void AnalysisRunner::stop_all() {
+    studies_.stop_all();
     wanted_.clear();
     all_wanted_ = false;
     while (!queue_.empty()) stop(to_qt(queue_.front()));

@@ -14,6 +14,7 @@
 #include "ui/run/job_queue.h"
 #include "ui/run/run_backend.h"
 #include "ui/run/run_state.h"
+#include "ui/run/study_runner.h"
 
 namespace covaria::ui {
 
@@ -34,7 +35,13 @@ public:
     bool is_live() const { return live_; }
     /// The analysis being looked at is computed before the others.
     void set_focus(const QString& id) { focus_ = id.toStdString(); }
-    void set_threads(int threads) { threads_ = threads; }  ///< 0 = as many as the machine has
+    void set_threads(int threads) {  ///< 0 = as many as the machine has
+        threads_ = threads;
+        studies_.set_threads(threads);
+    }
+    /// Studies of the same project; they run when asked for.
+    StudyRunner& studies() { return studies_; }
+    const StudyRunner& studies() const { return studies_; }
 
     void run(const QString& id);
     /// All that are not up to date.
@@ -101,6 +108,7 @@ private:
     std::stop_source active_stop_;
     QElapsedTimer active_time_;
 
+    StudyRunner studies_;
     JobQueue prepare_jobs_;
     JobQueue run_jobs_;
 };

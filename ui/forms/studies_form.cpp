@@ -1,0 +1,298 @@
+#include "ui/forms/studies_form.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <charconv>
+
+#include "core/base/symbol.h"
+#include "ui/document/setup_address.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+constexpr std::size_t most_axes = 3;
+
+QPushButton* button(const QString& text, const QString& name, const QString& tip) {
+    auto* made = new QPushButton(text);
+    made->setObjectName(name);
+    made->setToolTip(tip);
+    return made;
+}
+
+}  // namespace
+
+StudiesForm::StudiesForm(Document& document, AnalysisRunner& runner, Selection& selection,
+                         std::string analysis, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      runner_(runner),
+      selection_(selection),
+      analysis_(std::move(analysis)) {
+    auto* column = new QVBoxLayout(this);
+    build_head();
+    build_body();
+    column->addStretch(1);
+    connect(&document_, &Document::project_changed, this, &StudiesForm::refresh);
+    connect(&document_, &Document::problems_changed, this, &StudiesForm::refresh_problems);
+    connect(&selection_, &Selection::study_changed, this, &StudiesForm::refresh);
+    connect(&runner_, &AnalysisRunner::state_changed, this, [this](const QString& id) {
+        if (to_std(id) == analysis_ && study()) refresh_outputs(*study());
+    });
+    refresh();
+}
+
+void StudiesForm::build_head() {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    list_ = new QComboBox;
+    list_->setObjectName(QStringLiteral("studies"));
+    list_->setAccessibleName(tr("Study"));
+    QPushButton* add = button(tr("Add"), QStringLiteral("add_study"), tr("Adds a study of this analysis"));
+    duplicate_ = button(tr("Duplicate"), QStringLiteral("duplicate_study"), tr("Adds a copy of this study"));
+    remove_ = button(tr("Delete"), QStringLiteral("remove_study"), tr("Deletes this study"));
+    run_ = button(tr("Run"), QStringLiteral("run_study"),
+                  tr("Evaluates the analysis at every grid point of this study"));
+    auto* row = new QHBoxLayout;
+    for (QPushButton* each : {add, duplicate_, remove_, run_}) row->addWidget(each);
+    row->addStretch(1);
+    column->addWidget(list_);
+    column->addLayout(row);
+    hint_ =
+        new QLabel(tr("A study evaluates this analysis for many values of a number: a sweep over one, a map "
+                      "over two or three. Add one to see how the uncertainty depends on the set-up."));
+    hint_->setWordWrap(true);
+    hint_->setEnabled(false);
+    column->addWidget(hint_);
+    connect(list_, &QComboBox::activated, this,
+            [this](int index) { selection_.select_study(list_->itemData(index).toString()); });
+    connect(add, &QPushButton::clicked, this,
+            [this] { selection_.select_study(to_qt(add_study(document_, analysis_))); });
+    connect(duplicate_, &QPushButton::clicked, this, [this] {
+        if (const Study* shown = study())
+            selection_.select_study(to_qt(duplicate_study(document_, analysis_, shown->id)));
+    });
+    connect(remove_, &QPushButton::clicked, this, [this] {
+        if (const Study* shown = study()) remove_study(document_, analysis_, std::string(shown->id));
+    });
+    connect(run_, &QPushButton::clicked, this, [this] {
+        if (const Study* shown = study()) runner_.studies().run(to_qt(analysis_), to_qt(shown->id));
+    });
+}
+
+void StudiesForm::build_body() {
+    body_ = new QWidget;
+    auto* column = new QVBoxLayout(body_);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* form = new QFormLayout;
+    name_ = new QLineEdit;
+    name_->setObjectName(QStringLiteral("study_name"));
+    name_->setAccessibleName(tr("Name of the study"));
+    method_ = new QComboBox;
+    method_->setObjectName(QStringLiteral("study_method"));
+    method_->setAccessibleName(tr("Method"));
+    method_->addItem(tr("Law of propagation"), int(Method::first_order));
+    method_->addItem(tr("Monte Carlo"), int(Method::monte_carlo));
+    trials_ = new QuantityEdit;
+    trials_->setObjectName(QStringLiteral("study_trials"));
+    trials_->setAccessibleName(tr("Trials at each grid point"));
+    trials_->set_integer(true);
+    trials_->set_optional(false);
+    trials_->set_range({2.0, 1e12});
+    form->addRow(tr("Name"), name_);
+    form->addRow(tr("Method"), method_);
+    form->addRow(tr("Trials per point"), trials_);
+    column->addLayout(form);
+    axes_ = new QVBoxLayout;
+    column->addLayout(axes_);
+    add_axis_ = button(tr("Add Axis"), QStringLiteral("add_axis"),
+                       tr("Varies one more number: every combination is evaluated"));
+    column->addWidget(add_axis_, 0, Qt::AlignLeft);
+    build_outputs();
+    layout()->addWidget(body_);
+    connect(name_, &QLineEdit::editingFinished, this,
+            [this] { change([this](Study& s) { s.name = to_std(name_->text()); }, QStringLiteral("name")); });
+    connect(method_, &QComboBox::activated, this, [this](int row) {
+        change([this, row](Study& s) { s.method = static_cast<Method>(method_->itemData(row).toInt()); });
+    });
+    connect(trials_, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& quantity) {
+        const auto trials = static_cast<std::uint64_t>(quantity ? quantity->value : 2.0);
+        change([trials](Study& s) { s.trials = trials; }, QStringLiteral("trials"));
+    });
+    connect(add_axis_, &QPushButton::clicked, this, &StudiesForm::add_axis);
+}
+
+void StudiesForm::build_outputs() {
+    outputs_ = new QListWidget;
+    outputs_->setObjectName(QStringLiteral("study_outputs"));
+    outputs_->setAccessibleName(tr("Output quantities of the study"));
+    outputs_->setToolTip(tr("Output quantities looked at; with none ticked, all measurands"));
+    outputs_->setMinimumHeight(8 * fontMetrics().height());
+    auto* title = new QLabel(tr("Outputs (none ticked: all measurands)"));
+    static_cast<QVBoxLayout*>(body_->layout())->addWidget(title);
+    static_cast<QVBoxLayout*>(body_->layout())->addWidget(outputs_);
+    connect(outputs_, &QListWidget::itemChanged, this, &StudiesForm::take_outputs);
+}
+
+const Study* StudiesForm::study() const {
+    return find_study(document_.project(), analysis_, to_std(selection_.study()));
+}
+
+const InputSet* StudiesForm::inputs() const {
+    const PreparedPointer& prepared = runner_.status(to_qt(analysis_)).prepared;
+    return prepared ? &prepared->inputs : nullptr;
+}
+
+void StudiesForm::change(const std::function<void(Study&)>& edit, const QString& merge_key) {
+    change_study(document_, analysis_, to_std(selection_.study()), edit, merge_key);
+}
+
+void StudiesForm::change_axis(std::size_t axis, const std::function<void(StudyAxis&)>& edit,
+                              const QString& field) {
+    change(
+        [&](Study& s) {
+            if (axis < s.axes.size()) edit(s.axes[axis]);
+        },
+        field.isEmpty() ? field : QStringLiteral("axis-%1-%2").arg(axis).arg(field));
+}
+
+void StudiesForm::add_axis() {
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    const Study* shown = study();
+    if (!entry || !shown) return;
+    for (const StudyTargetChoice& choice : study_targets(document_.project(), *entry, nullptr)) {
+        const bool used = std::any_of(shown->axes.begin(), shown->axes.end(), [&](const StudyAxis& axis) {
+            return axis.asset == choice.axis.asset && axis.target == choice.axis.target;
+        });
+        if (used) continue;
+        const StudyAxis axis = choice.axis;
+        return change([&axis](Study& s) { s.axes.push_back(axis); });
+    }
+}
+
+void StudiesForm::refresh_list() {
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    const QSignalBlocker blocker(list_);
+    list_->clear();
+    for (std::size_t i = 0; entry && i < entry->studies.size(); ++i) {
+        const Study& each = entry->studies[i];
+        list_->addItem(to_qt(each.name.empty() ? each.id : each.name), to_qt(each.id));
+    }
+    if (entry && !entry->studies.empty() && !study())
+        selection_.select_study(to_qt(entry->studies.front().id));
+    list_->setCurrentIndex(list_->findData(selection_.study()));
+    list_->setVisible(list_->count() > 0);
+}
+
+void StudiesForm::refresh() {
+    refresh_list();
+    const Study* shown = study();
+    hint_->setVisible(shown == nullptr);
+    body_->setVisible(shown != nullptr);
+    for (QPushButton* each : {duplicate_, remove_, run_}) each->setEnabled(shown != nullptr);
+    if (!shown) return;
+    if (!name_->hasFocus() || name_->text() != to_qt(shown->name)) name_->setText(to_qt(shown->name));
+    method_->setCurrentIndex(method_->findData(int(shown->method)));
+    trials_->set_quantity(Quantity{double(shown->trials), {}});
+    trials_->setEnabled(shown->method == Method::monte_carlo);
+    refresh_axes(*shown);
+    refresh_outputs(*shown);
+    refresh_problems();
+}
+
+void StudiesForm::add_axis_edit() {
+    const std::size_t number = axis_edits_.size();
+    auto* edit = new StudyAxisEdit(
+        [this]() -> std::vector<StudyTargetChoice> {
+            const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+            if (!entry) return {};
+            return study_targets(document_.project(), *entry, inputs());
+        },
+        number);
+    axes_->addWidget(edit);
+    axis_edits_.push_back(edit);
+    connect(edit, &StudyAxisEdit::edited, this,
+            [this, number](const std::function<void(StudyAxis&)>& how, const QString& field) {
+                change_axis(number, how, field);
+            });
+    connect(edit, &StudyAxisEdit::remove_wanted, this, [this, number] {
+        change([number](Study& s) {
+            if (number < s.axes.size()) s.axes.erase(s.axes.begin() + std::ptrdiff_t(number));
+        });
+    });
+}
+
+void StudiesForm::refresh_axes(const Study& shown) {
+    while (axis_edits_.size() < std::min(most_axes, shown.axes.size())) add_axis_edit();
+    const AnalysisEntry& entry = *document_.project().find_analysis(analysis_);
+    for (std::size_t i = 0; i < axis_edits_.size(); ++i) {
+        axis_edits_[i]->setVisible(i < shown.axes.size());
+        if (i >= shown.axes.size()) continue;
+        const auto target = find_study_target(document_.project(), entry, inputs(), shown.axes[i]);
+        axis_edits_[i]->show_axis(shown.axes[i], target ? &*target : nullptr, shown.axes.size() == 1);
+    }
+    add_axis_->setVisible(shown.axes.size() < most_axes);
+}
+
+void StudiesForm::refresh_outputs(const Study& shown) {
+    const PreparedPointer& prepared = runner_.status(to_qt(analysis_)).prepared;
+    if (!prepared) return;
+    const auto& all = prepared->model->outputs();
+    const QSignalBlocker blocker(outputs_);
+    while (outputs_->count() > int(all.size())) delete outputs_->takeItem(outputs_->count() - 1);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (outputs_->count() <= int(i)) outputs_->addItem(QString());
+        QListWidgetItem* item = outputs_->item(int(i));
+        const QString symbol = to_qt(symbol_to_unicode(all[i].symbol));
+        item->setText(all[i].group.empty() ? symbol : tr("%1 of %2").arg(symbol, to_qt(all[i].group)));
+        item->setToolTip(to_qt(all[i].name));
+        const bool ticked =
+            std::any_of(shown.outputs.begin(), shown.outputs.end(), [&](const StudyOutput& output) {
+                return output.group == all[i].group && output.symbol == all[i].symbol;
+            });
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        item->setCheckState(ticked ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+void StudiesForm::take_outputs() {
+    const PreparedPointer& prepared = runner_.status(to_qt(analysis_)).prepared;
+    if (!prepared) return;
+    const auto& all = prepared->model->outputs();
+    std::vector<StudyOutput> ticked;
+    for (std::size_t i = 0; i < all.size() && int(i) < outputs_->count(); ++i)
+        if (outputs_->item(int(i))->checkState() == Qt::Checked)
+            ticked.push_back({all[i].group, all[i].symbol});
+    change([&](Study& s) { s.outputs = ticked; });
+}
+
+void StudiesForm::refresh_problems() {
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    const Study* shown = study();
+    if (!entry || !shown) return;
+    const std::string prefix = entry_path(document_.project(), {SetupOwner::analysis, analysis_}) +
+                               "/studies/" + std::to_string(shown - entry->studies.data()) + "/axes/";
+    for (std::size_t i = 0; i < axis_edits_.size(); ++i) {
+        QStringList messages;
+        for (const Problem& problem : document_.problems().items())
+            if (problem.path.starts_with(prefix + std::to_string(i) + "/"))
+                messages << to_qt(problem.message);
+        axis_edits_[i]->set_complaint(messages.join(QLatin1Char('\n')));
+    }
+}
+
+bool StudiesForm::focus_field(const std::string& path) {
+    const std::string prefix =
+        entry_path(document_.project(), {SetupOwner::analysis, analysis_}) + "/studies/";
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    if (!path.starts_with(prefix) || !entry) return false;
+    std::size_t index = 0;
+    std::from_chars(path.data() + prefix.size(), path.data() + path.size(), index);
+    if (index < entry->studies.size()) selection_.select_study(to_qt(entry->studies[index].id));
+    return true;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,65 @@
+// The studies of an analysis: which one, its axes, the outputs looked at, the method.
+#pragma once
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QWidget>
+#include <vector>
+
+#include "ui/document/selection.h"
+#include "ui/document/study_edits.h"
+#include "ui/forms/study_axis_edit.h"
+#include "ui/run/analysis_runner.h"
+
+class QLabel;
+
+namespace covaria::ui {
+
+class StudiesForm : public QWidget {
+    Q_OBJECT
+public:
+    StudiesForm(Document& document, AnalysisRunner& runner, Selection& selection, std::string analysis,
+                QWidget* parent = nullptr);
+    /// "/analyses/0/studies/1/axes/0/target". False: not of a study.
+    bool focus_field(const std::string& path);
+
+private:
+    void build_head();
+    void build_body();
+    void build_outputs();
+    void refresh();
+    void refresh_list();
+    void refresh_axes(const Study& study);
+    void refresh_outputs(const Study& study);
+    void refresh_problems();
+    void add_axis_edit();
+    void add_axis();
+    void take_outputs();
+    void change(const std::function<void(Study&)>& edit, const QString& merge_key = {});
+    void change_axis(std::size_t axis, const std::function<void(StudyAxis&)>& edit, const QString& field);
+    const Study* study() const;
+    const InputSet* inputs() const;
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    std::string analysis_;
+    QComboBox* list_ = nullptr;
+    QPushButton* duplicate_ = nullptr;
+    QPushButton* remove_ = nullptr;
+    QPushButton* run_ = nullptr;
+    QLabel* hint_ = nullptr;
+    QWidget* body_ = nullptr;
+    QLineEdit* name_ = nullptr;
+    QComboBox* method_ = nullptr;
+    QuantityEdit* trials_ = nullptr;
+    QVBoxLayout* axes_ = nullptr;
+    std::vector<StudyAxisEdit*> axis_edits_;
+    QPushButton* add_axis_ = nullptr;
+    QListWidget* outputs_ = nullptr;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,132 @@
+#include "ui/forms/study_axis_edit.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "ui/document/quantity_text.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+
+StudyAxisEdit::StudyAxisEdit(Choices choices, std::size_t number, QWidget* parent)
+    : QGroupBox(tr("Axis %1").arg(number + 1), parent),
+      target_(new TargetBox(std::move(choices), this)),
+      change_(new QComboBox(this)),
+      from_(new QuantityEdit(this)),
+      to_(new QuantityEdit(this)),
+      values_(new QuantityEdit(this)),
+      spacing_(new QComboBox(this)),
+      remove_(new QPushButton(tr("Remove Axis"), this)),
+      title_(title()) {
+    const QString name = QStringLiteral("axis_%1_").arg(number);
+    target_->setObjectName(name + QStringLiteral("target"));
+    change_->setObjectName(name + QStringLiteral("change"));
+    from_->setObjectName(name + QStringLiteral("from"));
+    to_->setObjectName(name + QStringLiteral("to"));
+    values_->setObjectName(name + QStringLiteral("values"));
+    spacing_->setObjectName(name + QStringLiteral("spacing"));
+    remove_->setObjectName(name + QStringLiteral("remove"));
+    build();
+}
+
+void StudyAxisEdit::build() {
+    change_->addItem(tr("takes these values"), int(StudyChange::value));
+    change_->addItem(tr("is multiplied with"), int(StudyChange::factor));
+    change_->addItem(tr("has added to it"), int(StudyChange::added));
+    spacing_->addItem(tr("evenly spaced"), int(StudySpacing::linear));
+    spacing_->addItem(tr("logarithmically spaced"), int(StudySpacing::logarithmic));
+    from_->setAccessibleName(tr("From"));
+    to_->setAccessibleName(tr("To"));
+    values_->setAccessibleName(tr("Number of values"));
+    values_->set_integer(true);
+    values_->set_range({2.0, 100000.0});
+    for (QuantityEdit* edit : {from_, to_, values_}) edit->set_optional(false);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("Varied"), target_);
+    form->addRow(tr("It"), change_);
+    form->addRow(tr("From"), from_);
+    form->addRow(tr("To"), to_);
+    form->addRow(tr("Values"), values_);
+    form->addRow(QString(), spacing_);
+    form->addRow(QString(), remove_);
+    connect(target_, &TargetBox::chosen, this, [this](const StudyAxis& chosen) {
+        emit edited(
+            [chosen](StudyAxis& axis) {
+                const std::size_t values = axis.values;
+                axis = chosen;
+                axis.values = std::min(values, chosen.values < 11 ? chosen.values : values);
+            },
+            {});
+    });
+    connect(change_, &QComboBox::activated, this, [this](int row) {
+        const auto change = static_cast<StudyChange>(change_->itemData(row).toInt());
+        emit edited(
+            [change](StudyAxis& axis) {
+                if (axis.change == change) return;
+                axis.change = change;
+                if (change == StudyChange::factor) {
+                    axis.unit = {};
+                    axis.from = 0.5;
+                    axis.to = 2.0;
+                }
+            },
+            {});
+    });
+    connect(spacing_, &QComboBox::activated, this, [this](int row) {
+        const auto spacing = static_cast<StudySpacing>(spacing_->itemData(row).toInt());
+        emit edited([spacing](StudyAxis& axis) { axis.spacing = spacing; }, {});
+    });
+    connect(from_, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& quantity) {
+        take_end(true, quantity.value_or(Quantity{}));
+    });
+    connect(to_, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& quantity) {
+        take_end(false, quantity.value_or(Quantity{}));
+    });
+    connect(values_, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& quantity) {
+        const auto count = static_cast<std::size_t>(quantity ? quantity->value : 2.0);
+        emit edited([count](StudyAxis& axis) { axis.values = count; }, QStringLiteral("values"));
+    });
+    connect(remove_, &QPushButton::clicked, this, &StudyAxisEdit::remove_wanted);
+}
+
+/// Both ends have one unit: the other end follows into that of the one just typed.
+void StudyAxisEdit::take_end(bool first, const Quantity& quantity) {
+    emit edited(
+        [first, quantity](StudyAxis& axis) {
+            double& other = first ? axis.to : axis.from;
+            if (!(quantity.unit == axis.unit)) other = converted(other, axis.unit, quantity.unit);
+            axis.unit = quantity.unit;
+            (first ? axis.from : axis.to) = quantity.value;
+        },
+        first ? QStringLiteral("from") : QStringLiteral("to"));
+}
+
+void StudyAxisEdit::show_axis(const StudyAxis& axis, const StudyTarget* target, bool only) {
+    axis_ = axis;
+    QString words = target ? to_qt(target->title) : tr("choose what is varied");
+    if (target && axis.change == StudyChange::factor) words += tr(" (factor)");
+    target_->show_title(words);
+    target_->setToolTip(to_qt(axis.target));
+    const bool factor_only = target && (target->kind == StudyTarget::Kind::components ||
+                                        target->kind == StudyTarget::Kind::component);
+    change_->setEnabled(!factor_only);
+    change_->setCurrentIndex(change_->findData(int(axis.change)));
+    Unit unit = axis.unit;
+    if (axis.change != StudyChange::factor && target && axis.unit == Unit{}) unit = target->unit;
+    from_->set_unit(unit);
+    to_->set_unit(unit);
+    from_->set_quantity(Quantity{axis.from, axis.unit});
+    to_->set_quantity(Quantity{axis.to, axis.unit});
+    values_->set_quantity(Quantity{double(axis.values), {}});
+    spacing_->setCurrentIndex(spacing_->findData(int(axis.spacing)));
+    remove_->setVisible(!only);
+}
+
+void StudyAxisEdit::set_complaint(const QString& complaint) {
+    setTitle(complaint.isEmpty() ? title_ : tr("%1: has a problem").arg(title_));
+    setToolTip(complaint);
+}
+
+}  // namespace covaria::ui

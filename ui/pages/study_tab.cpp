@@ -1,0 +1,186 @@
+#include "ui/pages/study_tab.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "ui/charts/chart_view.h"
+#include "ui/document/strings.h"
+#include "ui/pages/sortable_table.h"
+
+namespace covaria::ui {
+
+StudyTab::StudyTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
+    : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
+    make_head();
+    chart_ = new ChartView;
+    table_ = new SortableTable(model_, tr("study"));
+    auto* splitter = new QSplitter(Qt::Horizontal);
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(chart_);
+    splitter->addWidget(table_);
+    splitter->setSizes({1000, 1000});
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(head_);
+    column->addWidget(splitter, 1);
+    const auto refresh_if_shown = [this](const QString& analysis, const QString& study) {
+        if (analysis == selection_.analysis() && study == selection_.study()) refresh();
+    };
+    connect(&runner_.studies(), &StudyRunner::changed, this, refresh_if_shown);
+    connect(&document_, &Document::project_changed, this, &StudyTab::refresh);
+    connect(&selection_, &Selection::study_changed, this, &StudyTab::refresh);
+    connect(&selection_, &Selection::analysis_changed, this, &StudyTab::refresh);
+    refresh();
+}
+
+void StudyTab::make_head() {
+    head_ = new QWidget;
+    auto* row = new QHBoxLayout(head_);
+    row->setContentsMargins(4, 2, 4, 2);
+    const auto combo = [](const QString& name, const QString& tip) {
+        auto* made = new QComboBox;
+        made->setAccessibleName(name);
+        made->setToolTip(tip);
+        made->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        return made;
+    };
+    list_ = combo(tr("Study"), tr("Study of this analysis"));
+    run_ = new QPushButton(tr("Run Study"));
+    edit_ = new QPushButton(tr("Edit …"));
+    edit_->setToolTip(tr("Axes, outputs and method of the study, in the properties of the analysis"));
+    quantity_ = combo(tr("Quantity of the study"), tr("What the chart and the scene show"));
+    kind_ = combo(tr("Kind of chart"), tr("A map, or lines over the first axis"));
+    kind_->addItems({tr("Map"), tr("Lines")});
+    fixed_ = combo(tr("Axis of the slices"), tr("Which axis the slices are across"));
+    slice_ = new QSlider(Qt::Horizontal);
+    slice_->setAccessibleName(tr("Slice"));
+    slice_->setFixedWidth(110);
+    state_ = new QLabel;
+    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    for (QWidget* each :
+         std::initializer_list<QWidget*>{list_, run_, edit_, quantity_, kind_, fixed_, slice_})
+        row->addWidget(each);
+    row->addWidget(state_, 1);
+    connect(list_, &QComboBox::activated, this,
+            [this](int index) { selection_.select_study(list_->itemData(index).toString()); });
+    connect(run_, &QPushButton::clicked, this, [this] {
+        if (study_of_project()) runner_.studies().run(selection_.analysis(), selection_.study());
+    });
+    connect(edit_, &QPushButton::clicked, this, [this] {
+        const std::string analysis = to_std(selection_.analysis());
+        if (list_->count() == 0) selection_.select_study(to_qt(add_study(document_, analysis)));
+        emit edit_wanted();
+    });
+    for (QComboBox* each : {quantity_, kind_, fixed_})
+        connect(each, &QComboBox::activated, this, &StudyTab::take_view);
+    connect(slice_, &QSlider::valueChanged, this, &StudyTab::take_view);
+}
+
+const Study* StudyTab::study_of_project() const {
+    return find_study(document_.project(), to_std(selection_.analysis()), to_std(selection_.study()));
+}
+
+void StudyTab::refresh_list() {
+    const AnalysisEntry* entry = document_.project().find_analysis(to_std(selection_.analysis()));
+    const QSignalBlocker blocker(list_);
+    list_->clear();
+    for (std::size_t i = 0; entry && i < entry->studies.size(); ++i) {
+        const Study& study = entry->studies[i];
+        list_->addItem(to_qt(study.name.empty() ? study.id : study.name), to_qt(study.id));
+    }
+    if (entry && !entry->studies.empty() && !study_of_project())
+        selection_.select_study(to_qt(entry->studies.front().id));
+    list_->setCurrentIndex(list_->findData(selection_.study()));
+    list_->setVisible(list_->count() > 0);
+    edit_->setEnabled(entry != nullptr);
+    edit_->setText(list_->count() > 0 ? tr("Edit …") : tr("Add Study …"));
+}
+
+void StudyTab::refresh() {
+    refresh_list();
+    const StudyStatus& status = runner_.studies().status(selection_.analysis(), selection_.study());
+    const bool other = status.result != result_;
+    result_ = study_of_project() ? status.result : nullptr;
+    current_ = status.is_current();
+    run_->setVisible(study_of_project() != nullptr);
+    run_->setEnabled(status.state != RunState::running);
+    state_->setText(state_words());
+    state_->setToolTip(state_->text());
+    if (other) refresh_choices();
+    model_.set_study(result_, current_);
+    show_study();
+}
+
+void StudyTab::refresh_choices() {
+    const QSignalBlocker quantities(quantity_), fixed(fixed_), slices(slice_);
+    const QString before = quantity_->currentText();
+    quantity_->clear();
+    fixed_->clear();
+    if (!result_) return;
+    for (const StudyQuantity& quantity : study_quantities(*result_))
+        quantity_->addItem(to_qt(quantity.title));
+    quantity_->setCurrentIndex(std::max(0, quantity_->findText(before)));
+    for (const StudyAxisValues& axis : result_->axes) fixed_->addItem(tr("slice: %1").arg(to_qt(axis.title)));
+    if (result_->axes.size() == 3) {
+        if (view_.fixed_axis > 2 || view_ == StudyView{}) view_.fixed_axis = 2;
+        fixed_->setCurrentIndex(int(view_.fixed_axis));
+        slice_->setRange(0, int(result_->axes[view_.fixed_axis].values.size()) - 1);
+        slice_->setValue(slice_->maximum() / 2);
+        view_.slice = std::size_t(slice_->value());
+    }
+    view_.quantity = std::size_t(std::max(0, quantity_->currentIndex()));
+}
+
+void StudyTab::take_view() {
+    if (!result_) return;
+    view_.quantity = std::size_t(std::max(0, quantity_->currentIndex()));
+    view_.lines = kind_->currentIndex() == 1;
+    const auto fixed = std::size_t(std::max(0, fixed_->currentIndex()));
+    if (result_->axes.size() == 3) {
+        const QSignalBlocker blocker(slice_);
+        const int last = int(result_->axes[fixed].values.size()) - 1;
+        if (fixed != view_.fixed_axis) {
+            slice_->setRange(0, last);
+            slice_->setValue(last / 2);
+        }
+        view_.fixed_axis = fixed;
+        view_.slice = std::size_t(slice_->value());
+    }
+    show_study();
+}
+
+void StudyTab::show_study() {
+    const std::size_t axes = result_ ? result_->axes.size() : 0;
+    quantity_->setVisible(axes > 0);
+    kind_->setVisible(axes > 1);
+    fixed_->setVisible(axes == 3);
+    slice_->setVisible(axes == 3);
+    PlotSpecification plot;
+    if (result_)
+        plot = study_plot(*result_, view_);
+    else
+        plot.title = to_std(study_of_project()
+                                ? tr("Run the study to see how the uncertainty depends on what it varies")
+                                : tr("A study evaluates the analysis for many values of a number: add one"));
+    chart_->set_plot(std::move(plot));
+    emit shown_changed();
+}
+
+QString StudyTab::state_words() const {
+    const StudyStatus& status = runner_.studies().status(selection_.analysis(), selection_.study());
+    if (!study_of_project()) return {};
+    if (status.state == RunState::running) return tr("running …");
+    if (status.state == RunState::failed) return tr("Failed: %1").arg(status.message);
+    if (!status.result) return tr("Not evaluated yet.");
+    const std::size_t failed = status.result->failed();
+    QString words = tr("%1 grid points").arg(QLocale().toString(qulonglong(status.result->points.size())));
+    if (failed > 0) words += tr(", %1 without values").arg(QLocale().toString(qulonglong(failed)));
+    return status.is_current() ? words : tr("<b>Out of date</b>: shown for the project as it was. ") + words;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,70 @@
+// A study's results: chart or map, table, what is shown of it.
+#pragma once
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSlider>
+#include <QWidget>
+
+#include "core/report/study_plots.h"
+#include "ui/document/selection.h"
+#include "ui/document/study_edits.h"
+#include "ui/models/study_table_model.h"
+#include "ui/run/analysis_runner.h"
+
+class QLabel;
+
+namespace covaria::ui {
+
+class ChartView;
+class SortableTable;
+
+class StudyTab : public QWidget {
+    Q_OBJECT
+public:
+    StudyTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+
+    ChartView& chart() { return *chart_; }
+    SortableTable& table() { return *table_; }
+    /// The study shown, current or not; null when there is none.
+    const StudyPointer& study() const { return result_; }
+    bool is_current() const { return current_; }
+    const StudyView& view() const { return view_; }
+    QString state_words() const;
+
+signals:
+    /// Another study, or something else of it.
+    void shown_changed();
+    /// The user wants to change the studies of the analysis.
+    void edit_wanted();
+
+private:
+    void make_head();
+    void refresh();
+    void refresh_list();
+    void refresh_choices();
+    void take_view();
+    void show_study();
+    const Study* study_of_project() const;
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    StudyTableModel model_;
+    StudyPointer result_;
+    bool current_ = false;
+    StudyView view_;
+    QWidget* head_ = nullptr;
+    QComboBox* list_ = nullptr;
+    QPushButton* run_ = nullptr;
+    QPushButton* edit_ = nullptr;
+    QComboBox* quantity_ = nullptr;
+    QComboBox* kind_ = nullptr;
+    QComboBox* fixed_ = nullptr;
+    QSlider* slice_ = nullptr;
+    QLabel* state_ = nullptr;
+    ChartView* chart_ = nullptr;
+    SortableTable* table_ = nullptr;
+};
+
+}  // namespace covaria::ui
