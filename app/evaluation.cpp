@@ -60,6 +60,7 @@ Result<void> evaluate_studies(const Project& project, const AssetLibrary& assets
                               const std::stop_token& stop, EvaluatedAnalysis& evaluated) {
     const std::string& id = evaluated.analysis->id;
     for (const Study& study : project.find_analysis(id)->studies) {
+        if (!request.study.empty() && study.id != request.study) continue;
         Problems problems;
         const auto prepared = prepare_study(project, id, study.id, assets, problems);
         if (!prepared) {
@@ -72,8 +73,8 @@ Result<void> evaluate_studies(const Project& project, const AssetLibrary& assets
         if (!result) return fail(result.error());
         if (const std::size_t failed = result->failed(); failed > 0)
             print_message(what + ": warning: " + std::to_string(failed) + " of " +
-                          std::to_string(result->points.size()) + " grid points have no values: " +
-                          result->reasons[1]);
+                          std::to_string(result->points.size()) +
+                          " grid points have no values: " + result->reasons[1]);
         evaluated.studies.push_back(std::make_shared<const StudyResult>(std::move(*result)));
     }
     return {};

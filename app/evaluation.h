@@ -18,7 +18,8 @@ struct RunRequest {
     std::optional<std::uint64_t> trials = {};
     bool adaptive = false;
     bool first_order = false;
-    bool studies = true;  ///< evaluate the studies of the analyses too
+    bool studies = true;     ///< evaluate the studies of the analyses too
+    std::string study = {};  ///< only the one with this id; empty = all
     std::optional<std::uint64_t> seed = {};
     int threads = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viz/scene/analysis_scene.h"
+#include "viz/scene/study_scene.h"
 #include "viz/vtk/scene_renderer.h"
 
 namespace covaria {
@@ -29,6 +30,27 @@ std::string file_name_part(std::string text) {
     return text;
 }
 
+Result<Scene> scene_of_study(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
+                             const SceneOptions& options) {
+    for (const auto& study : evaluated.studies) {
+        if (study->id != request.study) continue;
+        StudySceneOptions wanted;
+        wanted.ellipsoids = request.ellipsoids;
+        const auto quantities = study_quantities(*study);
+        std::vector<std::string> titles;
+        for (const StudyQuantity& quantity : quantities) titles.push_back("\"" + quantity.title + "\"");
+        const auto found =
+            std::find_if(quantities.begin(), quantities.end(),
+                         [&](const StudyQuantity& quantity) { return quantity.title == request.quantity; });
+        if (!request.quantity.empty() && found == quantities.end())
+            return fail(ErrorCode::bad_input,
+                        "the study has no quantity \"" + request.quantity + "\"; it has: " + joined(titles));
+        if (found != quantities.end()) wanted.quantity = static_cast<std::size_t>(found - quantities.begin());
+        return study_scene(*evaluated.analysis, *study, wanted, options);
+    }
+    return fail(ErrorCode::not_found, "the analysis has no study \"" + request.study + "\"");
+}
+
 Result<void> render_to(SceneRenderer& renderer, const std::string& view, const std::filesystem::path& file) {
     renderer.set_view(*standard_view_from(view));
     const auto image = renderer.render(RenderQuality::fine);
@@ -45,6 +67,7 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
     options.magnification = request.magnification;
     options.probability =
         request.probability > 0 ? request.probability : evaluated.analysis->options.coverage_probability;
+    if (!request.study.empty()) return scene_of_study(evaluated, request, options);
     return analysis_scene(*evaluated.analysis, evaluated.result.get(), options);
 }
 

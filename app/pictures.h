@@ -13,7 +13,10 @@ namespace covaria {
 
 /// What to draw of an analysis and how.
 struct PictureRequest {
-    std::string group = {};  ///< empty: the first group of outputs
+    std::string study = {};     ///< its map instead of the analysis' result
+    std::string quantity = {};  ///< of the study, by its title: "u(3D), B"; empty = the first
+    bool ellipsoids = false;    ///< at the grid points of the study
+    std::string group = {};     ///< empty: the first group of outputs
     std::string view = "iso";
     int width = 1280;
     int height = 800;

@@ -24,6 +24,8 @@ Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
         return fail(ErrorCode::bad_input, "the project has no analysis to draw");
     if (arguments.request.analyses.empty())
         arguments.request.analyses = {opened->project.analyses.front().id};
+    arguments.request.studies = !arguments.picture.study.empty();
+    arguments.request.study = arguments.picture.study;
     auto evaluated = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluated) return fail(evaluated.error());
     return write_picture(evaluated->front(), arguments.picture, arguments.output);
@@ -42,6 +44,12 @@ Command render_command(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--group", picture.group, "group of outputs to show, e.g. \"pose 7\"")
         ->type_name("NAME");
+    command->add_option("--study", picture.study, "the map of the study with this id")->type_name("ID");
+    command
+        ->add_option("--quantity", picture.quantity,
+                     "of the study, e.g. \"u(3D), B\" or \"U(x), B\"; the first without it")
+        ->type_name("TITLE");
+    command->add_flag("--ellipsoids", picture.ellipsoids, "ellipsoids at the grid points of the study");
     command->add_option("--view", picture.view, "direction of view")
         ->check(CLI::IsMember({"iso", "top", "front", "right"}))
         ->capture_default_str();

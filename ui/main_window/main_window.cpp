@@ -261,6 +261,8 @@ void MainWindow::connect_panes() {
         const bool of_scene = selection_.entry().owner == SetupOwner::analysis;
         scene_->select_source(of_scene ? to_std(field) : std::string());
     });
+    connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_study_in_scene);
+    connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_study_in_scene);
     connect(&results_->study_tab(), &StudyTab::edit_wanted, this, [this] {
         selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
         docks_[1]->show();
@@ -276,6 +278,20 @@ void MainWindow::connect_panes() {
     });
     set_rendering_log([this](const std::string& message) { log_->write(to_qt(message)); });
     for (QAction* action : project_actions_) action->setEnabled(false);
+}
+
+/// While the study's tab is on top, the scene shows its map.
+void MainWindow::show_study_in_scene() {
+    const StudyTab& tab = results_->study_tab();
+    const bool on_top = results_->tabs().currentWidget() == &tab;
+    StudySceneOptions wanted;
+    wanted.quantity = tab.view().quantity;
+    wanted.ellipsoids = tab.wants_ellipsoids();
+    if (on_top && tab.study() && tab.study()->axes.size() == 3 && tab.wants_slice()) {
+        wanted.slice_axis = tab.view().fixed_axis;
+        wanted.slice = tab.view().slice;
+    }
+    scene_->show_study(on_top ? tab.study() : nullptr, wanted);
 }
 
 void MainWindow::begin(const QString& file) {

@@ -68,6 +68,7 @@ private:
     void make_view_menu();
     void make_help_menu();
     void connect_panes();
+    void show_study_in_scene();
     void show_project();
     void follow_document();
     void go_to(const QString& path);

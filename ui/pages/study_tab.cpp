@@ -60,10 +60,14 @@ void StudyTab::make_head() {
     slice_ = new QSlider(Qt::Horizontal);
     slice_->setAccessibleName(tr("Slice"));
     slice_->setFixedWidth(110);
+    only_slice_ = new QCheckBox(tr("slice only"));
+    only_slice_->setToolTip(tr("In the scene: the points of this slice; else all"));
+    ellipsoids_ = new QCheckBox(tr("ellipsoids"));
+    ellipsoids_->setToolTip(tr("In the scene: coverage ellipsoids at the grid points"));
     state_ = new QLabel;
     state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    for (QWidget* each :
-         std::initializer_list<QWidget*>{list_, run_, edit_, quantity_, kind_, fixed_, slice_})
+    for (QWidget* each : std::initializer_list<QWidget*>{list_, run_, edit_, quantity_, kind_, fixed_, slice_,
+                                                         only_slice_, ellipsoids_})
         row->addWidget(each);
     row->addWidget(state_, 1);
     connect(list_, &QComboBox::activated, this,
@@ -79,6 +83,8 @@ void StudyTab::make_head() {
     for (QComboBox* each : {quantity_, kind_, fixed_})
         connect(each, &QComboBox::activated, this, &StudyTab::take_view);
     connect(slice_, &QSlider::valueChanged, this, &StudyTab::take_view);
+    for (QCheckBox* each : {only_slice_, ellipsoids_})
+        connect(each, &QCheckBox::toggled, this, &StudyTab::shown_changed);
 }
 
 const Study* StudyTab::study_of_project() const {
@@ -160,6 +166,8 @@ void StudyTab::show_study() {
     kind_->setVisible(axes > 1);
     fixed_->setVisible(axes == 3);
     slice_->setVisible(axes == 3);
+    only_slice_->setVisible(axes == 3);
+    ellipsoids_->setVisible(result_ && !result_->triples.empty());
     PlotSpecification plot;
     if (result_)
         plot = study_plot(*result_, view_);

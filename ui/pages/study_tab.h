@@ -1,6 +1,7 @@
 // A study's results: chart or map, table, what is shown of it.
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QPushButton>
 #include <QSlider>
@@ -31,6 +32,9 @@ public:
     bool is_current() const { return current_; }
     const StudyView& view() const { return view_; }
     QString state_words() const;
+    /// What the scene shows of it.
+    bool wants_ellipsoids() const { return ellipsoids_->isChecked(); }
+    bool wants_slice() const { return only_slice_->isChecked(); }
 
 signals:
     /// Another study, or something else of it.
@@ -62,6 +66,8 @@ private:
     QComboBox* kind_ = nullptr;
     QComboBox* fixed_ = nullptr;
     QSlider* slice_ = nullptr;
+    QCheckBox* only_slice_ = nullptr;
+    QCheckBox* ellipsoids_ = nullptr;
     QLabel* state_ = nullptr;
     ChartView* chart_ = nullptr;
     SortableTable* table_ = nullptr;

@@ -106,7 +106,7 @@ void ScenePanel::make_layers_menu() {
         {Layer::vectors, tr("Vectors")}, {Layer::ellipsoids, tr("Ellipsoids")},
         {Layer::clouds, tr("Clouds")},   {Layer::wall_histograms, tr("Histograms on the Walls")},
         {Layer::labels, tr("Labels")},   {Layer::axes, tr("Axes")},
-        {Layer::legend, tr("Legend")}};
+        {Layer::legend, tr("Legend")},   {Layer::map, tr("Map of the Study")}};
     auto* button = new QToolButton(this);
     auto* menu = new QMenu(button);
     for (const auto& [layer, text] : layers) {
@@ -147,6 +147,13 @@ void ScenePanel::set_dark(bool dark) {
     view_->set_palette_kind(dark ? ScenePalette::dark : ScenePalette::light);
 }
 
+void ScenePanel::show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted) {
+    if (!study && !study_) return;
+    study_ = std::move(study);
+    study_options_ = wanted;
+    refresh();
+}
+
 SceneOptions ScenePanel::options() const {
     SceneOptions options;
     options.group = group_->currentText().toStdString();
@@ -184,10 +191,11 @@ void ScenePanel::refresh() {
     }
     const ResultPointer result = status.is_current() ? status.result : nullptr;
     ++building_;
-    jobs_.push([this, number = ++number_, prepared = status.prepared, result,
-                wanted = options()]() -> JobQueue::Delivery {
+    jobs_.push([this, number = ++number_, prepared = status.prepared, result, wanted = options(),
+                study = study_, of_study = study_options_]() -> JobQueue::Delivery {
         if (number != number_) return [this] { --building_; };  // a newer scene is wanted already
-        auto scene = std::make_shared<Result<Scene>>(analysis_scene(*prepared, result.get(), wanted));
+        auto scene = std::make_shared<Result<Scene>>(study ? study_scene(*prepared, *study, of_study, wanted)
+                                                           : analysis_scene(*prepared, result.get(), wanted));
         return [this, number, scene, groups = groups_of_sources(*prepared)] {
             groups_ = groups;
             take_scene(number, scene);

@@ -10,6 +10,7 @@
 #include "ui/run/job_queue.h"
 #include "ui/scene_view/scene_view.h"
 #include "viz/scene/build_scene.h"
+#include "viz/scene/study_scene.h"
 
 class QAction;
 class QComboBox;
@@ -31,6 +32,8 @@ public:
     void show_group(const QString& group);
     QString group() const;
     void set_dark(bool dark);
+    /// The map of a study in place of the analysis' result; null: the result again.
+    void show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted);
 
     /// Marks the item that comes from a set-up field (JSON pointer relative to the set-up), or none.
     void select_source(const std::string& path);
@@ -58,6 +61,8 @@ private:
 
     AnalysisRunner& runner_;
     QString analysis_;
+    std::shared_ptr<const StudyResult> study_;
+    StudySceneOptions study_options_;
     std::string source_;                         ///< the selected set-up field
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;

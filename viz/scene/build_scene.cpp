@@ -42,6 +42,7 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     detail::SceneBuild build{source, options, uncertainties, scene};
     detail::add_items(build);
     detail::add_uncertainties(build);
+    if (source.map) scene.map = *source.map;
     detail::add_wall_histograms(build);
     if (options.labels) detail::add_labels(build);
     detail::add_axes(build);

@@ -29,6 +29,7 @@ struct SceneSource {
     const Eigen::MatrixXd* input_trials = nullptr;
     const Eigen::MatrixXd* output_trials = nullptr;
     std::string title = {};
+    const SceneMap* map = nullptr;  ///< of a study
 };
 
 /// Pure: the same arguments give the same scene. Never fails: what has no value (no result, no uncertainty)

@@ -119,6 +119,26 @@ void put_uncertainties(std::ostream& out, const Scene& scene) {
             << "\n";
 }
 
+void put_map(std::ostream& out, const SceneMap& map) {
+    std::size_t shown = 0, known = 0;
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+        known += std::isfinite(map.values[i]);
+        shown += std::isfinite(map.values[i]) && map.shown[i];
+    }
+    out << "map \"" << map.title << "\" points " << map.positions.size() << " with values " << known
+        << " shown " << shown << " colours " << map.low << " to " << map.high << " radius " << mm(map.radius)
+        << "\n";
+    if (!map.positions.empty())
+        out << "map from " << mm(map.positions.front()) << " to " << mm(map.positions.back()) << "\n";
+    out << "colour bar:";
+    for (const AxisTick& tick : map.ticks) out << " " << tick.text;
+    out << "\n";
+    if (map.levels.empty()) return;
+    out << "iso-surfaces of " << map.grid[0] << " x " << map.grid[1] << " x " << map.grid[2] << ":";
+    for (const double level : map.levels) out << " " << level;
+    out << "\n";
+}
+
 void put_words(std::ostream& out, const Scene& scene) {
     for (const SceneLabel& label : scene.labels)
         out << "label \"" << label.text << "\" at " << mm(label.at) << " priority " << label.priority << "\n";
@@ -141,6 +161,7 @@ std::string dump_scene(const Scene& scene) {
     put_head(out, scene);
     put_solids(out, scene);
     put_uncertainties(out, scene);
+    if (scene.map) put_map(out, *scene.map);
     put_words(out, scene);
     return out.str();
 }

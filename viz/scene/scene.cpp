@@ -2,6 +2,7 @@
 #include "viz/scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace covaria {
@@ -49,8 +50,16 @@ const SceneItem* find_in(const Items& items, const std::string& id) {
 const char* layer_key(Layer layer) {
     static constexpr const char* keys[layer_count] = {"frames",  "points",     "bodies", "links",
                                                       "vectors", "ellipsoids", "clouds", "wall_histograms",
-                                                      "labels",  "axes",       "legend"};
+                                                      "labels",  "axes",       "legend", "map"};
     return keys[static_cast<std::size_t>(layer)];
+}
+
+bool SceneMap::operator==(const SceneMap& other) const {
+    const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    return title == other.title && positions == other.positions && shown == other.shown &&
+           radius == other.radius && low == other.low && high == other.high && ticks == other.ticks &&
+           grid == other.grid && levels == other.levels &&
+           std::equal(values.begin(), values.end(), other.values.begin(), other.values.end(), same);
 }
 
 bool SceneItem::operator==(const SceneItem& other) const {
@@ -87,6 +96,9 @@ SceneBounds bounds_of(const Scene& scene) {
         box.add(vector.item.position + vector.arrow);
     }
     add_uncertainties(scene, box);
+    if (scene.map)
+        for (std::size_t i = 0; i < scene.map->positions.size(); ++i)
+            if (std::isfinite(scene.map->values[i])) box.add(scene.map->positions[i], scene.map->radius);
     if (scene.axes) {
         box.add(scene.axes->low);
         box.add(scene.axes->high);

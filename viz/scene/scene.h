@@ -41,9 +41,10 @@ enum class Layer {
     wall_histograms,
     labels,
     axes,
-    legend
+    legend,
+    map
 };
-inline constexpr std::size_t layer_count = 11;
+inline constexpr std::size_t layer_count = 12;
 /// Key of a layer in settings and dumps: "wall_histograms".
 const char* layer_key(Layer layer);
 
@@ -170,6 +171,21 @@ struct LengthUnit {
     bool operator==(const LengthUnit&) const = default;
 };
 
+/// Points of space coloured by a number: a map of a study. Positions and values are in the order of its grid;
+/// a value that is not finite is left out.
+struct SceneMap {
+    std::string title = {};                       ///< of the colour bar: "u(3D), B (mm)"
+    std::vector<Eigen::Vector3d> positions = {};  ///< m
+    std::vector<double> values = {};              ///< in the unit that the title names
+    std::vector<bool> shown = {};                 ///< as a point; the others are left to the surfaces
+    double radius = 0.0;                          ///< of a point, m
+    double low = 0.0, high = 1.0;                 ///< ends of the colour scale
+    std::vector<AxisTick> ticks = {};             ///< of the colour bar, in the same unit
+    std::array<std::size_t, 3> grid = {};  ///< sizes of a grid in space, the last fastest; 0: no surfaces
+    std::vector<double> levels = {};       ///< of iso-surfaces
+    bool operator==(const SceneMap& other) const;
+};
+
 enum class LegendMark { none, ellipsoid, cloud, histogram, line, arrow };
 
 struct LegendLine {
@@ -200,6 +216,7 @@ struct Scene {
     std::vector<SceneLabel> labels;
     std::optional<SceneAxes> axes = {};
     std::vector<LegendLine> legend;
+    std::optional<SceneMap> map = {};
 
     bool operator==(const Scene&) const = default;
 };

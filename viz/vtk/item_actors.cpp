@@ -191,6 +191,8 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Vector&
             return histogram_actors(scene, origin, palette);
         case Layer::axes:
             return axes_actors(scene, origin, palette);
+        case Layer::map:
+            return map_actors(scene, origin, palette);
         case Layer::labels:
         case Layer::legend:
             return {};

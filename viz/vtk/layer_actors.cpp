@@ -30,6 +30,8 @@ bool same(Layer layer, const Scene& a, const Scene& b) {
             return a.wall_histograms == b.wall_histograms;
         case Layer::axes:
             return a.axes == b.axes;
+        case Layer::map:
+            return a.map == b.map;
         case Layer::labels:
         case Layer::legend:
             return true;

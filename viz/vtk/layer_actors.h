@@ -60,6 +60,8 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Eigen::
 std::vector<LayerActor> axes_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 std::vector<LayerActor> histogram_actors(const Scene& scene, const Eigen::Vector3d& origin,
                                          ScenePalette palette);
+/// Coloured points, and iso-surfaces of a grid of them.
+std::vector<LayerActor> map_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 std::vector<LayerActor> cloud_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 
 }  // namespace covaria::detail

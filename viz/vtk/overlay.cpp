@@ -21,6 +21,7 @@ void Overlay::paint() {
     paint_caption();
     if (view_.layers[Layer::axes]) paint_scale_bar();
     if (view_.layers[Layer::axes]) paint_axes();
+    if (view_.layers[Layer::map]) paint_colour_bar();
     paint_heading();
     paint_selection();
     if (view_.layers[Layer::frames] && view_.layers[Layer::labels]) paint_triad_letters();
@@ -135,6 +136,31 @@ void Overlay::paint_scale_bar() {
     const double left = std::min(right - length / 2 - mask.letters.width / 2.0, right - mask.letters.width);
     put(word, left, y - px(6) - mask.letters.height);
     taken_.push_back({right - length - px(3), y - px(7), length + px(6), px(10)});
+}
+
+void Overlay::paint_colour_bar() {
+    if (!scene_.map || !(scene_.map->high > scene_.map->low)) return;
+    const SceneMap& map = *scene_.map;
+    const double height = std::min(0.42 * canvas_.size().height, px(260)), width = px(14);
+    const double right = canvas_.size().width - px(margin), top = px(margin + 22);
+    double widest = 0.0;
+    for (const AxisTick& tick : map.ticks)
+        widest = std::max(widest, double(mask_of({tick.text, Role::text, false, 0.92}).letters.width));
+    const double left = right - widest - px(6) - width;
+    const Word title{map.title, Role::text, false, 1.0};
+    put(title, right - mask_of(title).letters.width, px(margin - 4));
+    constexpr int steps = 64;
+    for (int i = 0; i < steps; ++i)
+        canvas_.rectangle({left, top + i * height / steps, width, height / steps + 1.0},
+                          magnitude_colour(1.0 - (i + 0.5) / steps), 1.0);
+    for (const AxisTick& tick : map.ticks) {
+        const Word word{tick.text, Role::text, false, 0.92};
+        const TextMask& mask = mask_of(word);
+        const double y = top + height * (map.high - tick.at) / (map.high - map.low);
+        canvas_.line({left + width, y}, {left + width + px(3), y}, px(1.0), colour(Role::text));
+        put(word, left + width + px(6), y - mask.letters.height / 2.0);
+    }
+    taken_.push_back({left, top, right - left, height});
 }
 
 void Overlay::paint_triad_letters() {

@@ -40,6 +40,7 @@ private:
     void paint_legend_mark(const LegendLine& line, double x, double middle);
     void paint_caption();
     void paint_scale_bar();
+    void paint_colour_bar();
     void paint_triad_letters();
     void paint_selection();
     void paint_labels();

@@ -1,6 +1,9 @@
 // Colours of the roles.
 #include "viz/vtk/palette.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace covaria::detail {
 namespace {
 
@@ -72,6 +75,26 @@ Colour dark(Role role) {
 
 Colour colour_of(Role role, ScenePalette palette) {
     return palette == ScenePalette::light ? light(role) : dark(role);
+}
+
+Colour magnitude_colour(double t) {
+    static constexpr std::array<Colour, 9> points = {{{0x44, 0x01, 0x54},
+                                                      {0x47, 0x2D, 0x7B},
+                                                      {0x3B, 0x52, 0x8B},
+                                                      {0x2C, 0x72, 0x8E},
+                                                      {0x21, 0x91, 0x8C},
+                                                      {0x28, 0xAE, 0x80},
+                                                      {0x5E, 0xC9, 0x62},
+                                                      {0xAD, 0xDC, 0x30},
+                                                      {0xFD, 0xE7, 0x25}}};
+    const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(points.size() - 1);
+    const auto first = std::min(static_cast<std::size_t>(place), points.size() - 2);
+    const double part = place - static_cast<double>(first);
+    const auto mix = [part](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(a + part * (b - a)));
+    };
+    const Colour &a = points[first], &b = points[first + 1];
+    return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
 Colour ground_top(ScenePalette palette) {

@@ -16,6 +16,9 @@ struct Colour {
 
 Colour colour_of(Role role, ScenePalette palette);
 /// The ground fades from top to bottom.
+/// Perceptually uniform magnitude, 0 <= t <= 1 (clamped): control points of viridis (S. van der Walt, N.
+/// Smith, 2015, CC0), interpolated.
+Colour magnitude_colour(double t);
 Colour ground_top(ScenePalette palette);
 Colour ground_bottom(ScenePalette palette);
 Colour grid_colour(ScenePalette palette);       ///< lines of the axes' walls
