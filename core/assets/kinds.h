@@ -15,5 +15,9 @@ AssetDescriptor spherical_instrument_kind();
 AssetDescriptor sensor_network_kind();
 /// A manufacturer's figure for the uncertainty of a measured point.
 AssetDescriptor point_specification_kind();
+/// Telescopic ballbars that measure to one ball at once (Brosed et al., 2.1).
+AssetDescriptor ballbar_set_kind();
+/// How far a robot misses a pose it was sent to before (ISO 9283).
+AssetDescriptor robot_repeatability_kind();
 
 }  // namespace covaria

@@ -14,7 +14,9 @@
 
 #include "core/base/data_table.h"
 #include "core/base/error.h"
+#include "core/model/ballbar.h"
 #include "core/model/layout.h"
+#include "core/model/repeatability.h"
 #include "core/model/sensor.h"
 #include "core/model/setup_schema.h"
 #include "core/quantity/input_quantity.h"
@@ -69,6 +71,8 @@ public:
     virtual ~Asset() = default;
     virtual const PointUncertaintySource* point_uncertainty() const { return nullptr; }
     virtual const SensorSource* sensor() const { return nullptr; }
+    virtual const BallbarSource* ballbars() const { return nullptr; }
+    virtual const RepeatabilitySource* repeatability() const { return nullptr; }
     /// The asset's own evaluation as tables (budget of calibration, temperature, variability, bias;
     /// observations ...).
     virtual std::vector<DataTable> evaluation() const { return {}; }

@@ -47,6 +47,7 @@ private:
             quantity.group = sensor.name;
             component.id = sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
+            component.contributor = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
             inputs_.quantities.push_back(std::move(quantity));
         }
@@ -74,6 +75,7 @@ private:
             quantity.source = sight.source[o];
             component.id = target.name + "." + sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
+            component.contributor = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
             add_systematic(sight, o, v, quantity);
             sight.input[o] = inputs_.quantities.size();
@@ -94,6 +96,7 @@ private:
                 UncertaintyComponent component = deviation.component;
                 component.id = id;
                 component.origin = sensor.name + " (" + component.origin + ")";
+                component.contributor = sensor.name;
                 inputs_.add(std::move(component));
             }
             quantity.shares.push_back({known->second, factor});

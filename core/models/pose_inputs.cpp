@@ -139,6 +139,7 @@ private:
                              const std::string& asset_name, bool common) {
         component.id = id;
         if (!asset_name.empty()) component.origin = asset_name + " (" + component.origin + ")";
+        component.contributor = asset_name;
         if (!common) return inputs_.add(std::move(component));
         const auto [known, is_new] = common_.try_emplace(id, inputs_.components.size());
         if (is_new) inputs_.add(std::move(component));

@@ -3,11 +3,13 @@
 
 #include "core/models/points_from_sensors.h"
 #include "core/models/pose_from_points.h"
+#include "core/models/tcp_from_ballbars.h"
 
 namespace covaria {
 
 const std::vector<ModelDescriptor>& model_registry() {
-    static const std::vector<ModelDescriptor> models{pose_from_points_model(), points_from_sensors_model()};
+    static const std::vector<ModelDescriptor> models{pose_from_points_model(), points_from_sensors_model(),
+                                                     tcp_from_ballbars_model()};
     return models;
 }
 

@@ -110,12 +110,14 @@ private:
 
     void put_in_place(const std::vector<UncertaintyComponent>& components) {
         const std::vector<std::size_t> places = give_up_own();
+        const std::string contributor = places.empty() ? "" : inputs_.components[places[0]].contributor;
         for (std::size_t i = 0; i < components.size(); ++i) {
             std::size_t place = i < places.size() ? places[i] : InputSet::npos;
             if (place == InputSet::npos)
                 place = inputs_.add(components[i]);
             else
                 inputs_.components[place] = components[i];
+            inputs_.components[place].contributor = contributor;
             quantity_.shares.push_back({place, 1.0});
         }
     }

@@ -34,6 +34,7 @@ public:
         options.coverage_factor = reader_.number("coverageFactor");
         if (auto flag = reader_.flag("secondOrder")) options.second_order = *flag;
         count("oneAtATimeTrials", options.one_at_a_time_trials);
+        count("contributorTrials", options.contributor_trials);
         std::uint64_t digits = static_cast<std::uint64_t>(options.significant_digits);
         count("significantDigits", digits);
         options.significant_digits = static_cast<int>(std::min<std::uint64_t>(digits, 100));
@@ -131,6 +132,7 @@ void write_options(JsonWriter& out, const EvaluationOptions& options) {
                   [&](bool value) { out.boolean(value); });
     write_changed(out, "oneAtATimeTrials", options.one_at_a_time_trials, defaults.one_at_a_time_trials,
                   count);
+    write_changed(out, "contributorTrials", options.contributor_trials, defaults.contributor_trials, count);
     write_changed(out, "significantDigits", options.significant_digits, defaults.significant_digits,
                   [&](int value) { out.integer(static_cast<std::uint64_t>(value)); });
     write_changed(out, "tolerance", options.tolerance, defaults.tolerance, maybe);

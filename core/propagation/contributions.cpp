@@ -56,8 +56,10 @@ std::vector<BudgetRow> rows_of(const LawOfPropagation& law, Eigen::Index output)
     return rows;
 }
 
-/// u of every output from `trials` trials; empty when stopped.
-std::vector<double> uncertainties(const TrialSource& source, std::uint64_t trials, RunMonitor& monitor) {
+}  // namespace
+
+std::vector<double> trial_uncertainties(const TrialSource& source, std::uint64_t trials, RunMonitor& monitor,
+                                        std::uint64_t* failed) {
     TrialBlockRunner runner(source);
     const std::size_t m = source.outputs();
     std::vector<double> shift(m, 0.0), sum(m, 0.0), squares(m, 0.0), u(m, 0.0);
@@ -78,10 +80,9 @@ std::vector<double> uncertainties(const TrialSource& source, std::uint64_t trial
     const auto n = static_cast<double>(count);
     for (std::size_t j = 0; j < m && count > 1; ++j)
         u[j] = std::sqrt(std::max(0.0, (squares[j] - sum[j] * sum[j] / n) / (n - 1)));
+    if (failed) *failed = trials - count;
     return u;
 }
-
-}  // namespace
 
 UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law) {
     UncertaintyBudget budget;
@@ -102,7 +103,7 @@ Result<void> add_one_at_a_time(UncertaintyBudget& budget, const RunContext& cont
         const DrawPlan plan(inputs, correlations, static_cast<std::size_t>(c));
         TrialSource alone = context.source;
         alone.plan = &plan;
-        u[c] = uncertainties(alone, trials, context.monitor);
+        u[c] = trial_uncertainties(alone, trials, context.monitor, nullptr);
     });
     if (end == WorkEnd::cancelled || context.monitor.stopped())
         return fail(ErrorCode::cancelled, "the evaluation was stopped");

@@ -73,6 +73,10 @@ DrawPlan::DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelatio
         for (std::size_t c : set) grouped[c] = true;
         add_group(set, draws, correlations);
     }
+    for (const DrawnVector& vector : vectors_of_random_direction(inputs)) {
+        for (std::size_t c : vector.components) grouped[c] = true;
+        add_vector(vector, draws);
+    }
     for (std::size_t c = 0; c < n; ++c)
         if (!grouped[c] && !draws[c].terms.empty()) independent_.push_back(std::move(draws[c]));
     mark_first_terms();
@@ -116,6 +120,18 @@ void DrawPlan::add_group(const std::vector<std::size_t>& set, const std::vector<
     correlated_.push_back(std::move(group));
 }
 
+void DrawPlan::add_vector(const DrawnVector& vector, const std::vector<ComponentDraw>& draws) {
+    VectorDraws added{vector.length, {}};
+    bool needed = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        added.members[axis] = draws[vector.components[axis]];
+        needed = needed || !added.members[axis].terms.empty();
+    }
+    if (!needed) return;
+    latent_rows_ = std::max(latent_rows_, added.members.size());
+    vectors_.push_back(std::move(added));
+}
+
 void DrawPlan::mark_first_terms() {
     drawn_.assign(constant_.size(), false);
     const auto mark = [this](ComponentDraw& draw) {
@@ -127,6 +143,8 @@ void DrawPlan::mark_first_terms() {
     for (ComponentDraw& draw : independent_) mark(draw);
     for (CorrelatedDraws& group : correlated_)
         for (ComponentDraw& draw : group.members) mark(draw);
+    for (VectorDraws& vector : vectors_)
+        for (ComponentDraw& draw : vector.members) mark(draw);
 }
 
 void DrawPlan::add_terms(const ComponentDraw& component, const double* epsilon, std::size_t count,
@@ -164,6 +182,20 @@ void DrawPlan::draw_group(const CorrelatedDraws& group, std::uint64_t seed, std:
     }
 }
 
+void DrawPlan::draw_vector(const VectorDraws& vector, std::uint64_t seed, std::uint64_t first,
+                           std::size_t count, TrialRows& inputs, DrawWorkspace& workspace) const {
+    std::array<std::span<double>, 3> rows;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double* row = workspace.latent.row(axis);
+        rows[axis] = {row, padded_to_lanes(count)};
+        uniforms(seed, DrawPurpose::trials, vector.members[axis].address, first, {row, count});
+        std::fill(row + count, row + padded_to_lanes(count), 0.5);
+    }
+    draw_directions(vector.length, rows);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        add_terms(vector.members[axis], workspace.latent.row(axis), count, inputs);
+}
+
 void DrawPlan::draw(std::uint64_t seed, std::uint64_t first, std::size_t count, TrialRows& inputs,
                     DrawWorkspace& workspace) const {
     for (std::size_t i = 0; i < constant_.size(); ++i)
@@ -175,6 +207,7 @@ void DrawPlan::draw(std::uint64_t seed, std::uint64_t first, std::size_t count, 
         add_terms(component, epsilon, count, inputs);
     }
     for (const CorrelatedDraws& group : correlated_) draw_group(group, seed, first, count, inputs, workspace);
+    for (const VectorDraws& vector : vectors_) draw_vector(vector, seed, first, count, inputs, workspace);
     for (std::size_t i = 0; i < constant_.size(); ++i) {
         double* x = inputs.row(i);
         std::fill(x + count, x + padded_to_lanes(count), x[count - 1]);

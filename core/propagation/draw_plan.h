@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/propagation/trial_rows.h"
-#include "core/quantity/input_quantity.h"
+#include "core/quantity/isotropic_vector.h"
 
 namespace covaria::detail {
 
@@ -29,6 +29,12 @@ struct CorrelatedDraws {
     std::vector<std::uint32_t> addresses;
     Eigen::MatrixXd factor;              ///< one row per member
     std::vector<ComponentDraw> members;  ///< held members have no terms
+};
+
+/// A vector of random direction: three uniform numbers at the addresses of its members make all three.
+struct VectorDraws {
+    VectorLength length;
+    std::array<ComponentDraw, 3> members;  ///< held members have no terms
 };
 
 /// Scratch memory of one thread.
@@ -58,16 +64,21 @@ private:
     std::vector<ComponentDraw> terms_of(const InputSet& inputs, std::optional<std::size_t> only);
     void add_group(const std::vector<std::size_t>& set, const std::vector<ComponentDraw>& draws,
                    const std::vector<ComponentCorrelation>& correlations);
+    void add_vector(const DrawnVector& vector, const std::vector<ComponentDraw>& draws);
     void mark_first_terms();
     void add_terms(const ComponentDraw& component, const double* epsilon, std::size_t count,
                    TrialRows& inputs) const;
     void draw_group(const CorrelatedDraws& group, std::uint64_t seed, std::uint64_t first, std::size_t count,
                     TrialRows& inputs, DrawWorkspace& workspace) const;
 
+    void draw_vector(const VectorDraws& vector, std::uint64_t seed, std::uint64_t first, std::size_t count,
+                     TrialRows& inputs, DrawWorkspace& workspace) const;
+
     std::vector<double> constant_;  ///< offset and constant components of each quantity
     std::vector<bool> drawn_;       ///< quantity has at least one term
     std::vector<ComponentDraw> independent_;
     std::vector<CorrelatedDraws> correlated_;
+    std::vector<VectorDraws> vectors_;
     std::size_t latent_rows_ = 0;
 };
 

@@ -45,6 +45,7 @@ public:
 
 private:
     RunContext context() { return {source_, options_.coverage_probability, settings_, monitor_}; }
+    Result<void> add_contributions();
     Result<void> add_second_order();
     Result<void> add_monte_carlo();
     Result<MonteCarloRun> trials_of_run();
@@ -83,12 +84,21 @@ Result<UncertaintyResult> Evaluation::run() {
     source_ = {&model_, &plan, options_.seed, law_.estimate};
     if (options_.method != Method::first_order)
         if (auto ok = add_monte_carlo(); !ok) return fail(ok.error());
+    if (auto ok = add_contributions(); !ok) return fail(ok.error());
+    return std::move(result_);
+}
+
+Result<void> Evaluation::add_contributions() {
     if (options_.one_at_a_time_trials > 0)
         if (auto ok = add_one_at_a_time(result_.budget, context(), inputs_, correlations_,
                                         options_.one_at_a_time_trials);
             !ok)
             return fail(ok.error());
-    return std::move(result_);
+    result_.contributors = contributors_of(inputs_, law_, correlations_);
+    if (options_.contributor_trials == 0 || result_.contributors.empty()) return {};
+    result_.contributor_trials = options_.contributor_trials;
+    return add_contributor_trials(result_.contributors, context(), inputs_, correlations_,
+                                  options_.contributor_trials);
 }
 
 Result<void> Evaluation::add_second_order() {
@@ -239,6 +249,7 @@ Result<UncertaintyResult> evaluate_first_order(const MeasurementModel& model, co
     EvaluationOptions first_order = options;
     first_order.method = Method::first_order;
     first_order.one_at_a_time_trials = 0;
+    first_order.contributor_trials = 0;
     return detail::evaluate_with(model, inputs, first_order, {}, {});
 }
 

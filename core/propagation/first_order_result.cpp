@@ -5,6 +5,7 @@
 #include "core/propagation/contributions.h"
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/evaluation.h"
+#include "core/quantity/isotropic_vector.h"
 
 namespace covaria::detail {
 namespace {
@@ -31,6 +32,15 @@ std::string label(const OutputQuantity& quantity) {
     return quantity.group.empty() ? quantity.symbol : quantity.symbol + " (" + quantity.group + ")";
 }
 
+/// Nothing is lost by drawing these coordinates independently: they are constants, or normal and alike.
+bool is_independent(const InputSet& inputs, const IsotropicVector& vector) {
+    const auto distribution = [&](std::size_t axis) -> const Distribution& {
+        return inputs.components[vector.components[axis]].distribution;
+    };
+    const bool alike = distribution(0) == distribution(1) && distribution(1) == distribution(2);
+    return alike && (distribution(0).standard_deviation() == 0.0 || distribution(0).kind() == "normal");
+}
+
 void warn(const LawOfPropagation& law, UncertaintyResult& result) {
     if (law.degrees_of_freedom_approximate)
         result.warnings.push_back(
@@ -39,6 +49,14 @@ void warn(const LawOfPropagation& law, UncertaintyResult& result) {
             "components, and correlated components with finite degrees of freedom contribute. The Monte "
             "Carlo "
             "coverage interval is the better guide.");
+    std::size_t torn = result.inputs.vectors.size() - vectors_of_random_direction(result.inputs).size();
+    for (const IsotropicVector& vector : result.inputs.vectors)
+        if (is_independent(result.inputs, vector)) --torn;
+    if (torn > 0)
+        result.warnings.push_back(
+            std::to_string(torn) +
+            (torn == 1 ? " vector of random direction has" : " vectors of random direction have") +
+            " coordinates with different distributions after editing: they are drawn independently.");
     for (const OutputResult& output : result.outputs)
         if (output.quantity.periodic && output.first_order.standard_uncertainty > 1.0)
             result.warnings.push_back("The angle " + label(output.quantity) +

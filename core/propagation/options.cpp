@@ -38,6 +38,8 @@ void EvaluationOptions::check(Problems& problems) const {
         problems.error("/coverage_factor", "the coverage factor must be greater than zero");
     if (one_at_a_time_trials == 1)
         problems.error("/one_at_a_time_trials", "one-at-a-time Monte Carlo needs at least two trials");
+    if (contributor_trials == 1)
+        problems.error("/contributor_trials", "Monte Carlo without a contributor needs at least two trials");
     check_adaptive(*this, problems);
 }
 

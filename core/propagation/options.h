@@ -18,6 +18,7 @@ struct EvaluationOptions {
     std::optional<double> coverage_factor = {};  ///< fixed k; empty: from t and nu_eff
     bool second_order = false;                   ///< second-order terms of the law of propagation
     std::uint64_t one_at_a_time_trials = 0;      ///< 0 = no one-at-a-time Monte Carlo
+    std::uint64_t contributor_trials = 0;  ///< 0 = no Monte Carlo without, and of, each contributor alone
     // adaptive procedure (JCGM 101 7.9, JCGM 102 7.8)
     int significant_digits = 2;            ///< n_dig of the numerical tolerance, also of clause 8
     std::optional<double> tolerance = {};  ///< delta for every output instead of n_dig, SI of the outputs

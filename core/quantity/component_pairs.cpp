@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/quantity/isotropic_vector.h"
+
 namespace covaria {
 
 namespace {
@@ -133,6 +135,20 @@ std::optional<Error> group_problem(const InputSet& inputs, const std::vector<std
     return Error{ErrorCode::bad_input, message.str()};
 }
 
+/// Error if a coordinate of a vector of random direction is correlated: its draws come with the others'.
+std::optional<Error> vector_problem(const InputSet& inputs, const Coefficients& coefficients) {
+    for (const DrawnVector& vector : vectors_of_random_direction(inputs))
+        for (const std::size_t member : vector.components)
+            for (const auto& [pair, coefficient] : coefficients)
+                if (coefficient != 0.0 && (pair.first == member || pair.second == member))
+                    return Error{
+                        ErrorCode::bad_input,
+                        "the component " + quoted(inputs, member) +
+                            " is a coordinate of a vector of random direction and cannot be "
+                            "correlated with another component; give it a normal distribution first."};
+    return std::nullopt;
+}
+
 }  // namespace
 
 double detail::correlation_between(const InputSet& inputs, std::size_t first, std::size_t second) {
@@ -151,6 +167,7 @@ Result<std::vector<ComponentCorrelation>> resolved_correlations(const InputSet& 
     const Result<Coefficients> coefficients =
         declared(inputs).and_then([&](const Coefficients& c) { return with_arithmetic(inputs, c); });
     if (!coefficients) return fail(coefficients.error());
+    if (std::optional<Error> problem = vector_problem(inputs, *coefficients)) return fail(*problem);
     Groups groups(inputs.components.size());
     std::vector<ComponentCorrelation> resolved;
     for (const auto& [pair, coefficient] : *coefficients) {

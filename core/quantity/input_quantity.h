@@ -6,6 +6,7 @@
 // Gaussian copula.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct UncertaintyComponent {
     double degrees_of_freedom = infinity;
     std::string origin = {};  ///< where the figure comes from: "artefact plate-2d, Eq. 2", "certificate ..."
     bool held = false;        ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
+    /// Who brings it in, for results with all of a contributor held: the name of an asset, "" = the set-up.
+    std::string contributor = {};
 };
 
 struct Share {
@@ -60,10 +63,18 @@ struct ComponentCorrelation {
     double coefficient = 0.0;
 };
 
+/// Three components that are the coordinates of a vector whose direction is random, uniform on the sphere:
+/// uncorrelated, but not independent. Their common distribution says which law the length has; see
+/// isotropic_vector.h.
+struct IsotropicVector {
+    std::array<std::size_t, 3> components{};
+};
+
 struct InputSet {
     std::vector<UncertaintyComponent> components;
     std::vector<InputQuantity> quantities;
     std::vector<ComponentCorrelation> correlations;
+    std::vector<IsotropicVector> vectors = {};
 
     /// Adds a component and returns its index.
     std::size_t add(UncertaintyComponent component);
@@ -81,8 +92,9 @@ double standard_uncertainty_of(const InputSet& inputs, std::size_t quantity);
 /// Effective degrees of freedom of quantity i (Welch-Satterthwaite over its components).
 double degrees_of_freedom_of(const InputSet& inputs, std::size_t quantity);
 /// All pairwise correlations between components: those declared plus +-1 between components of arithmetic
-/// quantities. Error: coefficient outside [-1, 1], index out of range, a set of components whose matrix is
-/// not positive semi-definite (the message names the components and the smallest eigenvalue).
+/// quantities. Error: coefficient outside [-1, 1], index out of range, a coordinate of a vector of random
+/// direction, a set of components whose matrix is not positive semi-definite (the message names the
+/// components and the smallest eigenvalue).
 Result<std::vector<ComponentCorrelation>> resolved_correlations(const InputSet& inputs);
 
 }  // namespace covaria

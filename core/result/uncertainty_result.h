@@ -112,6 +112,19 @@ struct UncertaintyBudget {
         rows;  ///< [output][...]; components with zero sensitivity are left out
 };
 
+/// What remains when everything that one contributor brings in is held ("ideal robot"), and what it gives
+/// alone: standard uncertainty of each output.
+struct ContributorResult {
+    struct Uncertainties {
+        std::vector<double> first_order;
+        std::vector<double> monte_carlo;  ///< empty unless asked for
+        std::uint64_t failed_trials = 0;
+    };
+    std::string contributor;     ///< UncertaintyComponent::contributor
+    std::size_t components = 0;  ///< that it brings in
+    Uncertainties without, alone;
+};
+
 /// Joint coverage region of outputs of one group (JCGM 102 6.5, 7.7).
 struct CoverageRegion {
     std::string group;
@@ -143,6 +156,8 @@ struct UncertaintyResult {
     Eigen::MatrixXd covariance_first_order;
     Eigen::MatrixXd covariance;  ///< Monte Carlo where it ran, else first order
     UncertaintyBudget budget;
+    std::vector<ContributorResult> contributors;  ///< empty with fewer than two
+    std::uint64_t contributor_trials = 0;         ///< of their Monte Carlo part
     std::vector<CoverageRegion> regions;
     double coverage_probability = 0.95;
 

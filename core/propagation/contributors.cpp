@@ -1,0 +1,88 @@
+// Results with everything of one contributor held, and of it alone ("ideal robot", "ideal instrument").
+#include <algorithm>
+#include <cmath>
+
+#include "core/propagation/contributions.h"
+#include "core/propagation/parallel_blocks.h"
+
+namespace covaria::detail {
+namespace {
+
+/// u of the outputs when the components for which `counts` is false are held.
+std::vector<double> first_order_of(const LawOfPropagation& law, const Correlations& correlations,
+                                   const std::vector<bool>& counts) {
+    Eigen::MatrixXd part = law.contribution;
+    for (Eigen::Index c = 0; c < part.cols(); ++c)
+        if (!counts[static_cast<std::size_t>(c)]) part.col(c).setZero();
+    Eigen::VectorXd variance = part.rowwise().squaredNorm();
+    for (const ComponentCorrelation& r : correlations) {
+        const auto a = static_cast<Eigen::Index>(r.first), b = static_cast<Eigen::Index>(r.second);
+        variance += 2.0 * r.coefficient * part.col(a).cwiseProduct(part.col(b));
+    }
+    const Eigen::VectorXd u = variance.cwiseMax(0.0).cwiseSqrt();
+    return {u.begin(), u.end()};
+}
+
+std::vector<bool> brought_in_by(const InputSet& inputs, const std::string& contributor, bool by_it) {
+    std::vector<bool> counts;
+    for (const UncertaintyComponent& c : inputs.components)
+        counts.push_back((c.contributor == contributor) == by_it);
+    return counts;
+}
+
+InputSet with_held(InputSet inputs, const std::vector<bool>& counts) {
+    for (std::size_t c = 0; c < counts.size(); ++c)
+        inputs.components[c].held = inputs.components[c].held || !counts[c];
+    return inputs;
+}
+
+}  // namespace
+
+std::vector<ContributorResult> contributors_of(const InputSet& inputs, const LawOfPropagation& law,
+                                               const Correlations& correlations) {
+    std::vector<ContributorResult> found;
+    for (std::size_t c = 0; c < inputs.components.size(); ++c) {
+        if (!(law.u(static_cast<Eigen::Index>(c)) > 0.0)) continue;
+        const std::string& name = inputs.components[c].contributor;
+        auto place = std::find_if(found.begin(), found.end(),
+                                  [&](const ContributorResult& known) { return known.contributor == name; });
+        if (place == found.end()) place = found.insert(found.end(), {name, 0, {}, {}});
+        ++place->components;
+    }
+    if (found.size() < 2) return {};
+    for (ContributorResult& result : found) {
+        result.without.first_order =
+            first_order_of(law, correlations, brought_in_by(inputs, result.contributor, false));
+        result.alone.first_order =
+            first_order_of(law, correlations, brought_in_by(inputs, result.contributor, true));
+    }
+    return found;
+}
+
+Result<void> add_contributor_trials(std::vector<ContributorResult>& contributors, const RunContext& context,
+                                    const InputSet& inputs, const Correlations& correlations,
+                                    std::uint64_t trials) {
+    // Of two, what one gives alone is what remains without the other.
+    const bool two = contributors.size() == 2;
+    const std::size_t cases = two ? 2 : 2 * contributors.size();
+    const WorkEnd end = run_each(cases, context.monitor, [&](std::uint64_t number) {
+        const std::size_t i = number % contributors.size();
+        const bool alone = number >= contributors.size();
+        const InputSet part = with_held(inputs, brought_in_by(inputs, contributors[i].contributor, alone));
+        const DrawPlan plan(part, correlations);
+        TrialSource source = context.source;
+        source.plan = &plan;
+        auto& uncertainties = alone ? contributors[i].alone : contributors[i].without;
+        uncertainties.monte_carlo =
+            trial_uncertainties(source, trials, context.monitor, &uncertainties.failed_trials);
+    });
+    if (end == WorkEnd::cancelled || context.monitor.stopped())
+        return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    for (std::size_t i = 0; two && i < 2; ++i) {
+        contributors[i].alone.monte_carlo = contributors[1 - i].without.monte_carlo;
+        contributors[i].alone.failed_trials = contributors[1 - i].without.failed_trials;
+    }
+    return {};
+}
+
+}  // namespace covaria::detail
