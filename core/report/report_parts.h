@@ -30,6 +30,8 @@ void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
                 std::set<std::string>& shown);
 void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
+/// What remains with everything of one contributor held, and what it gives alone; nothing with fewer than two.
+void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// What the model says about its set-up beside the outputs.
 void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated);
@@ -92,6 +94,7 @@ std::string output_label(const OutputQuantity& quantity);  ///< "x (pose 7)", Un
 Quantity value_in(const Unit& unit, double si);
 Quantity interval_in(const Unit& unit, double si);  ///< differences and uncertainties
 
+std::string contributor_title(const ContributorResult& result);  ///< its name; "the set-up" if it has none
 bool is_measurand(const OutputResult& output);
 /// Groups that have measurands, in order.
 std::vector<std::string> measurand_groups(const UncertaintyResult& result);

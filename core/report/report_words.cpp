@@ -90,6 +90,10 @@ Quantity interval_in(const Unit& unit, double si) {
     return {unit.interval_from_si(si), unit};
 }
 
+std::string contributor_title(const ContributorResult& result) {
+    return result.contributor.empty() ? "the set-up" : result.contributor;
+}
+
 bool is_measurand(const OutputResult& output) {
     return output.quantity.role == OutputRole::measurand;
 }

@@ -238,6 +238,24 @@ DataTable histograms_table(const UncertaintyResult& result) {
     return table;
 }
 
+/// One row for an output and a contributor.
+DataTable contributors_table(const UncertaintyResult& result) {
+    DataTable table = table_with("contributors", "Standard uncertainties with contributors held, and alone",
+                                 {"group", "symbol", "unit", "contributor", "u_held_first_order",
+                                  "u_alone_first_order", "u_held_monte_carlo", "u_alone_monte_carlo"});
+    for (const ContributorResult& c : result.contributors)
+        for (std::size_t j = 0; j < result.outputs.size(); ++j) {
+            const OutputQuantity& q = result.outputs[j].quantity;
+            const auto cell = [&](const std::vector<double>& u) {
+                return u.empty() ? TableCell{} : TableCell(interval_in(q.unit, u[j]));
+            };
+            table.rows.push_back({q.group, q.symbol, q.unit.text(), contributor_title(c),
+                                  cell(c.without.first_order), cell(c.alone.first_order),
+                                  cell(c.without.monte_carlo), cell(c.alone.monte_carlo)});
+        }
+    return table;
+}
+
 }  // namespace
 
 std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated) {
@@ -253,6 +271,7 @@ std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated) {
         tables.push_back(histograms_table(result));
         tables.push_back(convergence_table(result));
     }
+    if (!result.contributors.empty()) tables.push_back(contributors_table(result));
     if (evaluated.analysis && evaluated.analysis->model)
         for (DataTable& table : evaluated.analysis->model->evaluation()) tables.push_back(std::move(table));
     for (const auto& study : evaluated.studies) tables.push_back(study_table(*study));

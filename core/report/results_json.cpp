@@ -125,6 +125,31 @@ Json covariance_json(const UncertaintyResult& result) {
     return rows;
 }
 
+/// Standard uncertainties in the units of the outputs.
+Json uncertainties_json(const UncertaintyResult& result, const ContributorResult::Uncertainties& part) {
+    const auto list = [&](const std::vector<double>& u) -> Json {
+        if (u.empty()) return nullptr;
+        Json values = Json::array();
+        for (std::size_t j = 0; j < u.size(); ++j)
+            values.push_back(number(result.outputs[j].quantity.unit.interval_from_si(u[j])));
+        return values;
+    };
+    return {{"firstOrder", list(part.first_order)},
+            {"monteCarlo", list(part.monte_carlo)},
+            {"failedTrials", part.failed_trials}};
+}
+
+/// Per contributor, in the order of the outputs: u with everything of it held, and of it alone.
+Json contributors_json(const UncertaintyResult& result) {
+    Json list = Json::array();
+    for (const ContributorResult& c : result.contributors)
+        list.push_back({{"contributor", c.contributor},
+                        {"trials", result.contributor_trials},
+                        {"held", uncertainties_json(result, c.without)},
+                        {"alone", uncertainties_json(result, c.alone)}});
+    return list;
+}
+
 Json analysis_json(const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     Json outputs = Json::array();
@@ -138,6 +163,7 @@ Json analysis_json(const EvaluatedAnalysis& evaluated) {
                  {"seed", std::to_string(result.provenance.seed)},
                  {"outputs", std::move(outputs)},
                  {"covariance", covariance_json(result)}};
+    if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     for (const auto& study : evaluated.studies) json["studies"].push_back(study_json(*study));
     return json;
 }

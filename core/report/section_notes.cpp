@@ -21,10 +21,6 @@ std::vector<std::string> run_notes(const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     std::vector<std::string> notes = evaluated.warnings;
     add_once(notes, result.warnings);
-    if (result.failed_trials > 0)
-        notes.push_back(count_text(result.failed_trials) + " of " +
-                        count_text(result.trials + result.failed_trials) +
-                        " trials had no value and are not part of the statistics.");
     if (!result.stabilised)
         notes.push_back(
             "The adaptive procedure reached its largest number of trials: the results have not "

@@ -110,6 +110,14 @@ void OptionsForm::build_monte_carlo() {
                true,
                {0.0, largest_count}},
               with_trials, &EvaluationOptions::one_at_a_time_trials);
+    add_count({"contributor_trials",
+               tr("Trials by contributor"),
+               tr("Trials with everything of one instrument, artefact or robot held (an ideal one), for "
+                  "each; 0: by "
+                  "the law of propagation."),
+               true,
+               {0.0, largest_count}},
+              with_trials, &EvaluationOptions::contributor_trials);
 }
 
 void OptionsForm::build_adaptive() {

@@ -52,6 +52,7 @@ void ResultTableModel::rebuild() {
     if (result_) {
         add_quantity_columns(columns);
         add_result_columns(columns);
+        add_contributor_columns(columns);
         add_first_order_columns(columns);
     }
     set_contents(std::move(columns), shown_.size(), current_result_);
@@ -127,6 +128,27 @@ void ResultTableModel::add_result_columns(std::vector<Column>& columns) const {
     columns.push_back({tr("Low"), help, limit_text(&CoverageInterval::low), limit(&CoverageInterval::low)});
     columns.push_back(
         {tr("High"), help, limit_text(&CoverageInterval::high), limit(&CoverageInterval::high)});
+}
+
+void ResultTableModel::add_contributor_columns(std::vector<Column>& columns) const {
+    constexpr std::size_t most = 6;  // a network of many instruments would fill the table
+    if (result_->contributors.size() > most) return;
+    for (std::size_t i = 0; i < result_->contributors.size(); ++i) {
+        const std::string& contributor = result_->contributors[i].contributor;
+        const QString name = contributor.empty() ? tr("set-up") : to_qt(contributor);
+        const auto remaining = [this, i](std::size_t row) {
+            const ContributorResult::Uncertainties& u = result_->contributors[i].without;
+            const std::vector<double>& values = u.monte_carlo.empty() ? u.first_order : u.monte_carlo;
+            return output(row).coverage_factor * values[shown_[row]];
+        };
+        columns.push_back(
+            {tr("U, %1 held").arg(name),
+             tr("Expanded uncertainty that remains when everything %1 brings in is held (an ideal one), %2")
+                 .arg(name, result_->contributor_trials > 0 ? tr("by Monte Carlo")
+                                                            : tr("by the law of propagation")),
+             [this, remaining](std::size_t row) { return uncertainty_text(row, remaining(row)); },
+             remaining});
+    }
 }
 
 void ResultTableModel::add_first_order_columns(std::vector<Column>& columns) const {

@@ -36,6 +36,8 @@ private:
     void rebuild();
     void add_quantity_columns(std::vector<Column>& columns) const;
     void add_result_columns(std::vector<Column>& columns) const;
+    /// U with everything of a contributor held, where there are two and not too many.
+    void add_contributor_columns(std::vector<Column>& columns) const;
     void add_first_order_columns(std::vector<Column>& columns) const;
     const OutputResult& output(std::size_t row) const { return result_->outputs[shown_[row]]; }
     const Unit& unit(std::size_t row) const { return units_.of(output(row).quantity.unit); }

@@ -21,7 +21,7 @@ std::array<std::vector<double>, 3> drawn(const VectorLength& length) {
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
         rows[axis].resize(trials);
         spans[axis] = rows[axis];
-        detail::uniforms(7, DrawPurpose::trials, axis, 0, spans[axis]);
+        uniforms(7, DrawPurpose::trials, axis, 0, spans[axis]);
     }
     draw_directions(length, spans);
     return rows;

@@ -145,12 +145,32 @@ TEST(Report, SaysWhatWentWrongInTheRun) {
     result.failed_trials = 12;
     result.adaptive = true;
     result.stabilised = false;
-    result.warnings = {"beta is close to 90°: gimbal lock"};
+    result.warnings = {"beta is close to 90°: gimbal lock", "12 of 1000000 trials (0.0012 %) have no value"};
     const std::string text =
         to_markdown(build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)}));
-    EXPECT_TRUE(contains(text, "12 of 1\u00a0000\u00a0012 trials had no value"));
+    EXPECT_TRUE(contains(text, "12 of 1000000 trials (0.0012 %) have no value"));
+    EXPECT_TRUE(contains(text, "| 12 |")) << "the provenance counts them too";
     EXPECT_TRUE(contains(text, "not stabilised"));
     EXPECT_TRUE(contains(text, "gimbal lock"));
+}
+
+TEST(Report, ShowsWhatRemainsWithAContributorHeld) {
+    UncertaintyResult result = test::sample_result();
+    EXPECT_EQ(table_with_id(test::sample_report(), "contributors-typed"), nullptr);
+    for (const char* const name : {"Robot", "Ballbars"}) {
+        ContributorResult c{name, 3, {}, {}};
+        c.without.first_order = c.alone.first_order = std::vector<double>(result.outputs.size(), 1.25e-6);
+        result.contributors.push_back(std::move(c));
+    }
+    const std::string text =
+        to_markdown(build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)}));
+    EXPECT_TRUE(contains(text, "Robot held"));
+    EXPECT_TRUE(contains(text, "By the law of propagation."));
+    const ReportDocument document =
+        build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)});
+    const TableBlock* table = table_with_id(document, "contributors-typed");
+    ASSERT_NE(table, nullptr);
+    EXPECT_GT(table->table.rows.size(), result.outputs.size()) << "every output, and heads of groups";
 }
 
 TEST(Report, FigureNamesAreUniqueAndCarryTheAnalysis) {

@@ -1,0 +1,75 @@
+// U with everything of one contributor held ("ideal robot"), and of that contributor alone.
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+namespace {
+
+constexpr std::size_t most_columns = 4;  ///< of contributors in one table
+
+double expanded(const OutputResult& output, const ContributorResult::Uncertainties& part, std::size_t j) {
+    return output.coverage_factor * (part.monte_carlo.empty() ? part.first_order[j] : part.monte_carlo[j]);
+}
+
+void add_words(Blocks& blocks, const UncertaintyResult& result) {
+    std::string words =
+        "The expanded uncertainty U beside what remains of it when everything that a contributor brings in "
+        "is "
+        "held at its estimate (an ideal one), and what that contributor gives alone, with the same coverage "
+        "factor. ";
+    words += result.contributor_trials > 0
+                 ? "By Monte Carlo with " + count_text(result.contributor_trials) + " trials."
+                 : std::string("By the law of propagation.");
+    blocks.push_back(ParagraphBlock{words});
+    for (const ContributorResult& c : result.contributors)
+        if (c.without.failed_trials > 0)
+            blocks.push_back(ParagraphBlock{"With " + contributor_title(c) + " held, " +
+                                            count_text(c.without.failed_trials) + " trials had no value."});
+}
+
+/// Contributors first ... last - 1 as columns.
+TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t first, std::size_t last) {
+    const UncertaintyResult& result = *evaluated.result;
+    TableBuilder table(
+        "contributors-" + evaluated.analysis->id + (first == 0 ? "" : "-" + std::to_string(first)),
+        "U with contributors held, and alone");
+    table.text("Quantity", true);
+    table.text("Unit");
+    table.symbol("U", 3);
+    const bool two = result.contributors.size() == 2;
+    for (std::size_t i = first; i < last; ++i) {
+        const std::string title = contributor_title(result.contributors[i]);
+        table.number(title + " held", 3);
+        if (!two) table.number(title + " alone", 3);
+    }
+    std::string group;
+    for (std::size_t j = 0; j < result.outputs.size(); ++j) {
+        const OutputResult& output = result.outputs[j];
+        const Unit& unit = output.quantity.unit;
+        if (output.quantity.group != group) table.subhead(output.quantity.group);
+        group = output.quantity.group;
+        std::vector<TableCell> row = {output.quantity.symbol, unit_text(unit),
+                                      interval_in(unit, output.expanded_uncertainty)};
+        for (std::size_t i = first; i < last; ++i) {
+            const ContributorResult& c = result.contributors[i];
+            row.emplace_back(interval_in(unit, expanded(output, c.without, j)));
+            if (!two) row.emplace_back(interval_in(unit, expanded(output, c.alone, j)));
+        }
+        table.row(std::move(row));
+    }
+    if (two) table.note("Of two contributors, what remains with one held is what the other gives alone.");
+    return table.take();
+}
+
+}  // namespace
+
+void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    if (result.contributors.size() < 2) return;
+    blocks.push_back(HeadingBlock{2, "Results with contributors held"});
+    add_words(blocks, result);
+    for (std::size_t first = 0; first < result.contributors.size(); first += most_columns)
+        blocks.push_back(
+            contributor_table(evaluated, first, std::min(first + most_columns, result.contributors.size())));
+}
+
+}  // namespace covaria::report_parts
