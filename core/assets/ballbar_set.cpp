@@ -269,7 +269,7 @@ void check_further(const BallbarSource& ballbars, Problems& problems) {
     }
 }
 
-std::unique_ptr<Asset> create_ballbars(const SetupReader& setup, Problems& problems) {
+std::unique_ptr<Asset> create_ballbars(const SetupReader& setup, const AssetLibrary&, Problems& problems) {
     if (setup.rows("further_supports") + 3 > most_supports) {
         problems.error("/further_supports",
                        "a set has at most " + std::to_string(most_supports) + " supports");

@@ -177,7 +177,7 @@ AssetDescriptor robot_repeatability_kind() {
         "The paper leaves the orientation out. A rotation by e moves the tool by about e times its length."};
     d.capabilities = {"repeatability"};
     d.schema = repeatability_schema();
-    d.create = [](const SetupReader& setup, Problems&) -> std::unique_ptr<Asset> {
+    d.create = [](const SetupReader& setup, const AssetLibrary&, Problems&) -> std::unique_ptr<Asset> {
         return std::make_unique<RobotRepeatability>(setup);
     };
     return d;
