@@ -19,5 +19,9 @@ AssetDescriptor point_specification_kind();
 AssetDescriptor ballbar_set_kind();
 /// How far a robot misses a pose it was sent to before (ISO 9283).
 AssetDescriptor robot_repeatability_kind();
+/// An arm of rotating joints (Wen et al., Eq. 5).
+AssetDescriptor serial_robot_kind();
+/// A robot with the parameters of an identification by joint trajectories (Wen et al., 2.1).
+AssetDescriptor identified_robot_kind();
 
 }  // namespace covaria

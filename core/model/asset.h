@@ -23,6 +23,8 @@
 
 namespace covaria {
 
+class SerialRobotSource;  // core/model/serial_robot.h
+
 /// Deviation of a measured point along one direction, with its distribution.
 struct PointDeviation {
     std::string id;    ///< "x", "range", "azimuth": unique per point
@@ -73,6 +75,7 @@ public:
     virtual const SensorSource* sensor() const { return nullptr; }
     virtual const BallbarSource* ballbars() const { return nullptr; }
     virtual const RepeatabilitySource* repeatability() const { return nullptr; }
+    virtual const SerialRobotSource* serial_robot() const { return nullptr; }
     /// The asset's own evaluation as tables (budget of calibration, temperature, variability, bias;
     /// observations ...).
     virtual std::vector<DataTable> evaluation() const { return {}; }

@@ -3,13 +3,16 @@
 
 #include "core/models/points_from_sensors.h"
 #include "core/models/pose_from_points.h"
+#include "core/models/robot_circle_points.h"
+#include "core/models/robot_pose.h"
 #include "core/models/tcp_from_ballbars.h"
 
 namespace covaria {
 
 const std::vector<ModelDescriptor>& model_registry() {
     static const std::vector<ModelDescriptor> models{pose_from_points_model(), points_from_sensors_model(),
-                                                     tcp_from_ballbars_model()};
+                                                     tcp_from_ballbars_model(), robot_pose_model(),
+                                                     robot_circle_points_model()};
     return models;
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "core/model/words.h"
+#include "core/project/setup_json.h"
 
 namespace covaria {
 
@@ -38,7 +39,7 @@ public:
         std::uint64_t digits = static_cast<std::uint64_t>(options.significant_digits);
         count("significantDigits", digits);
         options.significant_digits = static_cast<int>(std::min<std::uint64_t>(digits, 100));
-        options.tolerance = reader_.number("tolerance");
+        tolerance(options.tolerance);
         count("minimumBatches", options.minimum_batches);
         count("maximumTrials", options.maximum_trials);
         reader_.refuse_unknown_keys();
@@ -59,6 +60,15 @@ private:
         }
         problems_.error(reader_.path_of("method"), "'method' must be one of " + listed(keys) + "; it is '" +
                                                        key + "'" + did_you_mean(key, keys));
+    }
+
+    /// A quantity; a bare number is meant in the SI unit of every output.
+    void tolerance(std::optional<Quantity>& out) {
+        if (!reader_.has("tolerance")) return;
+        if (value_.at("tolerance").is_object())
+            out = reader_.quantity("tolerance");
+        else if (const auto number = reader_.number("tolerance"))
+            out = Quantity{*number, Unit()};
     }
 
     void count(const std::string& key, std::uint64_t& out) {
@@ -135,7 +145,13 @@ void write_options(JsonWriter& out, const EvaluationOptions& options) {
     write_changed(out, "contributorTrials", options.contributor_trials, defaults.contributor_trials, count);
     write_changed(out, "significantDigits", options.significant_digits, defaults.significant_digits,
                   [&](int value) { out.integer(static_cast<std::uint64_t>(value)); });
-    write_changed(out, "tolerance", options.tolerance, defaults.tolerance, maybe);
+    write_changed(out, "tolerance", options.tolerance, defaults.tolerance,
+                  [&](const std::optional<Quantity>& tolerance) {
+                      if (tolerance->unit == Unit())
+                          out.finite_number(tolerance->value);
+                      else
+                          write_quantity(out, *tolerance);
+                  });
     write_changed(out, "minimumBatches", options.minimum_batches, defaults.minimum_batches, count);
     write_changed(out, "maximumTrials", options.maximum_trials, defaults.maximum_trials, count);
     out.end();

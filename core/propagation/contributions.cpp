@@ -22,6 +22,7 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
         b.standard_uncertainty = c.distribution.standard_uncertainty();
         b.degrees_of_freedom = std::min(c.degrees_of_freedom, c.distribution.degrees_of_freedom());
         b.held = c.held;
+        b.tags = c.tags;
         result.push_back(std::move(b));
     }
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
@@ -30,6 +31,7 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
             BudgetComponent& b = result[share.component];
             if (b.quantity.empty()) {
                 b.group = quantity.group;
+                b.tags.insert(b.tags.end(), quantity.tags.begin(), quantity.tags.end());
                 b.estimate = estimate_of(inputs, i);
             }
             b.quantity += (b.quantity.empty() ? "" : ", ") + quantity.symbol;

@@ -13,7 +13,7 @@ void check_adaptive(const EvaluationOptions& options, Problems& problems) {
     if (options.significant_digits < 1 || options.significant_digits > 4)
         problems.error("/significant_digits",
                        "the number of significant digits of the numerical tolerance must be 1, 2, 3 or 4");
-    if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance)))
+    if (options.tolerance && !(options.tolerance->value > 0 && std::isfinite(options.tolerance->value)))
         problems.error("/tolerance", "the numerical tolerance must be greater than zero");
     if (options.minimum_batches < 2)
         problems.error("/minimum_batches", "the adaptive procedure needs at least two batches");
@@ -41,6 +41,13 @@ void EvaluationOptions::check(Problems& problems) const {
     if (contributor_trials == 1)
         problems.error("/contributor_trials", "Monte Carlo without a contributor needs at least two trials");
     check_adaptive(*this, problems);
+}
+
+std::optional<double> EvaluationOptions::tolerance_for(const Unit& unit) const {
+    if (!tolerance) return {};
+    const bool applies =
+        tolerance->unit.dimension().is_one() || tolerance->unit.dimension() == unit.dimension();
+    return applies ? std::optional(tolerance->unit.interval_to_si(tolerance->value)) : std::nullopt;
 }
 
 }  // namespace covaria

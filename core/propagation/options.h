@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/unit.h"
 
 namespace covaria {
 
@@ -21,13 +22,16 @@ struct EvaluationOptions {
     std::uint64_t contributor_trials = 0;  ///< 0 = no Monte Carlo without, and of, each contributor alone
     // adaptive procedure (JCGM 101 7.9, JCGM 102 7.8)
     int significant_digits = 2;            ///< n_dig of the numerical tolerance, also of clause 8
-    std::optional<double> tolerance = {};  ///< delta for every output instead of n_dig, SI of the outputs
+    /// delta instead of n_dig, for the outputs of its dimension; with the unit one for every output, in SI
+    std::optional<Quantity> tolerance = {};
     std::uint64_t minimum_batches = 10;
     std::uint64_t maximum_trials = 100'000'000;
     bool operator==(const EvaluationOptions&) const = default;
 
     /// Paths are field names: "/coverage_probability".
     void check(Problems& problems) const;
+    /// The given tolerance as it applies to an output in `unit` (SI); empty: by n_dig.
+    std::optional<double> tolerance_for(const Unit& unit) const;
 };
 
 }  // namespace covaria

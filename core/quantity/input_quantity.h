@@ -18,6 +18,13 @@ namespace covaria {
 
 enum class EvaluationType { type_a, type_b };  // JCGM 100 2.3.2, 2.3.3
 
+/// A component or quantity belongs to a group of contributions: {"joint", "joint 4"}, {"kind", "lengths"}.
+struct GroupTag {
+    std::string grouping;
+    std::string group;
+    bool operator==(const GroupTag&) const = default;
+};
+
 /// One component of uncertainty epsilon_j. Its index in InputSet::components is its address for random draws.
 struct UncertaintyComponent {
     std::string id;    ///< unique in the set: "b_1x.calibration"
@@ -30,6 +37,7 @@ struct UncertaintyComponent {
     bool held = false;        ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
     /// Who brings it in, for results with all of a contributor held: the name of an asset, "" = the set-up.
     std::string contributor = {};
+    std::vector<GroupTag> tags = {};  ///< beside those of its quantities
 };
 
 struct Share {
@@ -54,6 +62,7 @@ struct InputQuantity {
     std::string group = {};  ///< "base", "pose 7": for filtering and grouped contributions
     std::string source =
         {};  ///< JSON pointer of the set-up field the estimate comes from, relative to the set-up
+    std::vector<GroupTag> tags = {};  ///< groups of contributions; kept when components are edited
 };
 
 /// Correlation coefficient (of the Gaussian copula) between two components.

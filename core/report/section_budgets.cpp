@@ -1,6 +1,7 @@
 // Uncertainty budgets: for each measurand of the groups shown in full, one row per component.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/symbol.h"
 #include "core/report/plots.h"
@@ -120,6 +121,69 @@ private:
     bool one_at_a_time_ = false;
 };
 
+/// Shares of the variance by the groups of one grouping, a column for each measurand of a group of outputs,
+/// and of the sum of the variances where they have the same dimension.
+class GroupTable {
+public:
+    GroupTable(const EvaluatedAnalysis& evaluated, std::string grouping, std::vector<std::size_t> outputs)
+        : result_(*evaluated.result),
+          grouping_(std::move(grouping)),
+          outputs_(std::move(outputs)),
+          table_("groups-" + evaluated.analysis->id + "-" +
+                     file_name_part(grouping_ + " " + result_.outputs[outputs_.front()].quantity.group),
+                 "Shares of the variance in % by " + grouping_ + ", " +
+                     result_.outputs[outputs_.front()].quantity.group) {}
+
+    TableBlock make() {
+        collect();
+        table_.text(grouping_, grouping_ == "parameter");
+        for (const std::size_t j : outputs_) table_.fixed(output_label(result_.outputs[j].quantity), 1);
+        if (alike_) table_.fixed("together", 1);
+        std::stable_sort(names_.begin(), names_.end(), [&](const std::string& a, const std::string& b) {
+            return together_[a] > together_[b];
+        });
+        for (std::size_t i = 0; i < std::min(names_.size(), most_rows); ++i) add(names_[i]);
+        return table_.take();
+    }
+
+private:
+    void collect() {
+        double sum = 0.0;
+        for (const std::size_t j : outputs_) {
+            const OutputResult& output = result_.outputs[j];
+            alike_ = alike_ && output.quantity.unit.dimension() ==
+                                   result_.outputs[outputs_.front()].quantity.unit.dimension();
+            const double variance =
+                output.first_order.standard_uncertainty * output.first_order.standard_uncertainty;
+            sum += variance;
+            for (const GroupContribution& g : contributions_by_group(result_.budget, j, grouping_)) {
+                if (!together_.contains(g.group)) names_.push_back(g.group);
+                shares_[{g.group, j}] = g.share;
+                together_[g.group] += g.share * variance;
+            }
+        }
+        alike_ = alike_ && outputs_.size() > 1 && sum > 0.0;
+        for (auto& [name, share] : together_)
+            if (sum > 0.0) share /= sum;
+    }
+
+    void add(const std::string& name) {
+        std::vector<TableCell> cells{name};
+        for (const std::size_t j : outputs_) cells.emplace_back(100.0 * shares_[{name, j}]);
+        if (alike_) cells.emplace_back(100.0 * together_[name]);
+        table_.row(std::move(cells));
+    }
+
+    const UncertaintyResult& result_;
+    std::string grouping_;
+    std::vector<std::size_t> outputs_;
+    TableBuilder table_;
+    std::vector<std::string> names_;
+    std::map<std::string, double> together_;
+    std::map<std::pair<std::string, std::size_t>, double> shares_;
+    bool alike_ = true;
+};
+
 }  // namespace
 
 void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
@@ -136,6 +200,8 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
                  " groups; the CSV table of budgets has every group.";
     blocks.push_back(ParagraphBlock{words});
     for (const std::string& group : shown) {
+        for (const std::string& grouping : groupings_of(result.budget))
+            blocks.push_back(GroupTable(evaluated, grouping, measurands_of(result, group)).make());
         for (const std::size_t output : measurands_of(result, group))
             blocks.push_back(BudgetTable(evaluated, output).make());
         for (const std::size_t output : measurands_of(result, group))

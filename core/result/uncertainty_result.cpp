@@ -22,6 +22,34 @@ std::vector<std::string> groups_of(const std::vector<OutputQuantity>& outputs) {
     return groups;
 }
 
+std::vector<std::string> groupings_of(const UncertaintyBudget& budget) {
+    std::vector<std::string> groupings;
+    for (const BudgetComponent& component : budget.components)
+        for (const GroupTag& tag : component.tags)
+            if (std::find(groupings.begin(), groupings.end(), tag.grouping) == groupings.end())
+                groupings.push_back(tag.grouping);
+    return groupings;
+}
+
+std::vector<GroupContribution> contributions_by_group(const UncertaintyBudget& budget, std::size_t output,
+                                                      const std::string& grouping) {
+    std::vector<GroupContribution> groups;
+    for (const BudgetRow& row : budget.rows[output]) {
+        std::string group = "other";
+        for (const GroupTag& tag : budget.components[row.component].tags)
+            if (tag.grouping == grouping) group = tag.group;
+        auto found = std::find_if(groups.begin(), groups.end(),
+                                  [&](const GroupContribution& known) { return known.group == group; });
+        if (found == groups.end()) found = groups.insert(groups.end(), {group, 0.0, 0.0});
+        found->contribution = std::hypot(found->contribution, row.contribution);
+        found->share += row.share;
+    }
+    std::stable_sort(
+        groups.begin(), groups.end(),
+        [](const GroupContribution& a, const GroupContribution& b) { return a.share > b.share; });
+    return groups;
+}
+
 Eigen::MatrixXd correlation_of(const Eigen::MatrixXd& covariance) {
     Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols());
     for (Eigen::Index a = 0; a < covariance.rows(); ++a)

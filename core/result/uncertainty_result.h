@@ -102,6 +102,7 @@ struct BudgetComponent {
     bool held = false;
     std::string group;      ///< of the (first) quantity it belongs to
     std::string quantity;   ///< symbol of that quantity; of all, joined, when shared
+    std::vector<GroupTag> tags = {};  ///< its own and those of that quantity
     double estimate = 0.0;  ///< of that quantity
 };
 
@@ -123,6 +124,13 @@ struct ContributorResult {
     std::string contributor;     ///< UncertaintyComponent::contributor
     std::size_t components = 0;  ///< that it brings in
     Uncertainties without, alone;
+};
+
+/// What the components of one group contribute to one output.
+struct GroupContribution {
+    std::string group;          ///< "joint 4"
+    double contribution = 0.0;  ///< root of the sum of squares of |c| u, of independent components
+    double share = 0.0;         ///< of the variance, with covariances
 };
 
 /// Joint coverage region of outputs of one group (JCGM 102 6.5, 7.7).
@@ -171,6 +179,13 @@ struct UncertaintyResult {
     std::vector<std::string> warnings;
     Provenance provenance;
 };
+
+/// The groupings of a budget, in order of appearance: "parameter", "joint", "kind".
+std::vector<std::string> groupings_of(const UncertaintyBudget& budget);
+/// Contributions to an output by the groups of a grouping, by falling share; components without a tag are
+/// "other".
+std::vector<GroupContribution> contributions_by_group(const UncertaintyBudget& budget, std::size_t output,
+                                                      const std::string& grouping);
 
 /// Indices of the outputs of a group, in order; all groups in order of appearance.
 std::vector<std::size_t> outputs_of_group(const std::vector<OutputQuantity>& outputs,

@@ -121,15 +121,16 @@ void OptionsForm::build_monte_carlo() {
 }
 
 void OptionsForm::build_adaptive() {
-    add(
+    add_quantity(
         {"tolerance",
          tr("Tolerance"),
-         tr("For every output quantity, in its SI unit; empty: from the significant digits."),
+         tr("With its unit, for the output quantities of that kind (0.005 mm); a bare number is meant in the "
+            "SI unit of every output. Empty: from the significant digits."),
          false,
          {0.0, Range::infinity_value, true},
          true},
         {Method::adaptive}, [](const EvaluationOptions& o) { return o.tolerance; },
-        [](EvaluationOptions& o, std::optional<double> value) { o.tolerance = value; });
+        [](EvaluationOptions& o, std::optional<Quantity> value) { o.tolerance = value; });
     add_count({"minimum_batches",
                tr("Least number of batches"),
                tr("Before the procedure may stop."),
@@ -155,6 +156,19 @@ void OptionsForm::add_count(const Field& field, std::vector<Method> methods,
 }
 
 void OptionsForm::add(const Field& field, std::vector<Method> methods, Get get, Set set) {
+    add_quantity(
+        field, std::move(methods),
+        [get = std::move(get)](const EvaluationOptions& options) {
+            const std::optional<double> value = get(options);
+            return value ? std::optional<Quantity>({*value, Unit()}) : std::nullopt;
+        },
+        [set = std::move(set)](EvaluationOptions& options, std::optional<Quantity> quantity) {
+            set(options, quantity ? std::optional<double>(quantity->value) : std::nullopt);
+        });
+}
+
+void OptionsForm::add_quantity(const Field& field, std::vector<Method> methods, GetQuantity get,
+                               SetQuantity set) {
     auto* edit = new QuantityEdit(this);
     edit->set_integer(field.integer);
     edit->set_range(field.range);
@@ -167,9 +181,7 @@ void OptionsForm::add(const Field& field, std::vector<Method> methods, Get get, 
     rows_.push_back({key, edit, std::move(get), std::move(methods)});
     connect(edit, &QuantityEdit::quantity_edited, this,
             [this, key, set = std::move(set)](const std::optional<Quantity>& quantity) {
-                change(key, [&](EvaluationOptions& options) {
-                    set(options, quantity ? std::optional<double>(quantity->value) : std::nullopt);
-                });
+                change(key, [&](EvaluationOptions& options) { set(options, quantity); });
             });
 }
 
@@ -194,8 +206,7 @@ void OptionsForm::refresh() {
     method_->setCurrentIndex(method_->findData(static_cast<int>(shown->method)));
     second_order_->setChecked(shown->second_order);
     for (const Row& row : rows_) {
-        const auto value = row.get(*shown);
-        row.edit->set_quantity(value ? std::optional<Quantity>({*value, Unit()}) : std::nullopt);
+        row.edit->set_quantity(row.get(*shown));
         const bool used =
             std::find(row.methods.begin(), row.methods.end(), shown->method) != row.methods.end();
         layout_->setRowVisible(row.edit, used);

@@ -25,10 +25,12 @@ public:
 private:
     using Get = std::function<std::optional<double>(const EvaluationOptions&)>;
     using Set = std::function<void(EvaluationOptions&, std::optional<double>)>;
+    using GetQuantity = std::function<std::optional<Quantity>(const EvaluationOptions&)>;
+    using SetQuantity = std::function<void(EvaluationOptions&, std::optional<Quantity>)>;
     struct Row {
         QString key;  ///< of the field in the options
         QuantityEdit* edit;
-        Get get;
+        GetQuantity get;
         std::vector<Method> methods;  ///< shown for these
     };
     struct Field {
@@ -44,6 +46,7 @@ private:
     void build_monte_carlo();
     void build_adaptive();
     void add(const Field& field, std::vector<Method> methods, Get get, Set set);
+    void add_quantity(const Field& field, std::vector<Method> methods, GetQuantity get, SetQuantity set);
     void add_count(const Field& field, std::vector<Method> methods, std::uint64_t EvaluationOptions::*member);
     void change(const QString& key, const std::function<void(EvaluationOptions&)>& edit);
     const EvaluationOptions* options() const;

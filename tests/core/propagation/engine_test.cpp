@@ -393,7 +393,7 @@ TEST(Engine, AdaptiveTakesAtLeastTheMinimumOfBatches) {
     const auto inputs = normal_inputs({{0, 1}});
     EvaluationOptions options = options_for(0);
     options.method = Method::adaptive;
-    options.tolerance = 1.0;
+    options.tolerance = Quantity{1.0, Unit()};
     options.minimum_batches = 4;
     const auto result = evaluate(sum_model(inputs), inputs, options);
     ASSERT_TRUE(result);

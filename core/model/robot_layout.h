@@ -1,0 +1,13 @@
+// An arm as a picture: links, joint axes, triads.
+#pragma once
+
+#include "core/model/layout.h"
+#include "core/model/serial_robot.h"
+
+namespace covaria {
+
+/// Adds the arm at the readings q (rad) to a layout, in the world frame; `group` as in LayoutItems.
+void add_arm(const SerialRobotSource& robot, const std::vector<double>& q, const std::string& group,
+             Layout& layout);
+
+}  // namespace covaria

@@ -1,0 +1,93 @@
+// projects/er10l-c10.covaria with changes, for tests. Millimetres.
+#pragma once
+
+#include <stdexcept>
+
+#include "core/base/resource_path.h"
+#include "core/project/project_file.h"
+#include "core/project/workspace.h"
+
+namespace covaria::robot_test {
+
+using Row = std::vector<double>;
+
+struct Robot {
+    Robot() : project(load_project(data_directory() / "projects/er10l-c10.covaria").project) {}
+
+    AnalysisEntry& find(const std::string& id) {
+        for (AnalysisEntry& analysis : project.analyses)
+            if (analysis.id == id) return analysis;
+        throw std::out_of_range(id);
+    }
+    covaria::Setup& setup(const std::string& id) { return find(id).setup; }
+    SetupTable& table(const std::string& id, const std::string& key) {
+        return std::get<SetupTable>(setup(id).values.at(key));
+    }
+    covaria::Setup& asset_setup(const std::string& id) {
+        for (AssetEntry& entry : project.assets)
+            if (entry.id == id) return entry.setup;
+        throw std::out_of_range(id);
+    }
+    /// A table of an asset, every column there.
+    SetupTable& asset_table(const std::string& id, const std::string& key) {
+        return std::get<SetupTable>(asset_setup(id).values.at(key));
+    }
+    std::shared_ptr<const Asset> asset(const std::string& id) {
+        problems = {};
+        assets = make_assets(project, problems);
+        const AssetLibrary::Entry* entry = assets.find(id);
+        if (!entry) throw std::runtime_error(words());
+        return entry->asset;
+    }
+
+    std::shared_ptr<const PreparedAnalysis> prepare(const std::string& id) {
+        problems = {};
+        assets = make_assets(project, problems);
+        return prepare_analysis(project, id, assets, problems);
+    }
+    /// 0 trials: the law of propagation alone.
+    UncertaintyResult run(const std::string& id, std::uint64_t trials) {
+        find(id).options.method = trials == 0 ? Method::first_order : Method::monte_carlo;
+        if (trials > 0) find(id).options.trials = trials;
+        const auto prepared = prepare(id);
+        if (!prepared) throw std::runtime_error(words());
+        return run_analysis(*prepared).value();
+    }
+    std::string words() const {
+        std::string text;
+        for (const Problem& p : problems.items()) text += p.path + ": " + p.message + "\n";
+        return text;
+    }
+
+    Project project;
+    AssetLibrary assets;
+    Problems problems;
+};
+
+inline Row each(const UncertaintyResult& r, double (*value)(const OutputResult&)) {
+    Row row;
+    for (const OutputResult& y : r.outputs) row.push_back(1e3 * value(y));
+    return row;
+}
+inline Row estimates(const UncertaintyResult& r) {
+    return each(r, [](const OutputResult& y) { return y.estimate; });
+}
+inline Row estimates_first_order(const UncertaintyResult& r) {
+    return each(r, [](const OutputResult& y) { return y.first_order.estimate; });
+}
+inline Row u(const UncertaintyResult& r) {
+    return each(r, [](const OutputResult& y) { return y.standard_uncertainty; });
+}
+/// XX, YY, ZZ, XY, XZ, YZ in mm².
+inline Row covariance(const UncertaintyResult& r) {
+    const Eigen::MatrixXd C = 1e6 * r.covariance;
+    return {C(0, 0), C(1, 1), C(2, 2), C(0, 1), C(0, 2), C(1, 2)};
+}
+inline const BudgetRow* budget_row(const UncertaintyResult& r, std::size_t output,
+                                   const std::string& quantity) {
+    for (const BudgetRow& row : r.budget.rows[output])
+        if (r.budget.components[row.component].quantity == quantity) return &row;
+    return nullptr;
+}
+
+}  // namespace covaria::robot_test
