@@ -46,8 +46,9 @@ TEST(StudyScene, PointsStandWhereTheTargetIs) {
     EXPECT_EQ(scene.map->title, "u(3D), B (mm)");
     EXPECT_GE(scene.bodies.size(), 4u) << "the instruments stand around the map";
     const std::string dump = dump_scene(scene);
-    EXPECT_EQ(line_with(dump, "map \"").substr(0, 60),
-              "map \"u(3D), B (mm)\" points 405 with values 405 shown 405 colo");
+    EXPECT_TRUE(
+        line_with(dump, "map \"").starts_with("map \"u(3D), B (mm)\" points 405 with values 405 shown 405 "))
+        << dump.substr(0, 2000);
     EXPECT_EQ(line_with(dump, "iso-surfaces of").substr(0, 27), "iso-surfaces of 9 x 9 x 5: ");
 }
 
