@@ -25,6 +25,7 @@ Command render_command(CLI::App& app);
 Command validate_command(CLI::App& app);
 Command describe_command(CLI::App& app);
 Command convert_command(CLI::App& app);
+Command library_command(CLI::App& app);
 
 std::vector<Command> all_commands(CLI::App& app);
 

@@ -227,15 +227,13 @@ public:
     Layout layout() const override {
         Layout layout;
         for (const Member& member : members_) {
-            const Layout own = member.asset->layout();
+            const Layout own = as_part(member.asset->layout(), member.id);
             for (LayoutBody body : own.bodies) {
                 body.name = member.name;
-                body.source = {};  // edited in the instrument
                 layout.bodies.push_back(std::move(body));
             }
             for (LayoutPoint point : own.points) {
                 point.name = member.name;
-                point.source = {};
                 layout.points.push_back(std::move(point));
             }
             layout.links.insert(layout.links.end(), own.links.begin(), own.links.end());

@@ -13,11 +13,12 @@
 
 namespace covaria {
 
-/// Draggable: where in the set-up the position is written (three number cells).
+/// Where in a set-up a position is written: a pose, or a row of a table with columns x, y, z.
 struct LayoutSource {
     std::string path = {};  ///< "/base_points/rows/1"; empty = not from one field
     bool draggable = false;
     Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  ///< frame in which the field gives the position
+    std::string asset = {};  ///< whose set-up it is: id of an asset; empty = of the model or asset itself
 };
 
 struct LayoutFrame {
@@ -83,5 +84,8 @@ struct Layout {
     std::vector<LayoutBody> bodies;
     std::vector<LayoutVector> vectors;
 };
+
+/// The layout of an asset as part of another layout: what is written in its own set-up is marked with its id.
+Layout as_part(Layout layout, const std::string& asset);
 
 }  // namespace covaria

@@ -84,4 +84,15 @@ bool MeasurementModel::jacobian(std::span<const double> x, Eigen::MatrixXd& jaco
     return true;
 }
 
+bool MeasurementModel::sensitivities(std::span<const double> x, SensitivityRows& rows) const {
+    Eigen::MatrixXd J(static_cast<Eigen::Index>(outputs().size()), static_cast<Eigen::Index>(x.size()));
+    if (!jacobian(x, J) || !J.allFinite()) return false;
+    rows.assign(outputs().size(), {});
+    for (Eigen::Index j = 0; j < J.rows(); ++j)
+        for (Eigen::Index i = 0; i < J.cols(); ++i)
+            if (J(j, i) != 0.0)
+                rows[static_cast<std::size_t>(j)].push_back({static_cast<std::size_t>(i), J(j, i)});
+    return true;
+}
+
 }  // namespace covaria

@@ -25,6 +25,14 @@ struct TrialBlock {
     std::size_t trials = 0;
 };
 
+/// dy/dx_i of one output quantity.
+struct Sensitivity {
+    std::size_t input = 0;
+    double coefficient = 0.0;
+};
+/// [output]: by rising input; inputs that are left out have no effect.
+using SensitivityRows = std::vector<std::vector<Sensitivity>>;
+
 /// Immutable after construction and safe to use from many threads at once. Everything is SI.
 class MeasurementModel {
 public:
@@ -44,6 +52,10 @@ public:
     /// Sensitivity coefficients: jacobian(j, i) = dy_j/dx_i at x (outputs x inputs). Default: central
     /// differences with Richardson extrapolation. false: no value at x.
     virtual bool jacobian(std::span<const double> x, Eigen::MatrixXd& jacobian) const;
+
+    /// The same without what is zero, for models with so many quantities that the matrix does not fit into
+    /// memory. Default: from `jacobian`.
+    virtual bool sensitivities(std::span<const double> x, SensitivityRows& rows) const;
 
     /// Where things are when the inputs are x, in metrology words; see layout.h.
     virtual Layout layout(std::span<const double> x) const = 0;

@@ -1,4 +1,4 @@
-// Capability "repeatability": how far a robot misses a pose that it was sent to before, each time anew.
+// Capability of a robot: how far a robot misses a pose that it was sent to before, each time anew.
 #pragma once
 
 #include <array>

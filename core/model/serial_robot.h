@@ -1,4 +1,4 @@
-// Capability "serial-robot": an arm of joints in a row, by parameters in a Denavit-Hartenberg convention.
+// Capability of serial robots: an arm of joints in a row, by parameters in a Denavit-Hartenberg convention.
 #pragma once
 
 #include <Eigen/Geometry>

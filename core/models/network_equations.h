@@ -263,6 +263,11 @@ mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& join
                 for (std::size_t i = 0; i < 3; ++i)
                     if (sight.has[i]) r[row++] = residual(sight, i, view, x);
             }
+        for (const std::size_t b : joint.bars) {
+            const ScaleBar& bar = setup.bars[b];
+            const Vector3<Real> d = X[bar.to - joint.first] - X[bar.from - joint.first];
+            r[row++] = Real(x[bar.input]) - sqrt(Real(d.dot(d)));
+        }
         const double* gain = joint.gain.data();
         Real step2(0.0);
         for (std::size_t t = 0; t < joint.targets; ++t)
@@ -279,57 +284,100 @@ mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& join
     return done;
 }
 
-/// Distances, angles and frames of targets that y has already, from output `out` on.
-template <class Real, class Out>
-void add_derived(const NetworkSetup& setup, std::size_t out, Out& y) {
-    using namespace real_functions;
+/// Distances, angles and frames of targets, and differences of distances from calibrated lengths, from output
+/// `out` on. `target(t)` gives a position.
+template <class Real, class In, class Out, class Target>
+class Derived {
+public:
+    Derived(const NetworkSetup& setup, const In& x, const Target& target, Out& y)
+        : setup_(setup), x_(x), target_(target), y_(y) {}
+
+    void put_all(std::size_t out) {
+        for (const Distance& distance : setup_.distances) put(distance, out++);
+        for (const Angle& angle : setup_.angles) put(angle, out++);
+        for (const TargetFrame& frame : setup_.frames) {
+            put(frame, out);
+            out += 6;
+        }
+        for (const ScaleBar& bar : setup_.bars) put(bar, out++);
+    }
+
+    void put(const Distance& distance, std::size_t out) { y_.set(out, length(distance.from, distance.to)); }
+
+    void put(const Angle& angle, std::size_t out) {
+        using namespace real_functions;
+        const Vector3<Real> at = target_(angle.at);
+        const Vector3<Real> a = target_(angle.from) - at, b = target_(angle.to) - at;
+        const Vector3<Real> n = a.cross(b);
+        y_.set(out, atan2(sqrt(Real(n.dot(n))), Real(a.dot(b))));
+    }
+
+    void put(const TargetFrame& frame, std::size_t out) {
+        const Vector3<Real> origin = target_(frame.targets[0]);
+        const Matrix3<Real> R = axes_3_2_1<Real>(origin, target_(frame.targets[1]), target_(frame.targets[2]),
+                                                 ThirdPoint::positive_y);
+        const Vector3<Real> angles = zyx_from_rotation(R);
+        for (int c = 0; c < 3; ++c) y_.set(out++, origin[c]);
+        for (int c = 0; c < 3; ++c) y_.set(out++, angles[c]);
+    }
+
+    void put(const ScaleBar& bar, std::size_t out) {
+        y_.set(out, length(bar.from, bar.to) - Real(x_[bar.input]));
+    }
+
+private:
+    Real length(std::size_t from, std::size_t to) const {
+        using namespace real_functions;
+        const Vector3<Real> d = target_(to) - target_(from);
+        return sqrt(Real(d.dot(d)));
+    }
+
+    const NetworkSetup& setup_;
+    const In& x_;
+    const Target& target_;
+    Out& y_;
+};
+
+template <class Real, class In>
+void locate_stations(const NetworkSetup& setup, const In& x, std::size_t set_up, Place<Real>* places) {
+    for (std::size_t s = 0; s < setup.sensors.size(); ++s) places[s] = place_of<Real>(setup, x, set_up, s);
+}
+
+/// Targets first ... first + count - 1 of a set-up, all of those estimated together; sets their coordinates.
+template <class Real, class In, class Out>
+mask_of<Real> some_targets(const NetworkSetup& setup, const JointSetUp& joint, std::size_t first,
+                           std::size_t count, const Place<Real>* places, const In& x, Out& y) {
+    std::array<Vector3<Real>, most_joint_targets> X;
+    mask_of<Real> valid(true);
+    const bool together = !joint.gain.empty();
+    if (together) valid = estimate_jointly(setup, joint, places, x, X.data());
+    for (std::size_t t = 0; t < count; ++t) {
+        if (!together) valid = valid && estimate(setup, setup.targets[first + t], places, x, X[0]);
+        const Vector3<Real>& found = together ? X[t] : X[0];
+        for (int c = 0; c < 3; ++c) y.set(3 * (first + t) + static_cast<std::size_t>(c), found[c]);
+    }
+    return valid;
+}
+
+/// All targets of a trial, then what derives from them. Inputs: six coordinates of every station for each
+/// set-up, then the readings target by target, then the calibrated lengths. Outputs: x, y, z of every target,
+/// distances, angles, frames, differences from the calibrated lengths.
+template <class Real, class In, class Out>
+mask_of<Real> all_targets(const NetworkSetup& setup, const In& x, Out& y) {
+    std::array<Place<Real>, most_sensors> places;
+    mask_of<Real> valid(true);
+    std::size_t located = setup.stations;
+    for (const JointSetUp& joint : setup.set_ups) {
+        if (located != joint.index) locate_stations(setup, x, joint.index, places.data());
+        located = joint.index;
+        valid = valid && some_targets(setup, joint, joint.first, joint.targets, places.data(), x, y);
+    }
     const auto target = [&](std::size_t t) {
         Vector3<Real> p;
         for (int c = 0; c < 3; ++c) p[c] = y.get(3 * t + static_cast<std::size_t>(c));
         return p;
     };
-    for (const Distance& distance : setup.distances) {
-        const Vector3<Real> d = target(distance.to) - target(distance.from);
-        y.set(out++, sqrt(Real(d.dot(d))));
-    }
-    for (const Angle& angle : setup.angles) {
-        const Vector3<Real> at = target(angle.at);
-        const Vector3<Real> a = target(angle.from) - at, b = target(angle.to) - at;
-        const Vector3<Real> n = a.cross(b);
-        y.set(out++, atan2(sqrt(Real(n.dot(n))), Real(a.dot(b))));
-    }
-    for (const TargetFrame& frame : setup.frames) {
-        const Vector3<Real> origin = target(frame.targets[0]);
-        const Matrix3<Real> R = axes_3_2_1<Real>(origin, target(frame.targets[1]), target(frame.targets[2]),
-                                                 ThirdPoint::positive_y);
-        const Vector3<Real> angles = zyx_from_rotation(R);
-        for (int c = 0; c < 3; ++c) y.set(out++, origin[c]);
-        for (int c = 0; c < 3; ++c) y.set(out++, angles[c]);
-    }
-}
-
-/// All targets of a trial, then the distances, angles and frames. Inputs: six coordinates of every station
-/// for each set-up, then the readings target by target. Outputs: x, y, z of every target, then what derives
-/// from them.
-template <class Real, class In, class Out>
-mask_of<Real> all_targets(const NetworkSetup& setup, const In& x, Out& y) {
-    using namespace real_functions;
-    std::array<Place<Real>, most_sensors> places;
-    std::array<Vector3<Real>, most_joint_targets> X;
-    mask_of<Real> valid(true);
-    std::size_t out = 0;
-    for (const JointSetUp& joint : setup.set_ups) {
-        for (std::size_t s = 0; s < setup.sensors.size(); ++s)
-            places[s] = place_of<Real>(setup, x, joint.index, s);
-        if (!joint.gain.empty()) valid = valid && estimate_jointly(setup, joint, places.data(), x, X.data());
-        for (std::size_t t = 0; t < joint.targets; ++t) {
-            if (joint.gain.empty())
-                valid = valid && estimate(setup, setup.targets[joint.first + t], places.data(), x, X[0]);
-            const Vector3<Real>& found = joint.gain.empty() ? X[0] : X[t];
-            for (int c = 0; c < 3; ++c) y.set(out++, found[c]);
-        }
-    }
-    add_derived<Real>(setup, out, y);
+    Derived<Real, In, Out, decltype(target)>(setup, x, target, y).put_all(3 * setup.targets.size());
     return valid;
 }
 

@@ -53,7 +53,10 @@ struct Variances {
 class PrecisionTable {
 public:
     explicit PrecisionTable(const NetworkSetup& setup) : setup_(setup) {
-        for (const JointSetUp& joint : setup.set_ups) precisions_.push_back(precision_of(setup, joint));
+        for (const JointSetUp& joint : setup.set_ups) {
+            for (std::size_t t = 0; t < joint.targets; ++t) joint_of_.push_back(precisions_.size());
+            precisions_.push_back(precision_of(setup, joint));
+        }
     }
 
     DataTable make() const {
@@ -90,7 +93,7 @@ private:
         double readings_alone;
     };
     Along along(std::size_t t, const Eigen::Vector3d& g) const {
-        const std::size_t k = setup_.targets[t].set_up;
+        const std::size_t k = joint_of_[t];
         const auto row = static_cast<Eigen::Index>(3 * (t - setup_.set_ups[k].first));
         const Precision& p = precisions_[k];
         return {p.own.middleRows(row, 3).transpose() * g, p.shared.middleRows(row, 3).transpose() * g,
@@ -107,10 +110,11 @@ private:
         const Eigen::Vector3d g = (to.nominal - from.nominal).normalized();
         const Along a = along(d.from, g), b = along(d.to, g);
         const double alone = a.readings_alone + b.readings_alone;
-        if (from.set_up == to.set_up)
+        if (joint_of_[d.from] == joint_of_[d.to])
             return {alone, (b.own - a.own).squaredNorm() + (b.shared - a.shared).squaredNorm()};
+        const Eigen::VectorXd common = from.set_up == to.set_up ? a.shared : systematic(a.shared);
         return {alone, a.own.squaredNorm() + b.own.squaredNorm() + a.shared.squaredNorm() +
-                           b.shared.squaredNorm() - 2.0 * systematic(a.shared).dot(b.shared)};
+                           b.shared.squaredNorm() - 2.0 * common.dot(b.shared)};
     }
 
     /// Without the stations: what another set-up has in common.
@@ -125,6 +129,7 @@ private:
 
     const NetworkSetup& setup_;
     std::vector<Precision> precisions_;
+    std::vector<std::size_t> joint_of_;  ///< precision of each target
 };
 
 double residual_of(const Sensor& sensor, const Sight& sight, std::size_t i, const Eigen::Vector3d& p) {
@@ -178,6 +183,12 @@ private:
                     add_row(setup_.targets[t], sight, i, {e[row], s.u[row], redundancy(row, row), w});
                     ++row;
                 }
+        for (const std::size_t b : joint.bars) {
+            const double w =
+                tested(row, row) > 1e-9 * W(row, row) ? We[row] / std::sqrt(tested(row, row)) : 0.0;
+            add_bar(setup_.bars[b], {e[row], s.u[row], redundancy(row, row), w});
+            ++row;
+        }
     }
 
     Eigen::VectorXd residuals_of(const JointSetUp& joint, Eigen::Index rows) const {
@@ -189,6 +200,11 @@ private:
                     if (sight.has[i])
                         e[row++] =
                             residual_of(setup_.sensors[sight.sensor], sight, i, setup_.targets[t].nominal);
+        for (const std::size_t b : joint.bars) {
+            const ScaleBar& bar = setup_.bars[b];
+            e[row++] =
+                bar.length - (setup_.targets[bar.to].nominal - setup_.targets[bar.from].nominal).norm();
+        }
         return e;
     }
 
@@ -199,13 +215,23 @@ private:
     void add_row(const Target& target, const Sight& sight, std::size_t i, const Numbers& numbers) {
         static const char* const names[] = {"distance", "azimuth", "elevation"};
         const Unit unit = Unit::of(i == 0 || (i == 1 && sight.overhead) ? "mm" : "arcsec");
+        put(target.name, setup_.sensors[sight.sensor].name, names[i], unit, numbers);
+    }
+
+    void add_bar(const ScaleBar& bar, const Numbers& numbers) {
+        put(setup_.targets[bar.from].name + " – " + setup_.targets[bar.to].name, "scale bar", "length",
+            Unit::of("mm"), numbers);
+    }
+
+    void put(const std::string& target, const std::string& sensor, const char* reading, const Unit& unit,
+             const Numbers& numbers) {
         const bool controlled = numbers.redundancy > 1e-6;
         std::string remark = controlled ? "" : "not controlled";
         if (controlled && std::abs(numbers.w) > outlier_limit) {
             remark = "outlier?";
             ++outliers_;
         }
-        table_.rows.push_back({target.name, setup_.sensors[sight.sensor].name, std::string(names[i]),
+        table_.rows.push_back({target, sensor, std::string(reading),
                                Quantity{unit.from_si(numbers.residual), unit},
                                Quantity{unit.from_si(numbers.u), unit}, std::max(0.0, numbers.redundancy),
                                controlled ? TableCell(numbers.w) : TableCell(), remark});

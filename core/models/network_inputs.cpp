@@ -21,10 +21,11 @@ public:
     explicit InputBuilder(NetworkSetup& setup) : setup_(setup) {}
 
     InputSet build() {
-        for (std::size_t k = 0; k < setup_.set_ups.size(); ++k)
+        for (std::size_t k = 0; k < setup_.stations; ++k)
             for (std::size_t s = 0; s < setup_.sensors.size(); ++s) add_station(k, s);
         for (std::size_t t = 0; t < setup_.targets.size(); ++t)
             for (std::size_t i = 0; i < setup_.targets[t].sights.size(); ++i) add_sight(t, i);
+        for (ScaleBar& bar : setup_.bars) add_scale_bar(bar);
         return std::move(inputs_);
     }
 
@@ -83,6 +84,28 @@ private:
         }
     }
 
+    void add_scale_bar(ScaleBar& bar) {
+        const std::string ends =
+            label_of(setup_.targets[bar.from].name, bar.from) + label_of(setup_.targets[bar.to].name, bar.to);
+        const std::string again = bars_[ends]++ == 0 ? "" : "_" + std::to_string(bars_[ends]);
+        UncertaintyComponent component{.id = "bar." + ends + again,
+                                       .name = "calibrated length",
+                                       .unit = Unit::of("mm"),
+                                       .distribution = Distribution::normal(bar.u),
+                                       .origin = "calibration of the " + bar.name,
+                                       .contributor = bar.name};
+        InputQuantity quantity;
+        quantity.symbol = "L_" + ends + again;
+        quantity.name = bar.name + ", calibrated length";
+        quantity.unit = Unit::of("mm");
+        quantity.offset = bar.length;
+        quantity.group = "calibrated lengths";
+        quantity.source = bar.source;
+        quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
+        bar.input = inputs_.quantities.size();
+        inputs_.quantities.push_back(std::move(quantity));
+    }
+
     void add_systematic(const Sight& sight, std::size_t o, const Eigen::Vector3d& v,
                         InputQuantity& quantity) {
         const Sensor& sensor = setup_.sensors[sight.sensor];
@@ -107,6 +130,7 @@ private:
     InputSet inputs_;
     std::map<std::string, std::size_t> shared_;
     std::map<std::pair<std::size_t, std::size_t>, int> repeats_;
+    std::map<std::string, int> bars_;
 };
 
 }  // namespace

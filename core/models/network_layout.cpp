@@ -13,11 +13,16 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
         for (std::size_t i = 0; i < 6; ++i) station.coordinates[i] = x[first + i];
         const Eigen::Isometry3d X = station.X_WS();
         stations.push_back(X.translation());
-        layout.bodies.push_back(
-            {.name = sensor.name, .kind = BodyKind::instrument, .X_WB = X, .glyph = sensor.source().glyph()});
+        const LayoutSource source = as_part(sensor.asset->layout(), sensor.id).bodies.front().source;
+        layout.bodies.push_back({.name = sensor.name,
+                                 .kind = BodyKind::instrument,
+                                 .X_WB = X,
+                                 .glyph = sensor.source().glyph(),
+                                 .source = source});
         layout.points.push_back({.name = sensor.name,
                                  .kind = PointKind::station,
                                  .p_W = X.translation(),
+                                 .source = source,
                                  .inputs = {{first, first + 1, first + 2}}});
     }
     for (const Sensor& sensor : setup.sensors)  // edges of its field of view
@@ -37,12 +42,15 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
                                     .from_W = stations[sight.sensor],
                                     .to_W = target.nominal});
     }
-    for (const Distance& distance : setup.distances)
-        layout.links.push_back(
-            {.name = setup.targets[distance.from].name + " – " + setup.targets[distance.to].name,
-             .kind = LinkKind::dimension,
-             .from_W = setup.targets[distance.from].nominal,
-             .to_W = setup.targets[distance.to].nominal});
+    const auto add_dimension = [&](const std::string& name, std::size_t from, std::size_t to) {
+        layout.links.push_back({.name = name,
+                                .kind = LinkKind::dimension,
+                                .from_W = setup.targets[from].nominal,
+                                .to_W = setup.targets[to].nominal});
+    };
+    for (const Distance& d : setup.distances)
+        add_dimension(setup.targets[d.from].name + " – " + setup.targets[d.to].name, d.from, d.to);
+    for (const ScaleBar& bar : setup.bars) add_dimension(bar.name, bar.from, bar.to);
     return layout;
 }
 

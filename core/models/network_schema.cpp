@@ -57,6 +57,39 @@ FieldSpec distances_table() {
     return table;
 }
 
+FieldSpec scale_bars_table() {
+    const Unit mm = Unit::of("mm");
+    FieldSpec table{.key = "scale_bars",
+                    .title = "Calibrated lengths",
+                    .kind = FieldKind::table,
+                    .help =
+                        "Scale bars and other calibrated distances between two targets: compared with the "
+                        "network, or a constraint of the estimation.",
+                    .optional = true,
+                    .section = "Network"};
+    table.columns = {
+        {.key = "from", .title = "from", .kind = FieldKind::text, .help = "Name of a target."},
+        {.key = "to", .title = "to", .kind = FieldKind::text, .help = "Name of another target."},
+        {.key = "length",
+         .title = "length",
+         .unit = mm,
+         .range = {.low = 0.0, .low_open = true},
+         .optional = true,
+         .help = "Calibrated length; empty in a design: the distance of the nominal targets."},
+        {.key = "u",
+         .title = "u",
+         .unit = mm,
+         .range = {.low = 0.0, .low_open = true},
+         .help = "Standard uncertainty of the length as it is during the measurement, with temperature."},
+        {.key = "role",
+         .title = "role",
+         .kind = FieldKind::choice,
+         .choices = {{"check", "check"}, {"constraint", "constraint"}},
+         .help = "Check: the difference between network and calibration is a measurand. Constraint: the "
+                 "length is adjusted with the readings."}};
+    return table;
+}
+
 ColumnSpec target_column(const char* key, const char* title, const char* help) {
     return {.key = key, .title = title, .kind = FieldKind::text, .help = help};
 }
@@ -134,6 +167,7 @@ SetupSchema network_schema() {
          distances_table(),
          angles_table(),
          frames_table(),
+         scale_bars_table(),
          {.key = "evaluation",
           .title = "Evaluation",
           .kind = FieldKind::choice,

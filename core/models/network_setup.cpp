@@ -26,6 +26,7 @@ public:
         read_distances();
         read_angles();
         read_frames();
+        read_scale_bars();
         if (problems_.has_errors()) return {};
         if (network_.measured)
             read_readings();
@@ -83,9 +84,10 @@ private:
         }
         for (std::size_t t = 0; t < network_.targets.size(); ++t) {
             if (network_.set_ups.size() <= network_.targets[t].set_up)
-                network_.set_ups.push_back({network_.targets[t].set_up, t, 0, {}});
+                network_.set_ups.push_back({network_.targets[t].set_up, t, 0, {}, {}});
             ++network_.set_ups.back().targets;
         }
+        network_.stations = network_.set_ups.size();
     }
 
     std::size_t target_called(const std::string& name, const std::string& path) {
@@ -105,6 +107,52 @@ private:
                 problems_.error(path, "a distance needs two targets at different places");
             network_.distances.push_back({from, to});
         }
+    }
+
+    void read_scale_bars() {
+        for (std::size_t row = 0; row < setup_.rows("scale_bars"); ++row) {
+            ScaleBar bar;
+            bar.source = row_path("scale_bars", row);
+            const std::string from = setup_.cell_text("scale_bars", row, "from"),
+                              to = setup_.cell_text("scale_bars", row, "to");
+            bar.from = target_called(from, bar.source);
+            bar.to = target_called(to, bar.source);
+            bar.name = "scale bar " + from + " – " + to;
+            bar.u = setup_.cell_number("scale_bars", row, "u");
+            bar.constrains = setup_.cell_text("scale_bars", row, "role") == "constraint";
+            if (!problems_.has_errors()) take_length(bar, row);
+            if (bar.constrains) check_constraint(bar);
+            network_.bars.push_back(std::move(bar));
+        }
+    }
+
+    void take_length(ScaleBar& bar, std::size_t row) {
+        const double nominal_length = (nominal(bar.to) - nominal(bar.from)).norm();
+        bar.length = nominal_length;
+        if (nominal_length == 0.0)
+            return problems_.error(bar.source, "a calibrated length needs two targets at different places");
+        if (setup_.cell_empty("scale_bars", row, "length")) {
+            if (network_.measured) problems_.error(bar.source, "the calibrated length is missing");
+            return;
+        }
+        const double length = setup_.cell_number("scale_bars", row, "length");
+        if (network_.measured)
+            bar.length = length;
+        else if (std::abs(length - nominal_length) > std::max(5.0 * bar.u, 1e-3 * length))
+            problems_.warning(bar.source, "the nominal targets of the " + bar.name +
+                                              " are at another distance than its calibrated length; the "
+                                              "design takes their distance");
+    }
+
+    void check_constraint(const ScaleBar& bar) {
+        if (network_.weights != Weights::with_stations)
+            return problems_.error(bar.source,
+                                   "a calibrated length can be a constraint only of the non-linear estimator "
+                                   "with weights from readings and stations");
+        if (!problems_.has_errors() && network_.targets[bar.from].set_up != network_.targets[bar.to].set_up)
+            problems_.error(bar.source, "the targets of the " + bar.name +
+                                            " belong to two set-ups, which are estimated one after the "
+                                            "other: it can only be a check");
     }
 
     const Eigen::Vector3d& nominal(std::size_t target) const { return network_.targets[target].nominal; }
@@ -163,16 +211,33 @@ private:
                 sight.reading = readings_of(source.station(), network_.targets[t].nominal);
                 network_.targets[t].sights.push_back(sight);
             }
+        warn_of_unseen();
     }
 
     bool sees(std::size_t s, std::size_t t) {
         const SensorSource& source = network_.sensors[s].source();
-        const Target& target = network_.targets[t];
-        if (source.sees(source.station().X_WS().inverse() * target.nominal)) return true;
-        problems_.warning(row_path("targets", t), network_.sensors[s].name + " does not see target " +
-                                                      target.name +
-                                                      ": it is out of its range or field of view");
+        if (source.sees(source.station().X_WS().inverse() * network_.targets[t].nominal)) return true;
+        unseen_.push_back({s, t});
         return false;
+    }
+
+    /// One by one, or in large networks by sensor.
+    void warn_of_unseen() {
+        constexpr std::size_t most_single = 30;
+        std::map<std::size_t, std::size_t> counts;
+        for (const auto& [s, t] : unseen_) {
+            ++counts[s];
+            if (unseen_.size() <= most_single)
+                problems_.warning(row_path("targets", t), network_.sensors[s].name + " does not see target " +
+                                                              network_.targets[t].name +
+                                                              ": it is out of its range or field of view");
+        }
+        if (unseen_.size() <= most_single) return;
+        for (const auto& [s, count] : counts)
+            problems_.warning("/targets", network_.sensors[s].name + " does not see " +
+                                              std::to_string(count) + " of the " +
+                                              std::to_string(network_.targets.size()) +
+                                              " targets: they are out of its range or field of view");
     }
 
     void read_readings() {
@@ -244,6 +309,7 @@ private:
     Problems& problems_;
     NetworkSetup network_;
     std::map<std::string, std::size_t> sensor_index_, target_index_;
+    std::vector<std::pair<std::size_t, std::size_t>> unseen_;  ///< sensor, target
 };
 
 }  // namespace

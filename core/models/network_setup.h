@@ -54,16 +54,29 @@ struct Target {
     bool has_linear_start = false;
 };
 
-/// Targets measured while the sensors stood where they stand.
+/// Targets measured while the sensors stood where they stand, estimated together.
 struct JointSetUp {
     std::size_t index = 0;  ///< of the set-up
     std::size_t first = 0;  ///< target
     std::size_t targets = 0;
-    std::vector<double> gain = {};  ///< (JᵀC⁻¹J)⁻¹ JᵀC⁻¹ by rows, 3 targets x readings; empty: each by itself
+    std::vector<std::size_t> bars = {};  ///< scale bars that constrain its targets
+    /// (JᵀC⁻¹J)⁻¹ JᵀC⁻¹ by rows, 3 targets x (readings, then bars); empty: each target by itself.
+    std::vector<double> gain = {};
 };
 
 struct Distance {
     std::size_t from = 0, to = 0;
+};
+
+/// A calibrated length between two targets.
+struct ScaleBar {
+    std::size_t from = 0, to = 0;
+    double length = 0.0;      ///< calibrated, m; in a design that of the nominal targets
+    double u = 0.0;           ///< standard uncertainty, m
+    bool constrains = false;  ///< takes part in the estimation; else it is compared with its result
+    std::string name = {};    ///< "scale bar A – B"
+    std::string source = {};  ///< place in the set-up
+    std::size_t input = 0;    ///< index of the input quantity
 };
 
 /// At the target `at`, between the directions to `from` and `to`.
@@ -81,12 +94,19 @@ struct NetworkSetup {
     std::vector<Sensor> sensors;
     std::vector<Target> targets;
     std::vector<JointSetUp> set_ups;  ///< in the order of the targets
+    std::size_t stations = 1;         ///< set-ups: how often the sensors were located
     std::vector<Distance> distances;
+    std::vector<ScaleBar> bars;
     std::vector<Angle> angles;
     std::vector<TargetFrame> frames;
     Estimator estimator = Estimator::nonlinear;
     Weights weights = Weights::with_stations;
     bool measured = false;  ///< readings were given
+
+    /// How many output quantities there are.
+    std::size_t outputs() const {
+        return 3 * targets.size() + distances.size() + angles.size() + 6 * frames.size() + bars.size();
+    }
 
     /// Index of the first of six input quantities of a station.
     std::size_t station_input(std::size_t set_up, std::size_t sensor) const {
@@ -114,7 +134,8 @@ struct Sensitivities {
     Eigen::VectorXd u;  ///< of the readings alone, rows
 };
 Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, const Eigen::Vector3d& p);
-/// Of all targets of a set-up, one after the other; `to_point` has three columns for each.
+/// Of all targets of a set-up, one after the other, then its scale bars; `to_point` has three columns for
+/// each target.
 Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& joint);
 /// Covariance of the readings with what they share (rows x rows).
 Eigen::MatrixXd joint_covariance(const Sensitivities& s);

@@ -92,15 +92,44 @@ private:
     Problems& problems_;
 };
 
-void add_gain(const NetworkSetup& setup, JointSetUp& joint, Problems& problems) {
-    std::size_t rows = 0;
+std::size_t rows_of(const NetworkSetup& setup, const JointSetUp& joint) {
+    std::size_t rows = joint.bars.size();
     for (std::size_t t = 0; t < joint.targets; ++t) rows += setup.targets[joint.first + t].rows;
-    if (rows > most_joint_rows)
-        return problems.error("/targets",
-                              "the " + std::to_string(rows) + " readings of one set-up are more than the " +
-                                  std::to_string(most_joint_rows) +
-                                  " that can be weighed together with the stations: choose weights from "
-                                  "the readings alone, or divide the targets between analyses");
+    return rows;
+}
+
+/// Set-ups with too many readings to estimate all their targets at once: each target by itself.
+void divide_large_set_ups(NetworkSetup& setup, Problems& problems) {
+    std::vector<JointSetUp> divided;
+    for (JointSetUp& joint : setup.set_ups) {
+        const std::size_t rows = rows_of(setup, joint);
+        if (rows <= most_joint_rows) {
+            divided.push_back(std::move(joint));
+            continue;
+        }
+        if (!joint.bars.empty())
+            problems.error(setup.bars[joint.bars.front()].source,
+                           "a calibrated length cannot be a constraint of a set-up with more than " +
+                               std::to_string(most_joint_rows) + " readings (this one has " +
+                               std::to_string(rows) + "): make it a check");
+        problems.warning("/targets", "the " + std::to_string(rows) +
+                                         " readings of one set-up are too many to be weighed together: each "
+                                         "target is estimated from its own readings, weighted with the "
+                                         "stations");
+        for (std::size_t t = 0; t < joint.targets; ++t)
+            divided.push_back({joint.index, joint.first + t, 1, {}, {}});
+    }
+    setup.set_ups = std::move(divided);
+}
+
+void assign_scale_bars(NetworkSetup& setup) {
+    for (std::size_t b = 0; b < setup.bars.size(); ++b)
+        for (JointSetUp& joint : setup.set_ups)
+            if (setup.bars[b].constrains && joint.index == setup.targets[setup.bars[b].from].set_up)
+                joint.bars.push_back(b);
+}
+
+void add_gain(const NetworkSetup& setup, JointSetUp& joint) {
     const Sensitivities all = sensitivities_of(setup, joint);
     const Eigen::MatrixXd WJ = joint_covariance(all).llt().solve(all.to_point);
     const Eigen::MatrixXd gain = (all.to_point.transpose() * WJ).llt().solve(WJ.transpose());
@@ -159,9 +188,8 @@ Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, 
 }
 
 Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& joint) {
-    Eigen::Index rows = 0, row = 0;
-    for (std::size_t t = 0; t < joint.targets; ++t)
-        rows += static_cast<Eigen::Index>(setup.targets[joint.first + t].rows);
+    const auto rows = static_cast<Eigen::Index>(rows_of(setup, joint));
+    Eigen::Index row = 0;
     Sensitivities all;
     all.to_point = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(3 * joint.targets));
     all.u.resize(rows);
@@ -173,6 +201,16 @@ Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& join
         all.shared.middleRows(row, one.u.size()) = one.shared;
         all.u.segment(row, one.u.size()) = one.u;
         row += one.u.size();
+    }
+    for (const std::size_t b : joint.bars) {
+        const ScaleBar& bar = setup.bars[b];
+        const Eigen::Vector3d along =
+            (setup.targets[bar.to].nominal - setup.targets[bar.from].nominal).normalized();
+        const auto column = [&](std::size_t t) { return static_cast<Eigen::Index>(3 * (t - joint.first)); };
+        all.to_point.block<1, 3>(row, column(bar.from)) = -along.transpose();
+        all.to_point.block<1, 3>(row, column(bar.to)) = along.transpose();
+        all.shared.row(row).setZero();
+        all.u[row++] = bar.u;
     }
     return all;
 }
@@ -188,7 +226,9 @@ void prepare_weights(NetworkSetup& setup, Problems& problems) {
     for (std::size_t t = 0; t < setup.targets.size(); ++t)
         maker.make(setup.targets[t], "/targets/rows/" + std::to_string(t));
     if (setup.weights == Weights::observations_only || problems.has_errors()) return;
-    for (JointSetUp& joint : setup.set_ups) add_gain(setup, joint, problems);
+    assign_scale_bars(setup);
+    divide_large_set_ups(setup, problems);
+    for (JointSetUp& joint : setup.set_ups) add_gain(setup, joint);
 }
 
 }  // namespace covaria::network

@@ -3,6 +3,7 @@
 
 #include "core/model/equation_model.h"
 #include "core/models/network_equations.h"
+#include "core/models/network_sensitivities.h"
 
 namespace covaria {
 
@@ -36,11 +37,19 @@ public:
                  .group = "angles"});
         }
         for (const network::TargetFrame& frame : setup_.frames) add_frame(frame.name);
+        for (const network::ScaleBar& bar : setup_.bars)
+            outputs_.push_back({.symbol = "Δ" + setup_.targets[bar.from].name + setup_.targets[bar.to].name,
+                                .name = bar.name + ", measured minus calibrated length",
+                                .unit = Unit::of("mm"),
+                                .group = "calibrated lengths"});
     }
 
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double> x) const override { return network::network_layout(setup_, x); }
+    bool sensitivities(std::span<const double> x, SensitivityRows& rows) const override {
+        return network::network_sensitivities(setup_, x, rows);
+    }
     std::vector<DataTable> evaluation() const override { return network::network_evaluation(setup_); }
 
     template <class Real>
@@ -75,8 +84,7 @@ private:
 void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Problems& problems) {
     std::vector<double> x;
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i) x.push_back(estimate_of(inputs, i));
-    std::vector<double> y(3 * setup.targets.size() + setup.distances.size() + setup.angles.size() +
-                          6 * setup.frames.size());
+    std::vector<double> y(setup.outputs());
     Outputs<double> out(y.data());
     const bool found = network::all_targets<double>(setup, Inputs<double>(x.data()), out) && out.finite();
     if (!found)
@@ -123,7 +131,8 @@ std::vector<ModelEquation> network_equations() {
             {"U_X = (MᵀW M)⁻¹", paper + "Eq 5: readings alone"},
             {"C_X = A (Σ_readings + F Fᵀ) Aᵀ,  A = (JᵀW J)⁻¹ JᵀW",
              "law of propagation with the stations, F: shared"},
-            {"min Σ w (reading − h(X))²", "non-linear least squares, Gauss-Newton method"}};
+            {"min Σ w (reading − h(X))²", "non-linear least squares, Gauss-Newton method"},
+            {"Δ = |X_b − X_a| − L", "a calibrated length as check; as constraint L is one more reading"}};
 }
 
 std::vector<std::string> network_notes() {
@@ -148,6 +157,11 @@ std::vector<std::string> network_notes() {
         "A distance without angles has no linear equation; the non-linear estimator uses it, from the "
         "nominal "
         "coordinates as start.",
+        "A calibrated length as a check is not used in the estimation: its difference is to be judged by its "
+        "uncertainty. As a constraint it carries its own uncertainty; a scale that the instruments share is "
+        "corrected by it.",
+        "With more than 600 readings in one set-up each target is estimated by itself, weighted with the "
+        "stations.",
         "Azimuths may be given with any number of whole turns."};
 }
 

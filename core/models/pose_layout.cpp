@@ -82,15 +82,13 @@ private:
     void add_instrument(const UncertaintyRule& rule) {
         if (!rule.asset || rule.asset->point_uncertainty()->axes() != PointUncertaintySource::Axes::world)
             return;
-        const Layout own = rule.asset->layout();
+        const Layout own = as_part(rule.asset->layout(), rule.asset_id);
         for (LayoutBody body : own.bodies) {
             if (own.bodies.size() == 1 && !rule.asset_name.empty()) body.name = rule.asset_name;
-            body.source = {};  // edited in the asset, not here
             layout_.bodies.push_back(std::move(body));
         }
         for (LayoutPoint point : own.points) {
             if (own.points.size() == 1 && !rule.asset_name.empty()) point.name = rule.asset_name;
-            point.source = {};
             layout_.points.push_back(std::move(point));
         }
         layout_.links.insert(layout_.links.end(), own.links.begin(), own.links.end());

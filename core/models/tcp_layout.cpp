@@ -32,7 +32,10 @@ private:
             if (k < 3) plate.outline_W.push_back(p_R);
         }
         layout_.bodies.push_back(std::move(plate));
-        layout_.frames.push_back({.name = "ballbars", .X_WF = X_RB_});
+        layout_.frames.push_back(
+            {.name = "ballbars",
+             .X_WF = X_RB_,
+             .source = {.path = "/placement", .draggable = true, .asset = setup_.instrument_id}});
     }
 
     LayoutSource flange_source() const {
@@ -78,7 +81,7 @@ private:
         LayoutPoint ball{.name = point.name, .kind = PointKind::ball, .p_W = X_RB_ * point.p_B};
         ball.outputs = {{out, out + 1, out + 2}};
         ball.R_WQ = X_RB_.linear();
-        ball.source = {point.source, setup_.task != Task::plan, X_RB_};
+        ball.source = {point.source, setup_.task == Task::points, X_RB_};
         layout_.points.push_back(std::move(ball));
         add_bars(point, point.name);
     }

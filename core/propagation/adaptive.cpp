@@ -131,8 +131,9 @@ std::vector<double> AdaptiveProcedure::tolerances(const Moments& all) const {
     std::vector<double> result;
     for (std::size_t i = 0; i < watched_.outputs.size(); ++i) {
         const double u = std::sqrt(all.variance(static_cast<Eigen::Index>(watched_.outputs[i])));
-        const double delta = options_.tolerance_for(watched_.units[i]).value_or(
-            numerical_tolerance(u, watched_.units[i], options_.significant_digits));
+        const double delta =
+            options_.tolerance_for(watched_.units[i])
+                .value_or(numerical_tolerance(u, watched_.units[i], options_.significant_digits));
         result.insert(result.end(), watched_.per_output(), delta);
     }
     if (watched_.several())

@@ -43,13 +43,13 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
 std::vector<BudgetRow> rows_of(const LawOfPropagation& law, Eigen::Index output) {
     std::vector<BudgetRow> rows;
     const double variance = law.covariance(output, output);
-    for (Eigen::Index c = 0; c < law.u.size(); ++c) {
-        if (law.sensitivity(output, c) == 0.0) continue;
+    for (const PropagationTerm& term : law.terms[static_cast<std::size_t>(output)]) {
+        if (term.sensitivity == 0.0) continue;
         BudgetRow row;
-        row.component = static_cast<std::size_t>(c);
-        row.sensitivity = law.sensitivity(output, c);
-        row.contribution = std::abs(law.contribution(output, c));
-        if (variance > 0) row.share = law.contribution(output, c) * law.correlated(output, c) / variance;
+        row.component = term.component;
+        row.sensitivity = term.sensitivity;
+        row.contribution = std::abs(term.contribution);
+        if (variance > 0) row.share = term.contribution * term.correlated / variance;
         rows.push_back(row);
     }
     std::stable_sort(rows.begin(), rows.end(), [](const BudgetRow& a, const BudgetRow& b) {

@@ -11,16 +11,20 @@ namespace {
 /// u of the outputs when the components for which `counts` is false are held.
 std::vector<double> first_order_of(const LawOfPropagation& law, const Correlations& correlations,
                                    const std::vector<bool>& counts) {
-    Eigen::MatrixXd part = law.contribution;
-    for (Eigen::Index c = 0; c < part.cols(); ++c)
-        if (!counts[static_cast<std::size_t>(c)]) part.col(c).setZero();
-    Eigen::VectorXd variance = part.rowwise().squaredNorm();
-    for (const ComponentCorrelation& r : correlations) {
-        const auto a = static_cast<Eigen::Index>(r.first), b = static_cast<Eigen::Index>(r.second);
-        variance += 2.0 * r.coefficient * part.col(a).cwiseProduct(part.col(b));
+    std::vector<double> u, part(counts.size(), 0.0);
+    for (const std::vector<PropagationTerm>& terms : law.terms) {
+        double variance = 0.0;
+        for (const PropagationTerm& term : terms) {
+            if (!counts[term.component]) continue;
+            part[term.component] = term.contribution;
+            variance += term.contribution * term.contribution;
+        }
+        for (const ComponentCorrelation& r : correlations)
+            variance += 2.0 * r.coefficient * part[r.first] * part[r.second];
+        for (const PropagationTerm& term : terms) part[term.component] = 0.0;
+        u.push_back(std::sqrt(std::max(0.0, variance)));
     }
-    const Eigen::VectorXd u = variance.cwiseMax(0.0).cwiseSqrt();
-    return {u.begin(), u.end()};
+    return u;
 }
 
 std::vector<bool> brought_in_by(const InputSet& inputs, const std::string& contributor, bool by_it) {

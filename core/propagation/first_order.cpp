@@ -1,6 +1,7 @@
 // Law of propagation of uncertainty.
 #include "core/propagation/first_order.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/math/special_quantiles.h"
@@ -10,7 +11,7 @@ namespace covaria::detail {
 namespace {
 
 Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagation& law,
-                                   Eigen::MatrixXd& jacobian) {
+                                   SensitivityRows& rows) {
     const std::span<const double> x(law.inputs.data(), static_cast<std::size_t>(law.inputs.size()));
     law.estimate.resize(static_cast<Eigen::Index>(model.outputs().size()));
     const std::span<double> y(law.estimate.data(), model.outputs().size());
@@ -18,11 +19,126 @@ Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagati
         return fail(ErrorCode::numeric,
                     "the measurement model has no value at the estimates of its input quantities: check the "
                     "nominal geometry and the values entered");
-    if (!model.jacobian(x, jacobian) || !jacobian.allFinite())
+    if (!model.sensitivities(x, rows))
         return fail(ErrorCode::numeric,
                     "the measurement model has no sensitivity coefficients at the estimates of its input "
                     "quantities: it is not differentiable there (singular geometry)");
     return {};
+}
+
+/// Numbers by component, of which only some are not zero.
+class Scratch {
+public:
+    explicit Scratch(std::size_t components) : values_(components, 0.0), used_(components, false) {}
+    double& operator[](std::size_t component) {
+        if (!used_[component]) touched_.push_back(component);
+        used_[component] = true;
+        return values_[component];
+    }
+    double value(std::size_t component) const { return values_[component]; }
+    /// Components that were written to, rising.
+    const std::vector<std::size_t>& touched() {
+        std::sort(touched_.begin(), touched_.end());
+        return touched_;
+    }
+    void clear() {
+        for (const std::size_t c : touched_) {
+            values_[c] = 0.0;
+            used_[c] = false;
+        }
+        touched_.clear();
+    }
+
+private:
+    std::vector<double> values_;
+    std::vector<bool> used_;
+    std::vector<std::size_t> touched_;
+};
+
+/// From sensitivities to input quantities to the terms of an output.
+class TermMaker {
+public:
+    TermMaker(const InputSet& inputs, const Correlations& correlations, const Eigen::VectorXd& u)
+        : inputs_(inputs),
+          u_(u),
+          partners_(inputs.components.size()),
+          sensitivity_(inputs.components.size()),
+          correlated_(inputs.components.size()) {
+        for (const ComponentCorrelation& r : correlations) {
+            partners_[r.first].push_back({r.second, r.coefficient});
+            partners_[r.second].push_back({r.first, r.coefficient});
+        }
+    }
+
+    std::vector<PropagationTerm> make(const std::vector<Sensitivity>& row) {
+        sensitivity_.clear();
+        correlated_.clear();
+        for (const Sensitivity& s : row)
+            for (const Share& share : inputs_.quantities[s.input].shares)
+                sensitivity_[share.component] += s.coefficient * share.factor;
+        for (const std::size_t c : sensitivity_.touched()) {
+            correlated_[c] += contribution(c);
+            for (const Partner& partner : partners_[c])
+                correlated_[partner.component] += partner.coefficient * contribution(c);
+        }
+        std::vector<PropagationTerm> terms;
+        for (const std::size_t c : correlated_.touched())
+            terms.push_back({c, sensitivity_.value(c), contribution(c), correlated_.value(c)});
+        return terms;
+    }
+
+private:
+    struct Partner {
+        std::size_t component;
+        double coefficient;
+    };
+    double contribution(std::size_t c) const {
+        return sensitivity_.value(c) * u_(static_cast<Eigen::Index>(c));
+    }
+
+    const InputSet& inputs_;
+    const Eigen::VectorXd& u_;
+    std::vector<std::vector<Partner>> partners_;
+    Scratch sensitivity_, correlated_;
+};
+
+constexpr std::size_t most_dense = 4'000'000;  // outputs x components of a matrix made without a thought
+constexpr std::size_t few_outputs = 64;        // that a component concerns, for sums without a matrix
+
+/// (c u) R (c u)^T. Of large models the components that concern few outputs are added one by one.
+Eigen::MatrixXd covariance_of(const LawOfPropagation& law) {
+    struct Entry {
+        Eigen::Index output;
+        double contribution, correlated;
+    };
+    const auto components = static_cast<std::size_t>(law.u.size());
+    const auto outputs = static_cast<Eigen::Index>(law.terms.size());
+    std::vector<std::vector<Entry>> columns(components);
+    for (Eigen::Index j = 0; j < outputs; ++j)
+        for (const PropagationTerm& t : law.terms[static_cast<std::size_t>(j)])
+            columns[t.component].push_back({j, t.contribution, t.correlated});
+    const bool all = law.terms.size() * components <= most_dense;
+    std::vector<std::size_t> dense;
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(outputs, outputs);
+    for (std::size_t c = 0; c < components; ++c) {
+        if (all || columns[c].size() > few_outputs) {
+            dense.push_back(c);
+            continue;
+        }
+        for (const Entry& a : columns[c])
+            for (const Entry& b : columns[c]) covariance(a.output, b.output) += a.correlated * b.contribution;
+    }
+    const auto width = static_cast<Eigen::Index>(dense.size());
+    Eigen::MatrixXd contribution = Eigen::MatrixXd::Zero(outputs, width), correlated = contribution;
+    for (Eigen::Index k = 0; k < width; ++k)
+        for (const Entry& entry : columns[dense[static_cast<std::size_t>(k)]]) {
+            contribution(entry.output, k) = entry.contribution;
+            correlated(entry.output, k) = entry.correlated;
+        }
+    covariance.noalias() += correlated * contribution.transpose();
+    covariance = 0.5 * (covariance + covariance.transpose()).eval();
+    covariance.diagonal() = covariance.diagonal().cwiseMax(0.0);
+    return covariance;
 }
 
 double degrees_of(const UncertaintyComponent& component) {
@@ -33,42 +149,55 @@ double degrees_of(const UncertaintyComponent& component) {
 /// variance; its degrees of freedom are those its members have in common, else their weighted harmonic mean.
 class WelchSatterthwaite {
 public:
-    WelchSatterthwaite(const InputSet& inputs, const Correlations& correlations) {
-        const std::size_t n = inputs.components.size();
-        std::vector<bool> in_set(n, false);
-        sets_ = correlated_sets(n, correlations);
-        for (const auto& set : sets_)
-            for (std::size_t c : set) in_set[c] = true;
-        for (std::size_t c = 0; c < n; ++c) {
+    WelchSatterthwaite(const InputSet& inputs, const Correlations& correlations)
+        : set_of_(inputs.components.size(), none) {
+        for (const auto& set : correlated_sets(inputs.components.size(), correlations)) {
+            for (const std::size_t c : set) set_of_[c] = sets_.size();
+            sets_.push_back({.correlated = true});
+        }
+        for (std::size_t c = 0; c < inputs.components.size(); ++c) {
             degrees_.push_back(degrees_of(inputs.components[c]));
-            if (!in_set[c]) sets_.push_back({c});
+            if (set_of_[c] != none) continue;
+            set_of_[c] = sets_.size();
+            sets_.push_back({});
         }
     }
 
     /// `approximate` is set when a correlated set contributes with finite degrees of freedom.
-    double effective(const LawOfPropagation& law, Eigen::Index output, bool& approximate) const {
-        const double variance = law.covariance(output, output);
+    double effective(const std::vector<PropagationTerm>& terms, double variance, bool& approximate) {
         if (!(variance > 0)) return infinity;
+        touched_.clear();
+        for (const PropagationTerm& term : terms) {
+            const double part = term.contribution * term.correlated;
+            Set& set = sets_[set_of_[term.component]];
+            if (!set.touched) touched_.push_back(set_of_[term.component]);
+            set.touched = true;
+            set.variance += part;
+            set.weight += std::abs(part);
+            set.weighted += std::abs(part) / degrees_[term.component];
+        }
         double sum = 0.0;
-        for (const auto& set : sets_) {
-            double set_variance = 0.0, weight = 0.0, weighted = 0.0;
-            for (std::size_t member : set) {
-                const auto c = static_cast<Eigen::Index>(member);
-                const double part = law.contribution(output, c) * law.correlated(output, c);
-                set_variance += part;
-                weight += std::abs(part);
-                weighted += std::abs(part) / degrees_[member];
+        for (const std::size_t index : touched_) {
+            Set& set = sets_[index];
+            if (set.weighted > 0) {
+                approximate = approximate || set.correlated;
+                const double relative = set.variance / variance;
+                sum += relative * relative * set.weighted / set.weight;
             }
-            if (!(weighted > 0)) continue;
-            approximate = approximate || set.size() > 1;
-            const double relative = set_variance / variance;
-            sum += relative * relative * weighted / weight;
+            set = {.correlated = set.correlated};
         }
         return sum > 0 ? 1.0 / sum : infinity;
     }
 
 private:
-    std::vector<std::vector<std::size_t>> sets_;
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    struct Set {
+        bool correlated = false, touched = false;
+        double variance = 0.0, weight = 0.0, weighted = 0.0;
+    };
+    std::vector<std::size_t> set_of_;
+    std::vector<Set> sets_;
+    std::vector<std::size_t> touched_;
     std::vector<double> degrees_;
 };
 
@@ -94,8 +223,8 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
     law.inputs.resize(quantities);
     for (Eigen::Index i = 0; i < quantities; ++i)
         law.inputs(i) = estimate_of(inputs, static_cast<std::size_t>(i));
-    Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(model.outputs().size()), quantities);
-    if (auto ok = evaluate_at_estimates(model, law, jacobian); !ok) return fail(ok.error());
+    SensitivityRows rows;
+    if (auto ok = evaluate_at_estimates(model, law, rows); !ok) return fail(ok.error());
 
     const auto components = static_cast<Eigen::Index>(inputs.components.size());
     law.u.resize(components);
@@ -103,23 +232,24 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
         const UncertaintyComponent& component = inputs.components[static_cast<std::size_t>(c)];
         law.u(c) = component.held ? 0.0 : component.distribution.standard_uncertainty();
     }
-    law.sensitivity = jacobian * factor_matrix(inputs);
-    law.contribution = law.sensitivity * law.u.asDiagonal();
-    law.correlated = law.contribution;
-    for (const ComponentCorrelation& r : correlations) {
-        const auto a = static_cast<Eigen::Index>(r.first), b = static_cast<Eigen::Index>(r.second);
-        law.correlated.col(a) += r.coefficient * law.contribution.col(b);
-        law.correlated.col(b) += r.coefficient * law.contribution.col(a);
-    }
-    const Eigen::MatrixXd product = law.correlated * law.contribution.transpose();
-    law.covariance = 0.5 * (product + product.transpose());
-    law.covariance.diagonal() = law.covariance.diagonal().cwiseMax(0.0);
+    TermMaker maker(inputs, correlations, law.u);
+    for (const std::vector<Sensitivity>& row : rows) law.terms.push_back(maker.make(row));
+    law.covariance = covariance_of(law);
 
-    const WelchSatterthwaite rule(inputs, correlations);
+    WelchSatterthwaite rule(inputs, correlations);
     law.degrees_of_freedom.resize(law.estimate.size());
     for (Eigen::Index j = 0; j < law.estimate.size(); ++j)
-        law.degrees_of_freedom(j) = rule.effective(law, j, law.degrees_of_freedom_approximate);
+        law.degrees_of_freedom(j) = rule.effective(law.terms[static_cast<std::size_t>(j)],
+                                                   law.covariance(j, j), law.degrees_of_freedom_approximate);
     return law;
+}
+
+Eigen::MatrixXd sensitivity_matrix(const LawOfPropagation& law) {
+    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(law.estimate.size(), law.u.size());
+    for (std::size_t j = 0; j < law.terms.size(); ++j)
+        for (const PropagationTerm& term : law.terms[j])
+            c(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(term.component)) = term.sensitivity;
+    return c;
 }
 
 double coverage_factor_of(double probability, double degrees_of_freedom) {

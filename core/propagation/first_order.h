@@ -12,14 +12,21 @@ namespace covaria::detail {
 
 using Correlations = std::vector<ComponentCorrelation>;
 
-struct LawOfPropagation {
-    Eigen::VectorXd inputs;        ///< estimates x
-    Eigen::VectorXd estimate;      ///< y = f(x)
-    Eigen::VectorXd u;             ///< standard uncertainties of the components, 0 when held
-    Eigen::MatrixXd sensitivity;   ///< c = dy/d epsilon (outputs x components)
-    Eigen::MatrixXd contribution;  ///< c u, with sign
+/// What one component of uncertainty does to one output.
+struct PropagationTerm {
+    std::size_t component = 0;
+    double sensitivity = 0.0;   ///< c = dy/d epsilon
+    double contribution = 0.0;  ///< c u, with sign
     /// sum_k r_jk c_k u_k: the share of component j is contribution * correlated / u^2(y).
-    Eigen::MatrixXd correlated;
+    double correlated = 0.0;
+};
+
+struct LawOfPropagation {
+    Eigen::VectorXd inputs;    ///< estimates x
+    Eigen::VectorXd estimate;  ///< y = f(x)
+    Eigen::VectorXd u;         ///< standard uncertainties of the components, 0 when held
+    /// [output]: by rising component; those without any effect are left out.
+    std::vector<std::vector<PropagationTerm>> terms;
     Eigen::MatrixXd covariance;  ///< U_y = (c u) R (c u)^T
     Eigen::VectorXd degrees_of_freedom;
     bool degrees_of_freedom_approximate = false;  ///< correlated components with finite degrees of freedom
@@ -29,6 +36,9 @@ struct LawOfPropagation {
 
 /// A (quantities x components): x = constant + A epsilon.
 Eigen::MatrixXd factor_matrix(const InputSet& inputs);
+
+/// c as a matrix (outputs x components).
+Eigen::MatrixXd sensitivity_matrix(const LawOfPropagation& law);
 
 /// Error{numeric}: the model has no value, or no finite derivatives, at the estimates.
 Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const InputSet& inputs,

@@ -7,6 +7,7 @@ namespace covaria::detail {
 namespace {
 
 constexpr double step_in_u = 0.1;
+constexpr std::size_t most_terms = 2'000'000;  // outputs x components
 
 /// c(epsilon) for component k displaced by `step`.
 Result<Eigen::MatrixXd> displaced_sensitivity(const MeasurementModel& model, const LawOfPropagation& law,
@@ -26,7 +27,9 @@ Result<Eigen::MatrixXd> displaced_sensitivity(const MeasurementModel& model, con
 Result<SecondOrder> second_order_terms(const MeasurementModel& model, const InputSet& inputs,
                                        const LawOfPropagation& law, const std::stop_token& stop) {
     SecondOrder terms{Eigen::VectorXd::Zero(law.estimate.size()), Eigen::VectorXd::Zero(law.estimate.size())};
-    const Eigen::MatrixXd factors = factor_matrix(inputs);
+    if (law.terms.size() * inputs.components.size() > most_terms)
+        return fail(ErrorCode::bad_input, "there are too many quantities for them");
+    const Eigen::MatrixXd factors = factor_matrix(inputs), sensitivity = sensitivity_matrix(law);
     const Eigen::RowVectorXd squares = law.u.array().square().matrix().transpose();
     for (Eigen::Index j = 0; j < law.u.size(); ++j) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "the evaluation was stopped");
@@ -36,8 +39,8 @@ Result<SecondOrder> second_order_terms(const MeasurementModel& model, const Inpu
         const auto below = displaced_sensitivity(model, law, factors, j, -step);
         if (!above || !below) return fail(above ? below.error() : above.error());
         const Eigen::MatrixXd first = (*above - *below) / (2.0 * step);
-        const Eigen::MatrixXd second = (*above - 2.0 * law.sensitivity + *below) / (step * step);
-        const Eigen::MatrixXd term = 0.5 * first.array().square() + law.sensitivity.array() * second.array();
+        const Eigen::MatrixXd second = (*above - 2.0 * sensitivity + *below) / (step * step);
+        const Eigen::MatrixXd term = 0.5 * first.array().square() + sensitivity.array() * second.array();
         terms.variance += term * squares.transpose() * squares(j);
         terms.shift += 0.5 * first.col(j) * squares(j);
     }

@@ -1,4 +1,6 @@
 // The law of propagation beside Monte Carlo (JCGM 101 clause 8), and the shape of the distributions.
+#include <algorithm>
+
 #include "core/report/report_parts.h"
 
 namespace covaria::report_parts {
@@ -7,6 +9,15 @@ namespace {
 std::string verdict_text(const FirstOrderOutput& first) {
     if (!first.validation) return "–";
     return first.validation->validated ? "validated" : "not validated";
+}
+
+/// Without the advice after the colon, which stands below the table.
+std::string distribution_text(const MonteCarloOutput& trials) {
+    return trials.normality.words.substr(0, trials.normality.words.find(':'));
+}
+
+bool has_advice(const OutputResult& output) {
+    return output.monte_carlo && output.monte_carlo->normality.words.find(':') != std::string::npos;
 }
 
 std::vector<TableCell> comparison_row(const OutputResult& output) {
@@ -26,7 +37,7 @@ std::vector<TableCell> comparison_row(const OutputResult& output) {
     else
         row.resize(row.size() + 3);
     row.insert(row.end(),
-               {TableCell(verdict_text(first)), trials.skewness, trials.kurtosis, trials.normality.words});
+               {TableCell(verdict_text(first)), trials.skewness, trials.kurtosis, distribution_text(trials)});
     return row;
 }
 
@@ -72,6 +83,9 @@ void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
         group = output.quantity.group;
         table.row(comparison_row(output));
     }
+    if (std::any_of(result.outputs.begin(), result.outputs.end(), has_advice))
+        table.note(
+            "Where a distribution is too skewed, heavy-tailed or flat for k u, state its coverage interval.");
     blocks.push_back(table.take());
 }
 

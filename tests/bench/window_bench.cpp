@@ -1,5 +1,6 @@
-// What a user waits for in the window, as a table: start, a live edit, turning the scene, memory. Run by
-// hand; the goals are those of ARCHITECTURE.md. usage: window_bench [start|edit|turn|memory ...]
+// What a user waits for in the window, as a table: start, a live edit, turning the scene, dragging an
+// instrument, memory. Run by hand; the goals are those of ARCHITECTURE.md.
+// usage: window_bench [start|edit|turn|drag|memory ...]
 #include <unistd.h>
 
 #include <QApplication>
@@ -25,6 +26,7 @@ namespace covaria::ui {
 namespace {
 
 const QString project_file = QStringLiteral(COVARIA_SOURCE_DIR "/projects/stewart-platform.covaria");
+const QString network_file = QStringLiteral(COVARIA_SOURCE_DIR "/projects/lsm-network.covaria");
 
 void row(const char* what, double value, const char* unit, const char* goal) {
     std::printf("%-58s %9.1f %-8s %s\n", what, value, unit, goal);
@@ -56,10 +58,10 @@ double median(std::vector<double> values) {
 }
 
 struct OpenWindow {
-    OpenWindow() : window(RecoveryStore(folder.path())) {
+    explicit OpenWindow(const QString& file = project_file) : window(RecoveryStore(folder.path())) {
         window.files().dialogs.save_changes = [](const QString&) { return SaveAnswer::discard; };
         window.show();
-        window.begin(project_file);
+        window.begin(file);
     }
     ~OpenWindow() { window.close(); }
     /// Forms filled, first-order results and a picture of the scene there.
@@ -147,6 +149,48 @@ void measure_turning() {
     row("turning 1e5 trials at 1280 x 800: pictures a second", pictures / seconds, "1/s", "goal 20");
 }
 
+/// How often in a second the ellipsoids follow while an instrument of the network is dragged.
+void measure_dragging() {
+    OpenWindow open(network_file);
+    const auto busy = [&] { return !open.status().result || open.window.scene().view().image().isNull(); };
+    while (busy()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    open.window.runner().wait_until_idle(60'000);
+    SceneView& view = open.window.scene().view();
+    view.set_view(StandardView::top);
+    QTest::qWait(500);
+    const std::string id = "body:C2";
+    const SceneItem* item = find_item(*view.scene(), id);
+    if (!item) return row("dragging a sensor: it is not in the scene", 0.0, "", "");
+    Pixel pixel;
+    view.service().post([&](SceneRenderer& renderer) { pixel = renderer.project(item->position); });
+    view.service().wait_until_idle();
+    view.select(QString::fromStdString(id));
+    int results = 0, places = 0;
+    Eigen::Vector3d place = item->position;
+    QObject::connect(&open.window.runner(), &AnalysisRunner::result_changed, &view,
+                     [&] { results += open.status().is_current() ? 1 : 0; });
+    QObject::connect(&view.service(), &RenderService::rendered, &view, [&] {
+        const SceneItem* now = view.scene() ? find_item(*view.scene(), id) : nullptr;
+        if (!now || now->position == place || view.scene()->ellipsoids.empty()) return;
+        place = now->position;
+        ++places;
+    });
+    QPoint at = (QPointF(pixel.x, pixel.y) / view.devicePixelRatioF()).toPoint();
+    QElapsedTimer clock;
+    clock.start();
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    for (int i = 0; clock.elapsed() < 5000; ++i) {
+        at.rx() += i % 60 < 30 ? 1 : -1;
+        QTest::mouseMove(&view, at);
+        QCoreApplication::processEvents();
+        QTest::qSleep(4);
+    }
+    const double seconds = double(clock.elapsed()) / 1000.0;
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+    row("dragging a sensor: first-order results a second", results / seconds, "1/s", "goal 20");
+    row("dragging a sensor: pictures of new places with ellipsoids", places / seconds, "1/s", "goal 20");
+}
+
 void measure_memory() {
     OpenWindow open;
     open.wait_usable();
@@ -180,6 +224,7 @@ int run(int argc, char** argv) {
     if (wants("start")) measure_start();
     if (wants("edit")) measure_edits();
     if (wants("turn")) measure_turning();
+    if (wants("drag")) measure_dragging();
     if (wants("memory")) measure_memory();
     return 0;
 }

@@ -76,7 +76,8 @@ public:
             small.compact_ = true;
             return small.make();
         }
-        if (map_) make_cells_square();
+        // Equal categories both ways: a correlation matrix. Other maps fill their area.
+        if (map_ && plot_.x.categories == plot_.y.categories) make_cells_square();
         add_marks();
         add_x_axis();
         add_y_axis();

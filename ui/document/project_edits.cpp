@@ -80,6 +80,15 @@ std::string add_asset(Document& document, const std::string& kind) {
     return id;
 }
 
+std::string add_copy(Document& document, const AssetEntry& asset) {
+    AssetEntry copy = asset;
+    copy.id = unique_id(document.project(), asset.id);
+    copy.name = unique_name(document.project(), asset.name);
+    document.apply(Document::tr("Add %1").arg(to_qt(asset.name)),
+                   [&](Project& project) { project.assets.push_back(copy); });
+    return copy.id;
+}
+
 std::string add_analysis(Document& document, const std::string& model) {
     const ModelDescriptor* descriptor = find_model(model);
     if (!descriptor) return {};

@@ -17,6 +17,8 @@ std::string unique_name(const Project& project, const std::string& wanted);
 
 /// Ids of the new entries; empty when the kind or model is not registered.
 std::string add_asset(Document& document, const std::string& kind);
+/// A copy of an asset of the library.
+std::string add_copy(Document& document, const AssetEntry& asset);
 std::string add_analysis(Document& document, const std::string& model);
 /// Id of the copy, which stands right after the original.
 std::string duplicate(Document& document, const SetupAddress& entry);

@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include "ui/document/strings.h"
+#include "ui/document/item_move.h"
 #include "ui/main_window/dock_title.h"
 #include "ui/main_window/export_actions.h"
 #include "ui/main_window/help_actions.h"
@@ -242,6 +243,7 @@ void MainWindow::connect_panes() {
     };
     connect(&files_, &FileActions::message, this, say);
     connect(exports_, &ExportActions::message, this, say);
+    connect(project_, &ProjectPane::message, this, say);
     connect(&document_, &Document::project_changed, this, &MainWindow::follow_document);
     connect(&problems_->problems(), &QAbstractItemModel::modelReset, this, &MainWindow::count_problems);
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
@@ -253,14 +255,20 @@ void MainWindow::connect_panes() {
     });
     connect(scene_, &ScenePanel::group_changed, &selection_, &Selection::select_group);
     connect(&selection_, &Selection::group_changed, scene_, &ScenePanel::show_group);
-    connect(scene_, &ScenePanel::source_picked, this, [this](const QString& field) {
-        if (!field.isEmpty()) selection_.select_entry({SetupOwner::analysis, to_std(scene_->analysis())});
+    connect(scene_, &ScenePanel::source_picked, this, [this](const QString& asset, const QString& field) {
+        if (!field.isEmpty()) selection_.select_entry(scene_->address_in(to_std(asset)));
         selection_.select_field(field);
     });
     connect(&selection_, &Selection::field_changed, scene_, [this](const QString& field) {
-        const bool of_scene = selection_.entry().owner == SetupOwner::analysis;
-        scene_->select_source(of_scene ? to_std(field) : std::string());
+        const SetupAddress& entry = selection_.entry();
+        scene_->select_source(entry.owner == SetupOwner::asset ? entry.id : std::string(), to_std(field));
     });
+    connect(&scene_->view(), &SceneView::item_dragged, this,
+            [this](const SceneItem& item, const Eigen::Vector3d& p_W, double step) {
+                move_item(document_, scene_->address_in(item.source.asset),
+                          {to_qt(item.name), item.source, p_W, step});
+            });
+    connect(&scene_->view(), &SceneView::drag_finished, &document_, &Document::end_merging);
     connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_study_in_scene);
     connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_study_in_scene);
     connect(&results_->study_tab(), &StudyTab::edit_wanted, this, [this] {

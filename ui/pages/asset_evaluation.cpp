@@ -2,44 +2,11 @@
 
 #include <QScrollBar>
 
-#include "core/base/symbol.h"
 #include "core/project/workspace.h"
-#include "core/report/number_format.h"
-#include "ui/document/strings.h"
+#include "ui/pages/data_table_html.h"
 
 namespace covaria::ui {
 namespace {
-
-QString head_of(const TableColumn& column) {
-    QString head =
-        column.is_symbol ? to_qt(symbol_to_html(column.header)) : to_qt(column.header).toHtmlEscaped();
-    if (!(column.unit == Unit())) head += QStringLiteral("<br>(%1)").arg(to_qt(column.unit.display()));
-    return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
-}
-
-/// Numbers with a true minus sign.
-QString shown(QString cell) {
-    if (cell.size() > 1 && cell[0] == QLatin1Char('-') && cell[1].isDigit()) cell[0] = QChar(0x2212);
-    return cell;
-}
-
-QString html_of(const DataTable& table) {
-    QString html = QStringLiteral("<h4>%1</h4><table cellpadding=\"3\" cellspacing=\"0\"><tr>")
-                       .arg(to_qt(table.title).toHtmlEscaped());
-    for (const TableColumn& column : table.columns) html += head_of(column);
-    html += QStringLiteral("</tr>");
-    for (const auto& row : table.rows) {
-        html += QStringLiteral("<tr>");
-        for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
-            html += QStringLiteral("<td align=\"right\">%1</td>")
-                        .arg(shown(to_qt(format_cell(row[i], table.columns[i]))).toHtmlEscaped());
-        html += QStringLiteral("</tr>");
-    }
-    html += QStringLiteral("</table>");
-    for (const std::string& note : table.notes)
-        html += QStringLiteral("<p>%1</p>").arg(to_qt(note).toHtmlEscaped());
-    return html;
-}
 
 /// The tables of one asset, or what is wrong with it.
 QString evaluation_html(const Project& project, const std::string& id) {
@@ -47,8 +14,7 @@ QString evaluation_html(const Project& project, const std::string& id) {
     const AssetLibrary assets = make_assets(project, problems);
     const AssetLibrary::Entry* entry = assets.find(id);
     if (!entry) return AssetEvaluation::tr("The asset has problems; they are listed below the scene.");
-    QString html;
-    for (const DataTable& table : entry->asset->evaluation()) html += html_of(table);
+    const QString html = html_of(entry->asset->evaluation());
     return html.isEmpty()
                ? AssetEvaluation::tr("This asset is used as it is specified; nothing is evaluated.")
                : html;

@@ -7,9 +7,11 @@
 
 #include "core/assets/registry.h"
 #include "core/models/registry.h"
+#include "core/project/library.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/strings.h"
 #include "ui/pages/entry_delegate.h"
+#include "ui/pages/library_menu.h"
 #include "ui/theme/icons.h"
 
 namespace covaria::ui {
@@ -61,6 +63,8 @@ QMenu* ProjectPane::make_add_menu(QWidget* parent) {
     menu->addSeparator();
     for (const AssetDescriptor& asset : asset_registry())
         menu->addAction(to_qt(asset.title), this, [this, kind = asset.kind] { add_asset(kind); });
+    menu->addSeparator();
+    menu->addMenu(new LibraryMenu(document_, selection_, menu));
     return menu;
 }
 
@@ -90,6 +94,14 @@ void ProjectPane::delete_selected() {
     remove(document_, address);
 }
 
+void ProjectPane::keep_in_library(const SetupAddress& address) {
+    const AssetEntry* asset = document_.project().find_asset(address.id);
+    if (!asset) return;
+    const Result<void> kept = add_to_own_library(*asset);
+    emit message(kept ? tr("“%1” is in your library now (Add > From the Library)").arg(to_qt(asset->name))
+                      : to_qt(kept.error().message));
+}
+
 void ProjectPane::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
     QTreeView::currentChanged(current, previous);
     const SetupAddress address = model_.address(current);
@@ -114,6 +126,8 @@ void ProjectPane::contextMenuEvent(QContextMenuEvent* event) {
     if (address.owner == SetupOwner::analysis && !address.id.empty())
         menu.addAction(icon(QStringLiteral("run")), tr("Run"), this,
                        [this, address] { runner_.run(to_qt(address.id)); });
+    if (address.owner == SetupOwner::asset && !address.id.empty())
+        menu.addAction(tr("Keep in My Library"), this, [this, address] { keep_in_library(address); });
     menu.addSeparator();
     menu.addActions({duplicate_action, rename_action, delete_action});
     menu.exec(event->globalPos());

@@ -30,6 +30,12 @@ public:
     void add_analysis(const std::string& model);
     void duplicate_selected();
     void delete_selected();
+    /// Copies an asset into the user's library.
+    void keep_in_library(const SetupAddress& address);
+
+signals:
+    /// Something to be told in passing.
+    void message(const QString& text);
 
 protected:
     void contextMenuEvent(QContextMenuEvent* event) override;

@@ -14,6 +14,7 @@
 #include "core/report/plots.h"
 #include "ui/charts/chart_view.h"
 #include "ui/document/strings.h"
+#include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/study_tab.h"
@@ -46,6 +47,10 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     tabs_->addTab(make_distributions_tab(), tr("Distributions"));
     tabs_->addTab(make_correlation_tab(), tr("Correlation"));
     tabs_->addTab(make_convergence_tab(), tr("Convergence"));
+    auto* evaluation = new EvaluationTab(runner, selection);
+    tabs_->setTabVisible(tabs_->addTab(evaluation, tr("Evaluation")), false);
+    connect(evaluation, &EvaluationTab::filled, tabs_,
+            [this, evaluation](bool any) { tabs_->setTabVisible(tabs_->indexOf(evaluation), any); });
     study_ = new StudyTab(document, runner, selection);
     tabs_->addTab(study_, tr("Study"));
     report_ = new ReportPreview(document, runner);

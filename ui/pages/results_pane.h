@@ -1,5 +1,5 @@
 // The results of the analysis being looked at, in tabs: results, budget, distributions, correlation,
-// convergence, report.
+// convergence, evaluation, study, report.
 #pragma once
 
 #include <QTabWidget>

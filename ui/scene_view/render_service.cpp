@@ -87,7 +87,7 @@ void RenderService::do_jobs(std::vector<Job> jobs) {
 
 void RenderService::render(RenderQuality quality) {
     if (const auto image = renderer_.render(quality))
-        emit rendered(to_qimage(*image));
+        emit rendered(to_qimage(*image), renderer_.camera());
     else
         emit failed(QString::fromStdString(image.error().message));
     const std::lock_guard lock(mutex_);

@@ -37,7 +37,7 @@ public:
     void wait_until_idle();
 
 signals:
-    void rendered(const QImage& image);
+    void rendered(const QImage& image, const covaria::Camera& camera);
     void picked(const QString& item_id);
     void picture_made(const QImage& image);
     void failed(const QString& message);

@@ -236,19 +236,30 @@ void ScenePanel::describe_item(const QString& id) {
 void ScenePanel::take_pick(const QString& id) {
     describe_item(id);
     const SceneItem* item = view_->scene() ? find_item(*view_->scene(), to_std(id)) : nullptr;
-    emit source_picked(item ? to_qt(item->source.path) : QString());
+    emit source_picked(item ? to_qt(item->source.asset) : QString(),
+                       item ? to_qt(item->source.path) : QString());
 }
 
-void ScenePanel::select_source(const std::string& path) {
+bool ScenePanel::is_selected_source(const SceneItem& item) const {
+    return item.source.path == source_ && item.source.asset == source_asset_;
+}
+
+void ScenePanel::select_source(const std::string& asset, const std::string& path) {
+    source_asset_ = asset;
     source_ = path;
     if (show_source()) return;
-    const auto group = groups_.find(path);
+    const auto group = asset.empty() ? groups_.find(path) : groups_.end();
     if (group != groups_.end() && to_qt(group->second) != this->group())
         return show_group(to_qt(group->second));
     // What is selected stays so where it comes from nowhere, too: a plate, say.
     const SceneItem* selected =
         view_->scene() ? find_item(*view_->scene(), to_std(view_->selected())) : nullptr;
-    if (!selected || selected->source.path != path) show_item({});
+    if (!selected || !is_selected_source(*selected)) show_item({});
+}
+
+SetupAddress ScenePanel::address_in(const std::string& asset) const {
+    return asset.empty() ? SetupAddress{SetupOwner::analysis, to_std(analysis_)}
+                         : SetupAddress{SetupOwner::asset, asset};
 }
 
 /// Marks an item of the selected field; false when the scene has none.
@@ -256,9 +267,9 @@ bool ScenePanel::show_source() {
     const Scene* scene = view_->scene();
     if (!scene || source_.empty()) return false;
     const SceneItem* selected = find_item(*scene, to_std(view_->selected()));
-    const SceneItem* shown = selected && selected->source.path == source_ ? selected : nullptr;
+    const SceneItem* shown = selected && is_selected_source(*selected) ? selected : nullptr;
     for (const ScenePoint& point : scene->points)
-        if (!shown && point.item.source.path == source_) shown = &point.item;
+        if (!shown && is_selected_source(point.item)) shown = &point.item;
     if (shown) show_item(to_qt(shown->id));
     return shown != nullptr;
 }

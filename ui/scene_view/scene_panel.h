@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "ui/document/setup_address.h"
 #include "ui/run/analysis_runner.h"
 #include "ui/run/job_queue.h"
 #include "ui/scene_view/scene_view.h"
@@ -35,16 +36,21 @@ public:
     /// The map of a study in place of the analysis' result; null: the result again.
     void show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted);
 
-    /// Marks the item that comes from a set-up field (JSON pointer relative to the set-up), or none.
-    void select_source(const std::string& path);
+    /// Marks the item that comes from a field (JSON pointer relative to the set-up) of an asset (empty: of
+    /// the analysis), or none.
+    void select_source(const std::string& asset, const std::string& path);
+
+    /// The entry in whose set-up the shown layout is written.
+    SetupAddress address_in(const std::string& asset) const;
 
     SceneView& view() { return *view_; }
     bool is_building() const { return building_ > 0; }
 
 signals:
     void group_changed(const QString& group);
-    /// The user picked an item: where its position is written (empty: nowhere), relative to the set-up.
-    void source_picked(const QString& path);
+    /// The user picked an item: where its position is written (empty: nowhere), relative to the set-up of an
+    /// asset (empty: of the analysis).
+    void source_picked(const QString& asset, const QString& path);
 
 private:
     void make_toolbar();
@@ -55,6 +61,7 @@ private:
     void take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene);
     void show_item(const QString& id);
     bool show_source();
+    bool is_selected_source(const SceneItem& item) const;
     void describe_item(const QString& id);
     void take_pick(const QString& id);
     SceneOptions options() const;
@@ -63,7 +70,7 @@ private:
     QString analysis_;
     std::shared_ptr<const StudyResult> study_;
     StudySceneOptions study_options_;
-    std::string source_;                         ///< the selected set-up field
+    std::string source_asset_, source_;          ///< the selected set-up field
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;
     QToolBar* toolbar_ = nullptr;

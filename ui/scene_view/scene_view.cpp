@@ -14,6 +14,7 @@ namespace covaria::ui {
 namespace {
 
 constexpr double pixels_per_key = 30.0;
+constexpr double reach_of_pointer = 14.0;  // pixels around a selected item in which it can be grasped
 constexpr double zoom_per_key = 1.15;
 constexpr QSize saved_picture_size(2560, 1600);
 
@@ -52,11 +53,14 @@ QPointF orbit_of_key(int key) {
 SceneView::SceneView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
     setAccessibleName(tr("3D scene"));
     setAccessibleDescription(
-        tr("Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views"));
-    connect(&service_, &RenderService::rendered, this, [this](const QImage& image) {
+        tr("Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected "
+           "point or instrument can be dragged to another place"));
+    connect(&service_, &RenderService::rendered, this, [this](const QImage& image, const Camera& camera) {
         image_ = image;
+        camera_ = camera;
         failure_.clear();
         update();
     });
@@ -164,14 +168,40 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
     pressed_at_ = last_at_ = event->position();
     button_ = event->button();
     dragged_ = false;
+    const SceneItem* item = button_ == Qt::LeftButton ? movable_at(event->position()) : nullptr;
+    if (!item) return;
+    moved_ = *item;
+    const Pixel at = project(camera_, picture_size(), item->position);
+    grip_ = QPointF(at.x, at.y) - event->position() * devicePixelRatioF();
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    if (!pressed_at_) return;
+    if (!pressed_at_) return setCursor(movable_at(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     if (!dragged_ && (event->position() - *pressed_at_).manhattanLength() < 4) return;
     dragged_ = true;
+    if (moved_) return move_item_to(event->position());
     drag_by(event->position() - last_at_);
     last_at_ = event->position();
+}
+
+PictureSize SceneView::picture_size() const {
+    return {image_.width(), image_.height()};
+}
+
+const SceneItem* SceneView::movable_at(QPointF position) const {
+    const SceneItem* item =
+        scene_ && !image_.isNull() ? find_item(*scene_, selected_.toStdString()) : nullptr;
+    if (!item || !item->source.draggable) return nullptr;
+    const Pixel at = project(camera_, picture_size(), item->position);
+    const QPointF away = position * devicePixelRatioF() - QPointF(at.x, at.y);
+    return std::hypot(away.x(), away.y()) < reach_of_pointer * devicePixelRatioF() ? item : nullptr;
+}
+
+void SceneView::move_item_to(QPointF position) {
+    const QPointF at = position * devicePixelRatioF() + grip_;
+    const PictureSize size = picture_size();
+    emit item_dragged(*moved_, world_at(camera_, size, {at.x(), at.y()}, moved_->position),
+                      metres_per_pixel(camera_, size));
 }
 
 void SceneView::drag_by(QPointF delta) {
@@ -193,6 +223,8 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         const QPointF at = event->position() * devicePixelRatioF();
         service_.pick(at.x(), at.y());
     }
+    if (moved_ && dragged_) emit drag_finished();
+    moved_.reset();
     pressed_at_.reset();
     button_ = Qt::NoButton;
 }

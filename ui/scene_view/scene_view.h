@@ -11,7 +11,8 @@
 namespace covaria::ui {
 
 /// Left drag orbits, middle or Shift+left drag pans, wheel or right drag zooms, click selects, double click
-/// fits. Keys: arrows orbit, plus and minus zoom, F fits, 1 iso, 2 top, 3 front, 4 right.
+/// fits. A selected item whose position is written in the project is moved by dragging it, in the plane of
+/// the picture. Keys: arrows orbit, plus and minus zoom, F fits, 1 iso, 2 top, 3 front, 4 right.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -43,6 +44,9 @@ signals:
     /// The user clicked on an item (empty: on nothing).
     void item_picked(const QString& item_id);
     void picture_saved(const QString& file, const QString& problem);
+    /// The user drags an item (as it was when the drag began) to a point of W, known to about `step` m.
+    void item_dragged(const covaria::SceneItem& item, const Eigen::Vector3d& p_W, double step);
+    void drag_finished();
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -58,6 +62,10 @@ protected:
 private:
     void send_size();
     void drag_by(QPointF delta);
+    /// The selected item, if it can be moved and is under the pointer.
+    const SceneItem* movable_at(QPointF position) const;
+    void move_item_to(QPointF position);
+    PictureSize picture_size() const;
     void post_moving(RenderService::Step step) { service_.post(std::move(step), RenderQuality::moving); }
     /// Pan and zoom: from then on the user decides what is in the picture.
     void post_framing(RenderService::Step step);
@@ -65,6 +73,7 @@ private:
 
     std::shared_ptr<const Scene> scene_;
     QImage image_;
+    Camera camera_;  ///< of the image
     QString selected_;
     QString empty_text_;
     QString failure_;
@@ -73,6 +82,8 @@ private:
     QPointF last_at_;
     Qt::MouseButton button_ = Qt::NoButton;
     bool dragged_ = false;
+    std::optional<SceneItem> moved_;  ///< being dragged: as it was
+    QPointF grip_;                    ///< from the pointer to its middle, device pixels
     bool framed_ = true;  ///< everything is in the picture, and stays so when the pane changes its size
     RenderService service_;
 };

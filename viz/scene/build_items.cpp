@@ -95,6 +95,17 @@ void add_points(SceneBuild& build) {
     }
 }
 
+/// The axes in which an instrument reads; its name is on the glyph already.
+void add_instrument_axes(SceneBuild& build, const LayoutBody& body) {
+    SceneFrame& added = build.scene.frames.emplace_back();
+    added.item.id = build.unique_id("axes", body.name);
+    added.item.group = body.group;
+    added.item.position = body.X_WB.translation();
+    added.item.source = body.source;
+    added.R_WF = body.X_WB.linear();
+    added.length = glyph_size * build.scene.size;
+}
+
 void add_bodies(SceneBuild& build) {
     for (const LayoutBody& body : build.source.layout->bodies) {
         if (!build.shows(body.group)) continue;
@@ -122,6 +133,7 @@ void add_bodies(SceneBuild& build) {
                 added.item.position += corner / static_cast<double>(body.outline_W.size());
         }
         build.scene.bodies.push_back(std::move(added));
+        if (body.kind == BodyKind::instrument) add_instrument_axes(build, body);
     }
 }
 

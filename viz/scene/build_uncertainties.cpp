@@ -9,7 +9,11 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double largest_axis = 0.08;  // of the scene's size, for the automatic magnification
+// For the automatic magnification:
+constexpr double largest_axis = 0.08;      // of the scene's size
+constexpr double same_place = 0.01;        // of the scene's size: points that cannot be told apart anyway
+constexpr double room_to_neighbour = 0.7;  // of the distance
+constexpr double most_reduction = 10.0;    // below which ellipsoids would hardly be seen
 
 /// The points with an ellipsoid, with the item that `add_points` made for each.
 struct UncertainPoint {
@@ -35,10 +39,25 @@ std::vector<UncertainPoint> uncertain_points(const SceneBuild& build) {
     return found;
 }
 
+/// Magnification at which no ellipsoid reaches much beyond half of the way to its neighbour.
+double magnification_with_room(const std::vector<UncertainPoint>& points, double size) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const UncertainPoint& p : points) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const UncertainPoint& other : points) {
+            const double distance = (other.drawn->item.position - p.drawn->item.position).norm();
+            if (distance > same_place * size) nearest = std::min(nearest, distance);
+        }
+        least = std::min(least, room_to_neighbour * nearest / p.ellipsoid.axes.col(0).norm());
+    }
+    return least;
+}
+
 double automatic_magnification(const std::vector<UncertainPoint>& points, double size) {
     double largest = 0.0;
     for (const UncertainPoint& p : points) largest = std::max(largest, p.ellipsoid.axes.col(0).norm());
-    const double wanted = largest > 0 ? largest_axis * size / largest : 1.0;
+    double wanted = largest > 0 ? largest_axis * size / largest : 1.0;
+    wanted = std::max(wanted / most_reduction, std::min(wanted, magnification_with_room(points, size)));
     return std::isfinite(wanted) && wanted > 0 ? nearest_round_number(wanted) : 1.0;
 }
 

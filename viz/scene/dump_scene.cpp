@@ -57,7 +57,8 @@ void put_item(std::ostream& out, const SceneItem& item) {
     if (item.u) out << " u " << mm(*item.u);
     if (item.U) out << " U " << mm(*item.U);
     if (!item.source.path.empty())
-        out << " from " << item.source.path << (item.source.draggable ? " draggable" : "");
+        out << " from " << item.source.asset << item.source.path
+            << (item.source.draggable ? " draggable" : "");
 }
 
 Eigen::Vector3d spread(const SceneCloud& cloud) {

@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/assets/registry.h"
 #include "core/base/resource_path.h"
 #include "core/models/registry.h"
 #include "core/project/project_file.h"
@@ -32,6 +33,7 @@ std::filesystem::path example_of(const ModelDescriptor& d) {
 }
 
 struct Analysis {
+    Project project;
     AnalysisEntry entry;
     std::shared_ptr<const PreparedAnalysis> prepared;
     const MeasurementModel& model() const { return *prepared->model; }
@@ -49,7 +51,7 @@ std::vector<Analysis> analyses_of(const ModelDescriptor& d) {
     for (const AnalysisEntry& entry : loaded.project.analyses) {
         if (entry.model != d.id) continue;
         auto prepared = prepare_analysis(loaded.project, entry.id, assets, problems);
-        if (prepared) all.push_back({entry, prepared});
+        if (prepared) all.push_back({loaded.project, entry, prepared});
     }
     for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message;
     EXPECT_FALSE(all.empty()) << d.example << " has no analysis with " << d.id;
@@ -194,7 +196,8 @@ TEST_P(Contract, ABlockAllocatesNothing) {
         const std::size_t before = allocations_of_this_thread();
         a.model().evaluate_block(block.view());
         EXPECT_EQ(allocations_of_this_thread(), before);
-        void* (*volatile allocate)(std::size_t) = std::malloc;  // volatile: the optimiser may not elide the pair
+        void* (*volatile allocate)(std::size_t) =
+            std::malloc;  // volatile: the optimiser may not elide the pair
         std::free(allocate(1));
         EXPECT_GT(allocations_of_this_thread(), before) << "the counter does not count";
     }
@@ -210,6 +213,23 @@ TEST_P(Contract, JacobianEqualsCentralDifferences) {
             const double scale = exact.row(j).cwiseAbs().maxCoeff();
             EXPECT_GT(scale, 0.0) << "no input has an influence";
             EXPECT_LT((exact.row(j) - differences.row(j)).cwiseAbs().maxCoeff(), 1e-7 * scale);
+        }
+    }
+}
+
+TEST_P(Contract, SensitivitiesAreTheJacobianWithoutItsZeros) {
+    for (const Analysis& a : analyses_of(descriptor())) {
+        const std::vector<double> x = estimates(a.inputs());
+        Eigen::MatrixXd exact;
+        SensitivityRows rows;
+        ASSERT_TRUE(a.model().jacobian(x, exact));
+        ASSERT_TRUE(a.model().sensitivities(x, rows));
+        ASSERT_EQ(rows.size(), a.model().outputs().size());
+        for (std::size_t j = 0; j < rows.size(); ++j) {
+            Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(exact.cols());
+            for (const Sensitivity& s : rows[j]) row[static_cast<Eigen::Index>(s.input)] += s.coefficient;
+            const auto of_matrix = exact.row(static_cast<Eigen::Index>(j));
+            EXPECT_LE((row - of_matrix).cwiseAbs().maxCoeff(), 1e-9 * of_matrix.cwiseAbs().maxCoeff());
         }
     }
 }
@@ -239,14 +259,17 @@ TEST_P(Contract, ZeroUncertaintyGivesZero) {
     }
 }
 
-// "/poses/rows/3" must be a field of the set-up, and the row must be there.
-void expect_source_exists(const std::string& path, const Analysis& a) {
+// "/poses/rows/3" must be a field of the set-up, or of that of an asset, and the row must be there.
+void expect_source_exists(const std::string& path, const Analysis& a, const std::string& asset = {}) {
     if (path.empty()) return;
+    const AssetEntry* entry = a.project.find_asset(asset);
+    ASSERT_TRUE(asset.empty() || entry) << asset;
+    const SetupSchema& schema = entry ? find_asset_kind(entry->kind)->schema : a.prepared->descriptor->schema;
     const std::string key = path.substr(1, path.find('/', 1) - 1);
-    ASSERT_NE(a.prepared->descriptor->schema.find(key), nullptr) << path;
+    ASSERT_NE(schema.find(key), nullptr) << path;
     const std::size_t rows = path.find("/rows/");
     if (rows == std::string::npos) return;
-    const SetupReader setup(a.prepared->descriptor->schema, a.entry.setup);
+    const SetupReader setup(schema, entry ? entry->setup : a.entry.setup);
     EXPECT_LT(std::stoul(path.substr(rows + 6)), setup.rows(key)) << path;
 }
 
@@ -260,7 +283,7 @@ TEST_P(Contract, LayoutRefersToWhatExists) {
         for (const LayoutPoint& p : layout.points) {
             EXPECT_TRUE(p.p_W.allFinite()) << p.name;
             EXPECT_TRUE(groups.contains(p.group)) << p.group;
-            expect_source_exists(p.source.path, a);
+            expect_source_exists(p.source.path, a, p.source.asset);
             for (std::size_t i : p.inputs.value_or(std::array<std::size_t, 3>{}))
                 EXPECT_LT(i, a.inputs().quantities.size());
             if (!p.outputs) continue;
@@ -273,9 +296,12 @@ TEST_P(Contract, LayoutRefersToWhatExists) {
             EXPECT_TRUE(groups.contains(f.group));
             EXPECT_LT((f.X_WF.linear().transpose() * f.X_WF.linear() - Eigen::Matrix3d::Identity()).norm(),
                       1e-12);
-            expect_source_exists(f.source.path, a);
+            expect_source_exists(f.source.path, a, f.source.asset);
         }
-        for (const LayoutBody& b : layout.bodies) EXPECT_TRUE(groups.contains(b.group));
+        for (const LayoutBody& b : layout.bodies) {
+            EXPECT_TRUE(groups.contains(b.group));
+            expect_source_exists(b.source.path, a, b.source.asset);
+        }
         for (const LayoutLink& l : layout.links) EXPECT_TRUE(groups.contains(l.group));
     }
 }

@@ -107,7 +107,7 @@ const BadInput bad_inputs[] = {
     {"SeedTooLarge", "\"seed\": \"18446744073709551615\"", "\"seed\": \"18446744073709551616\"", "'seed' must be a whole number from 0 to", "/analyses/0/options/seed", 74},
     {"FractionOfATrial", "\"trials\": 200000", "\"trials\": 0.5", "'trials' must be a whole number", "/analyses/0/options/trials", 73},
     {"CertainCoverage", "\"coverageProbability\": 0.99", "\"coverageProbability\": 1", "coverage probability", "/analyses/0/options/coverageProbability", 75},
-    {"NegativeTolerance", "\"tolerance\": 1e-09", "\"tolerance\": -1", "tolerance", "/analyses/0/options/tolerance", 80},
+    {"NegativeTolerance", "\"tolerance\": 1e-07", "\"tolerance\": -1", "tolerance", "/analyses/0/options/tolerance", 80},
     {"UnknownOption", "\"secondOrder\"", "\"secondorder\"", "there is no 'secondorder' in 'options' (did you mean 'secondOrder'?)", "/analyses/0/options/secondorder", 77},
     {"UnknownOutput", "\"symbol\": \"z\"", "\"symbol\": \"zz\"", "the model has no output quantity 'zz' in 'lengths'", "/analyses/0/requirements/1", 86},
     {"TargetInForce", "{\"value\": 0.05, \"unit\": \"mm\"}", "{\"value\": 0.05, \"unit\": \"N\"}", "is a length; '0.05 N' is a force", "/analyses/0/requirements/0/targetUncertainty", 85},

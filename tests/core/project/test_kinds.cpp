@@ -232,7 +232,7 @@ const char* const whole_project = R"json({
         "secondOrder": true,
         "oneAtATimeTrials": 1000,
         "significantDigits": 1,
-        "tolerance": 1e-09,
+        "tolerance": 1e-07,
         "minimumBatches": 20,
         "maximumTrials": 50000000
       },

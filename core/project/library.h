@@ -1,0 +1,37 @@
+// The library of assets: instruments, robots ... with figures from data sheets, to be copied into projects.
+//
+// A library file is a project without analyses; its title names the collection. Users add their own files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+
+namespace covaria {
+
+struct LibraryItem {
+    AssetEntry asset;        ///< its notes say where the figures come from
+    std::string collection;  ///< title of its file: "Laser trackers"
+    bool own = false;        ///< from the user's folder
+};
+
+struct Library {
+    std::vector<LibraryItem> items;  ///< shipped ones first, files by name
+    Problems problems;               ///< of files that could not be read
+};
+
+/// $COVARIA_LIBRARY_DIR, else covaria/library in $XDG_DATA_HOME or ~/.local/share.
+std::filesystem::path own_library_folder();
+
+/// Everything shipped with the program and in the user's folder. Assets that refer to other assets are left
+/// out: they cannot be copied alone.
+Library load_library();
+
+/// Writes the asset into the user's collection "My library", in place of one of the same kind and name.
+/// Error: it refers to other assets, or the file cannot be read or written.
+Result<void> add_to_own_library(const AssetEntry& asset);
+
+}  // namespace covaria

@@ -1,0 +1,20 @@
+#include "ui/document/item_move.h"
+
+#include "core/model/position_edit.h"
+
+namespace covaria::ui {
+
+bool move_item(Document& document, const SetupAddress& entry, const ItemMove& move) {
+    const Eigen::Vector3d p_S = move.source.X_WS.inverse() * move.p_W;
+    const std::string& path = move.source.path;
+    return document.apply(
+        QObject::tr("Move %1").arg(move.name),
+        [&](Project& project) {
+            Setup* setup = find_setup(project, entry);
+            const SetupSchema* schema = find_schema(project, entry);
+            if (setup && schema) write_position(*schema, *setup, path, p_S, move.step);
+        },
+        QStringLiteral("move:%1%2").arg(QString::fromStdString(entry.id), QString::fromStdString(path)));
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,23 @@
+// Positions changed by dragging things in a picture.
+#pragma once
+
+#include <QString>
+
+#include "core/model/layout.h"
+#include "ui/document/document.h"
+#include "ui/document/setup_address.h"
+
+namespace covaria::ui {
+
+struct ItemMove {
+    QString name;         ///< of the thing, for the undo list
+    LayoutSource source;  ///< where its position is written
+    Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
+    double step = 1e-3;  ///< to which the position is meant, m
+};
+
+/// Moves of one thing that follow each other merge into one undo step, until `Document::end_merging`.
+/// False where the entry has no such position or it stays where it was.
+bool move_item(Document& document, const SetupAddress& entry, const ItemMove& move);
+
+}  // namespace covaria::ui

@@ -1,0 +1,57 @@
+#include "ui/pages/data_table_html.h"
+
+#include <QObject>
+
+#include "core/base/symbol.h"
+#include "core/report/number_format.h"
+#include "ui/document/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+constexpr std::size_t most_rows = 300;
+
+QString head_of(const TableColumn& column) {
+    QString head =
+        column.is_symbol ? to_qt(symbol_to_html(column.header)) : to_qt(column.header).toHtmlEscaped();
+    if (!(column.unit == Unit())) head += QStringLiteral("<br>(%1)").arg(to_qt(column.unit.display()));
+    return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
+}
+
+/// Numbers with a true minus sign.
+QString shown(QString cell) {
+    if (cell.size() > 1 && cell[0] == QLatin1Char('-') && cell[1].isDigit()) cell[0] = QChar(0x2212);
+    return cell;
+}
+
+QString html_of(const DataTable& table) {
+    QString html = QStringLiteral("<h4>%1</h4><table cellpadding=\"3\" cellspacing=\"0\"><tr>")
+                       .arg(to_qt(table.title).toHtmlEscaped());
+    for (const TableColumn& column : table.columns) html += head_of(column);
+    html += QStringLiteral("</tr>");
+    for (std::size_t r = 0; r < std::min(table.rows.size(), most_rows); ++r) {
+        const auto& row = table.rows[r];
+        html += QStringLiteral("<tr>");
+        for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
+            html += QStringLiteral("<td align=\"right\">%1</td>")
+                        .arg(shown(to_qt(format_cell(row[i], table.columns[i]))).toHtmlEscaped());
+        html += QStringLiteral("</tr>");
+    }
+    html += QStringLiteral("</table>");
+    if (table.rows.size() > most_rows)
+        html += QObject::tr("<p>%1 more rows; the exported table has all of them.</p>")
+                    .arg(table.rows.size() - most_rows);
+    for (const std::string& note : table.notes)
+        html += QStringLiteral("<p>%1</p>").arg(to_qt(note).toHtmlEscaped());
+    return html;
+}
+
+}  // namespace
+
+QString html_of(const std::vector<DataTable>& tables) {
+    QString html;
+    for (const DataTable& table : tables) html += html_of(table);
+    return html;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,42 @@
+#include "ui/pages/evaluation_tab.h"
+
+#include <QScrollBar>
+
+#include "ui/pages/data_table_html.h"
+
+namespace covaria::ui {
+
+EvaluationTab::EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidget* parent)
+    : QTextBrowser(parent), runner_(runner), selection_(selection), jobs_(this, Execution::threads) {
+    setFrameShape(QFrame::NoFrame);
+    document()->setDocumentMargin(10);
+    setAccessibleName(tr("Evaluation of the set-up"));
+    const auto take = [this](const QString& id) {
+        if (id == selection_.analysis()) refresh();
+    };
+    connect(&runner_, &AnalysisRunner::state_changed, this, take);
+    connect(&runner_, &AnalysisRunner::result_changed, this, take);
+    connect(&selection_, &Selection::analysis_changed, this, &EvaluationTab::refresh);
+}
+
+void EvaluationTab::refresh() {
+    const auto prepared = runner_.status(selection_.analysis()).prepared;
+    if (prepared == shown_) return;
+    shown_ = prepared;
+    if (!prepared) {
+        clear();
+        return emit filled(false);
+    }
+    jobs_.push([this, prepared]() -> JobQueue::Delivery {
+        const QString html = html_of(prepared->model->evaluation());
+        return [this, prepared, html] {
+            if (prepared != shown_) return;
+            const int position = verticalScrollBar()->value();
+            setHtml(html);
+            verticalScrollBar()->setValue(position);
+            emit filled(!html.isEmpty());
+        };
+    });
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,32 @@
+// What a model says about its set-up beside the results: residuals, redundancy, fits ... as tables.
+#pragma once
+
+#include <QTextBrowser>
+
+#include "ui/document/selection.h"
+#include "ui/run/analysis_runner.h"
+#include "ui/run/job_queue.h"
+
+namespace covaria::ui {
+
+/// Of the analysis being looked at; evaluated in a worker thread. Models that have nothing to say need no
+/// tab.
+class EvaluationTab : public QTextBrowser {
+    Q_OBJECT
+public:
+    EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+
+signals:
+    /// Whether there is anything to show.
+    void filled(bool any);
+
+private:
+    void refresh();
+
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    std::shared_ptr<const PreparedAnalysis> shown_;
+    JobQueue jobs_;  ///< last member: its thread ends first
+};
+
+}  // namespace covaria::ui
