@@ -3,6 +3,12 @@
 
 namespace covaria::network {
 
+namespace {
+
+constexpr std::size_t most_sight_lines = 400;  ///< that can be told apart in one picture
+
+}  // namespace
+
 Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
     Layout layout;
     std::vector<Eigen::Vector3d> stations;
@@ -29,6 +35,8 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
         for (const LayoutLink& link : sensor.asset->layout().links) layout.links.push_back(link);
     for (const TargetFrame& frame : setup.frames)
         layout.frames.push_back({.name = frame.name, .X_WF = frame_of(setup, frame), .group = frame.name});
+    std::size_t sight_lines = 0;
+    for (const Target& target : setup.targets) sight_lines += target.sights.size();
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         const Target& target = setup.targets[t];
         layout.points.push_back({.name = target.name,
@@ -40,7 +48,8 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
             layout.links.push_back({.name = setup.sensors[sight.sensor].name + " – " + target.name,
                                     .kind = LinkKind::sight_line,
                                     .from_W = stations[sight.sensor],
-                                    .to_W = target.nominal});
+                                    .to_W = target.nominal,
+                                    .group = sight_lines > most_sight_lines ? target.name : ""});
     }
     const auto add_dimension = [&](const std::string& name, std::size_t from, std::size_t to) {
         layout.links.push_back({.name = name,

@@ -8,6 +8,7 @@
 #include "core/project/project_file.h"
 #include "core/project/workspace.h"
 #include "core/propagation/engine.h"
+#include "tests/bench/large_network.h"
 
 namespace {
 
@@ -51,36 +52,9 @@ void first_order_after_an_edit(benchmark::State& state) {
 }
 BENCHMARK(first_order_after_an_edit)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// Laser trackers around a hall, targets on a grid in it.
-Project large_network(int sensors, int targets) {
-    Project project = load_project(data_directory() / "projects/lsm-network.covaria").project;
-    const AssetEntry tracker = *project.find_asset("laser-tracker");
-    AnalysisEntry analysis = *project.find_analysis("recommended");
-    analysis.studies.clear();
-    auto& rows_of_sensors = std::get<SetupTable>(analysis.setup.values.at("sensors")).rows;
-    auto& rows_of_targets = std::get<SetupTable>(analysis.setup.values.at("targets")).rows;
-    rows_of_sensors.clear();
-    rows_of_targets.clear();
-    analysis.setup.values.erase("distances");
-    project.assets.clear();
-    for (int s = 0; s < sensors; ++s) {
-        AssetEntry& added = project.assets.emplace_back(tracker);
-        added.id = added.name = "T" + std::to_string(s);
-        PoseValue station;
-        station.position = {2000.0 * (s % 10), s < sensors / 2 ? -3000.0 : 13000.0, 500.0 * (s % 3)};
-        station.angles = {0.0, 0.0, s < sensors / 2 ? 90.0 : -90.0};
-        added.setup.values["station"] = station;
-        rows_of_sensors.push_back({added.id});
-    }
-    for (int t = 0; t < targets; ++t)
-        rows_of_targets.push_back(
-            {"P" + std::to_string(t), 500.0 * (t % 40), 400.0 * (t / 40), 20.0 * (t % 7), false});
-    project.analyses = {analysis};
-    return project;
-}
-
 void first_order_of_a_large_network(benchmark::State& state) {
-    const Project project = large_network(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const Project project =
+        bench::large_network(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     for (auto _ : state) {
         Problems problems;
         const auto analysis =

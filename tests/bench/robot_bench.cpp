@@ -1,5 +1,5 @@
-// The robot of Wen et al.: 10^6 trials of one pose; maps of 1,000 poses, first order and with 10^5 trials each;
-// trials of the identification by joint trajectories (900 input quantities).
+// The robot of Wen et al.: 10^6 trials of one pose; maps of 1,000 poses, first order and with 10^5 trials
+// each; trials of the identification by joint trajectories (900 input quantities).
 #include <benchmark/benchmark.h>
 
 #include "core/base/resource_path.h"

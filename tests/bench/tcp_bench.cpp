@@ -1,5 +1,5 @@
-// The procedure of Brosed et al.: 22 points, 3 ballbars, a robot (135 input, 76 output quantities), 10^6 trials;
-// the model alone, without draws and statistics; first order, as after each edit.
+// The procedure of Brosed et al.: 22 points, 3 ballbars, a robot (135 input, 76 output quantities), 10^6
+// trials; the model alone, without draws and statistics; first order, as after each edit.
 #include <benchmark/benchmark.h>
 
 #include "core/base/resource_path.h"

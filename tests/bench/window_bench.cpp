@@ -1,6 +1,6 @@
 // What a user waits for in the window, as a table: start, a live edit, turning the scene, dragging an
 // instrument, memory. Run by hand; the goals are those of ARCHITECTURE.md.
-// usage: window_bench [start|edit|turn|drag|memory ...]
+// usage: window_bench [start|edit|turn|drag|large|memory ...]
 #include <unistd.h>
 
 #include <QApplication>
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/project/project_file.h"
+#include "tests/bench/large_network.h"
 #include "tests/viz/stewart_scene.h"
 #include "ui/main_window/main_window.h"
 #include "ui/pages/properties_pane.h"
@@ -191,6 +192,43 @@ void measure_dragging() {
     row("dragging a sensor: pictures of new places with ellipsoids", places / seconds, "1/s", "goal 20");
 }
 
+/// 30 instruments and 1,000 targets: opening, and how long the window is busy with an edit.
+void measure_large() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("large.covaria"));
+    Project large = bench::large_network(30, 1000);
+    large.analyses[0].options.method = Method::first_order;
+    if (!save_project(large, file.toStdString())) return;
+    QElapsedTimer clock;
+    clock.start();
+    OpenWindow open(file);
+    const auto wait_for_result = [&](const PreparedPointer& before) {
+        qint64 longest = 0, last = clock.elapsed();
+        while (!open.status().result || !open.status().is_current() || open.status().result_of == before) {
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+            longest = std::max(longest, clock.elapsed() - last);
+            last = clock.elapsed();
+        }
+        return longest;
+    };
+    wait_for_result(nullptr);
+    row("30 x 1,000: from opening to first-order results", double(clock.elapsed()), "ms", "goal: seconds");
+    open.window.runner().wait_until_idle(120'000);
+    open.window.grab().save(folder.filePath(QStringLiteral("w.png")));
+    const PreparedPointer before = open.status().result_of;
+    clock.restart();
+    open.window.document().apply(QStringLiteral("Move"), [](Project& project) {
+        auto& rows = std::get<SetupTable>(project.analyses[0].setup.values.at("targets")).rows;
+        std::get<double>(rows[500][1]) += 10.0;
+    });
+    const auto blocked = double(wait_for_result(before));
+    row("30 x 1,000: an edit to first-order results", double(clock.elapsed()), "ms", "goal: seconds");
+    row("30 x 1,000: longest time without an answer to the mouse", blocked, "ms", "goal 500");
+    row("30 x 1,000: resident memory", resident_mib(), "MiB", "");
+    if (qEnvironmentVariableIsSet("COVARIA_BENCH_PICTURE"))
+        open.window.grab().save(qEnvironmentVariable("COVARIA_BENCH_PICTURE"));
+}
+
 void measure_memory() {
     OpenWindow open;
     open.wait_usable();
@@ -225,6 +263,7 @@ int run(int argc, char** argv) {
     if (wants("edit")) measure_edits();
     if (wants("turn")) measure_turning();
     if (wants("drag")) measure_dragging();
+    if (wants("large")) measure_large();
     if (wants("memory")) measure_memory();
     return 0;
 }

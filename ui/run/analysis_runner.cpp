@@ -4,12 +4,15 @@
 #include <QEventLoop>
 #include <QTimer>
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace covaria::ui {
 
 namespace {
 
+using namespace std::chrono_literals;
+constexpr auto settling_time = 120ms;  // without a further change, before a live run starts
 constexpr std::uint64_t preview_trials = 20'000;
 /// A preview is worth its time only before a run that takes much longer.
 constexpr std::uint64_t preview_worthwhile = 10 * preview_trials;
@@ -40,9 +43,14 @@ AnalysisRunner::AnalysisRunner(QObject* parent)
 AnalysisRunner::AnalysisRunner(RunBackend backend, Execution execution, QObject* parent)
     : QObject(parent),
       backend_(std::move(backend)),
+      execution_(execution),
       studies_(execution),
       prepare_jobs_(this, execution),
-      run_jobs_(this, execution) {}
+      run_jobs_(this, execution) {
+    settling_.setSingleShot(true);
+    settling_.setInterval(settling_time);
+    connect(&settling_, &QTimer::timeout, this, &AnalysisRunner::start_next);
+}
 
 AnalysisRunner::~AnalysisRunner() {
     active_stop_.request_stop();
@@ -99,6 +107,7 @@ void AnalysisRunner::finish_prepare(quint64 generation, const Prepared& prepared
         update_entry(id, preparation);
         take(id, prepared);
     }
+    if (live_ && !queue_.empty() && execution_ == Execution::threads) settling_.start();
     start_wanted();
     start_next();
     announce_idle();
@@ -152,6 +161,7 @@ void AnalysisRunner::run(const QString& id) {
     if (entry == entries_.end() || !entry->second.prepared) return;
     if (active_id_ == entry->first) active_stop_.request_stop();
     enqueue(entry->first);
+    settling_.stop();
     start_next();
 }
 
@@ -161,6 +171,7 @@ void AnalysisRunner::run_all() {
     for (const auto& [id, entry] : entries_)
         if (entry.prepared && (entry.state == RunState::out_of_date || entry.state == RunState::failed))
             enqueue(id);
+    settling_.stop();
     start_next();
 }
 
@@ -189,7 +200,7 @@ void AnalysisRunner::enqueue(const std::string& id) {
 }
 
 void AnalysisRunner::start_next() {
-    while (active_number_ == 0 && !queue_.empty()) {
+    while (active_number_ == 0 && !queue_.empty() && !settling_.isActive()) {
         auto next = std::find(queue_.begin(), queue_.end(), focus_);
         if (next == queue_.end()) next = queue_.begin();
         const std::string id = *next;

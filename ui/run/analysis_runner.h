@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <atomic>
 #include <deque>
 #include <map>
@@ -107,6 +108,10 @@ private:
     PreparedPointer active_analysis_;
     std::stop_source active_stop_;
     QElapsedTimer active_time_;
+    /// While changes follow each other closely (typing, dragging), live runs wait: the law of propagation has
+    /// the processor to itself.
+    QTimer settling_;
+    Execution execution_;
 
     StudyRunner studies_;
     JobQueue prepare_jobs_;

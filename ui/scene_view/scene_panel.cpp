@@ -7,6 +7,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/document/strings.h"
 #include "ui/theme/icons.h"
@@ -178,11 +179,18 @@ void ScenePanel::refresh_groups() {
     emit group_changed(group_->currentText());
 }
 
+/// At the end of what is going on: a change and its first results come together.
 void ScenePanel::refresh() {
     refresh_groups();
+    if (std::exchange(refresh_due_, true)) return;
+    QMetaObject::invokeMethod(this, &ScenePanel::build_scene, Qt::QueuedConnection);
+}
+
+void ScenePanel::build_scene() {
+    refresh_due_ = false;
     const AnalysisStatus& status = runner_.status(analysis_);
     if (!status.prepared) {
-        ++number_;
+        shown_number_ = ++number_;
         view_->set_empty_text(analysis_.isEmpty()
                                   ? tr("Select an analysis in the project tree to see its layout here.")
                                   : tr("The analysis has problems; they are listed below."));
@@ -205,7 +213,9 @@ void ScenePanel::refresh() {
 
 void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene) {
     --building_;
-    if (number != number_) return;
+    // While something is dragged there is always a newer one to come; this one is shown until then.
+    if (number < shown_number_) return;
+    shown_number_ = number;
     if (*scene) {
         view_->show_scene(std::make_shared<const Scene>(std::move(**scene)));
         if (!show_source()) describe_item(view_->selected());

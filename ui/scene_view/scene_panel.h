@@ -44,7 +44,7 @@ public:
     SetupAddress address_in(const std::string& asset) const;
 
     SceneView& view() { return *view_; }
-    bool is_building() const { return building_ > 0; }
+    bool is_building() const { return refresh_due_ || building_ > 0; }
 
 signals:
     void group_changed(const QString& group);
@@ -57,6 +57,7 @@ private:
     void add_view_action(const char* picture, const QString& text, const QString& tip, StandardView view);
     void make_layers_menu();
     void refresh();
+    void build_scene();
     void refresh_groups();
     void take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene);
     void show_item(const QString& id);
@@ -80,7 +81,9 @@ private:
     SceneView* view_ = nullptr;
     QLabel* picked_ = nullptr;
     std::atomic<quint64> number_ = 0;
+    quint64 shown_number_ = 0;
     int building_ = 0;
+    bool refresh_due_ = false;
     JobQueue jobs_;  ///< last member: its thread ends first
 };
 

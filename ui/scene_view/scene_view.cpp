@@ -80,11 +80,13 @@ SceneView::~SceneView() = default;
 void SceneView::show_scene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
     if (scene_)
-        service_.post([shown = scene_, framed = framed_](SceneRenderer& renderer) {
-            const bool other = renderer.scene().title != shown->title;
-            renderer.set_scene(*shown);
-            if (other && framed) renderer.fit();
-        });
+        service_.post(
+            [shown = scene_, framed = framed_](SceneRenderer& renderer) {
+                const bool other = renderer.scene().title != shown->title;
+                renderer.set_scene(*shown);
+                if (other && framed) renderer.fit();
+            },
+            moved_ ? RenderQuality::moving : RenderQuality::full);
     update();
 }
 

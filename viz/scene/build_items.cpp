@@ -79,7 +79,13 @@ double radius_of(PointKind kind) {
     }
 }
 
+/// Many points are drawn smaller.
+double crowd_factor(std::size_t points) {
+    return std::min(1.0, 8.0 / std::sqrt(static_cast<double>(std::max<std::size_t>(points, 1))));
+}
+
 void add_points(SceneBuild& build) {
+    const double scale = crowd_factor(build.source.layout->points.size()) * build.scene.size;
     for (const LayoutPoint& point : build.source.layout->points) {
         if (!build.shows(point.group)) continue;
         ScenePoint& added = build.scene.points.emplace_back();
@@ -90,7 +96,7 @@ void add_points(SceneBuild& build) {
             added.item.U = uncertainty->U;
         }
         added.kind = point.kind;
-        added.radius = radius_of(point.kind) * build.scene.size;
+        added.radius = radius_of(point.kind) * scale;
         added.axis = seat_axis(build, point.p_W);
     }
 }
