@@ -14,6 +14,7 @@ struct TableColumn {
     Unit unit = {};      ///< numbers of the column are SI; writers convert to this unit
     bool is_symbol = false;
     int digits = 0;  ///< significant digits for people; 0 = writer's choice
+    int decimals = -1;  ///< fixed number of decimals in the shown unit instead; -1 = none
 };
 
 /// Nothing, a number (SI, shown in the column's unit), a text, or a number with a unit of its own

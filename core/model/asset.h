@@ -14,6 +14,7 @@
 
 #include "core/base/data_table.h"
 #include "core/base/error.h"
+#include "core/base/plot_specification.h"
 #include "core/model/ballbar.h"
 #include "core/model/layout.h"
 #include "core/model/repeatability.h"
@@ -23,7 +24,9 @@
 
 namespace covaria {
 
-class SerialRobotSource;  // core/model/serial_robot.h
+class SerialRobotSource;      // core/model/serial_robot.h
+class ForceSensorSource;      // core/model/force_sensor.h
+class ForceCalibratorSource;  // core/model/force_sensor.h
 
 /// Deviation of a measured point along one direction, with its distribution.
 struct PointDeviation {
@@ -76,9 +79,13 @@ public:
     virtual const BallbarSource* ballbars() const { return nullptr; }
     virtual const RepeatabilitySource* repeatability() const { return nullptr; }
     virtual const SerialRobotSource* serial_robot() const { return nullptr; }
+    virtual const ForceSensorSource* force_sensor() const { return nullptr; }
+    virtual const ForceCalibratorSource* force_calibrator() const { return nullptr; }
     /// The asset's own evaluation as tables (budget of calibration, temperature, variability, bias;
     /// observations ...).
     virtual std::vector<DataTable> evaluation() const { return {}; }
+    /// The same as charts; ids are unique in the asset.
+    virtual std::vector<PlotSpecification> figures() const { return {}; }
     /// What to draw when the asset itself is looked at.
     virtual Layout layout() const { return {}; }
 };

@@ -69,12 +69,18 @@ struct LayoutBody {
     LayoutSource source = {};
 };
 
-/// A quantity with direction (force, moment) at a point.
+enum class VectorKind { force, moment };
+
+/// A quantity with direction (force, moment) at a point. Vectors of one kind are drawn to one scale.
 struct LayoutVector {
     std::string name;
     Eigen::Vector3d at_W = Eigen::Vector3d::Zero();
-    Eigen::Vector3d vector_W = Eigen::Vector3d::Zero();
+    Eigen::Vector3d vector_W = Eigen::Vector3d::Zero();  ///< N or N m
     std::string group = {};
+    VectorKind kind = VectorKind::force;
+    /// Output quantities that are its three coordinates; their uncertainty is then drawn at the tip ...
+    std::optional<std::array<std::size_t, 3>> outputs = {};
+    Eigen::Matrix3d R_WQ = Eigen::Matrix3d::Identity();  ///< ... along these axes
 };
 
 struct Layout {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/data_table.h"
+#include "core/base/plot_specification.h"
 #include "core/model/layout.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
@@ -62,6 +63,8 @@ public:
 
     /// What the model can say about its set-up beside the outputs, as tables (residuals, redundancy ...).
     virtual std::vector<DataTable> evaluation() const { return {}; }
+    /// The same as charts; ids are unique in the model.
+    virtual std::vector<PlotSpecification> figures() const { return {}; }
 
     MeasurementModel() = default;
     MeasurementModel(const MeasurementModel&) = delete;

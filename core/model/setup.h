@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct SetupTable {
     std::vector<std::vector<SetupCell>> rows;
     std::string csv_file =
         {};  ///< if not empty: rows were read from this file beside the project, and are not saved
+    /// Headers of that file that stand for another: {"Fx_mV_per_V", "Fx [mV/V]"}; an empty text: a column
+    /// that is not read.
+    std::vector<std::pair<std::string, std::string>> csv_columns = {};
     bool operator==(const SetupTable&) const = default;
 };
 

@@ -1,6 +1,8 @@
 // The list of measurement models.
 #include "core/models/registry.h"
 
+#include "core/models/force_channels.h"
+#include "core/models/force_loads.h"
 #include "core/models/points_from_sensors.h"
 #include "core/models/pose_from_points.h"
 #include "core/models/robot_circle_points.h"
@@ -10,9 +12,10 @@
 namespace covaria {
 
 const std::vector<ModelDescriptor>& model_registry() {
-    static const std::vector<ModelDescriptor> models{pose_from_points_model(), points_from_sensors_model(),
-                                                     tcp_from_ballbars_model(), robot_pose_model(),
-                                                     robot_circle_points_model()};
+    static const std::vector<ModelDescriptor> models{pose_from_points_model(),    points_from_sensors_model(),
+                                                     tcp_from_ballbars_model(),   robot_pose_model(),
+                                                     robot_circle_points_model(), force_channels_model(),
+                                                     force_loads_model()};
     return models;
 }
 

@@ -46,7 +46,8 @@ private:
                                                        " columns"));
         std::vector<SetupCell> cells(field_.columns.size());
         for (std::size_t i = 0; i < std::min(row.cells.size(), target_.size()); ++i)
-            cells[target_[i]] = read_cell(field_.columns[target_[i]], row.cells[i], row.line);
+            if (target_[i] != SetupSchema::npos)
+                cells[target_[i]] = read_cell(field_.columns[target_[i]], row.cells[i], row.line);
         out_.table.rows.push_back(std::move(cells));
         out_.lines.push_back(row.line);
     }
@@ -89,21 +90,44 @@ std::vector<std::string> headers_of(const CsvText& csv) {
     return headers;
 }
 
+/// Headers with those of `renamed` replaced and those that are not read left out; `read` says which remain.
+std::vector<std::string> renamed_headers(const std::vector<std::string>& headers, const CsvColumns& renamed,
+                                         std::vector<std::size_t>& read, Problems& problems) {
+    for (const auto& [header, column] : renamed)
+        if (std::find(headers.begin(), headers.end(), header) == headers.end())
+            problems.error({}, "the file has no column '" + header + "'" + did_you_mean(header, headers) +
+                                   "; its columns are " + listed(headers));
+    std::vector<std::string> kept;
+    for (std::size_t i = 0; i < headers.size(); ++i) {
+        const auto found = std::find_if(renamed.begin(), renamed.end(),
+                                        [&](const auto& pair) { return pair.first == headers[i]; });
+        const std::string& header = found == renamed.end() ? headers[i] : found->second;
+        if (header.empty()) continue;
+        kept.push_back(header);
+        read.push_back(i);
+    }
+    return kept;
+}
+
 }  // namespace
 
-CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field) {
+CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field, const CsvColumns& renamed) {
     CsvTable out;
     if (csv.rows.empty()) {
         out.problems.add(problem_at(0, "there is no row with the names of the columns"));
         return out;
     }
     Problems header_problems;
-    const auto columns = match_columns(field, headers_of(csv), header_problems);
+    std::vector<std::size_t> read;  // columns of the file
+    const std::vector<std::string> headers = renamed_headers(headers_of(csv), renamed, read, header_problems);
+    const auto columns = match_columns(field, headers, header_problems);
     for (const Problem& problem : header_problems.items())
         out.problems.add(problem_at(csv.rows.front().line, problem.message));
-    if (!columns) return out;
+    if (!columns || header_problems.has_errors()) return out;
     out.table.units = columns->units;
-    RowsReader(csv, field, columns->target, out).read(1);
+    std::vector<std::size_t> target(headers_of(csv).size(), SetupSchema::npos);
+    for (std::size_t i = 0; i < read.size(); ++i) target[read[i]] = columns->target[i];
+    RowsReader(csv, field, std::move(target), out).read(1);
     return out;
 }
 
@@ -125,7 +149,8 @@ bool has_header(const CsvText& csv, const FieldSpec& field) {
     });
 }
 
-CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field) {
+CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field,
+                             const CsvColumns& renamed) {
     CsvTable out;
     const Result<std::string> text = read_file(file);
     if (!text) {
@@ -134,7 +159,7 @@ CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec&
     }
     const Result<CsvText> csv = read_csv(*text);
     if (csv)
-        out = table_from_csv(*csv, field);
+        out = table_from_csv(*csv, field, renamed);
     else
         out.problems.add(problem_at(csv.error().line, csv.error().message));
     for (Problem& problem : out.problems.items()) problem.file = file.string();

@@ -17,14 +17,19 @@ struct CsvTable {
     Problems problems;       ///< with the line; messages name the column
 };
 
-/// The first row holds headers: column keys or titles, with the unit in brackets ("x [mm]").
-CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field);
+/// As SetupTable::csv_columns.
+using CsvColumns = std::vector<std::pair<std::string, std::string>>;
+
+/// The first row holds headers: column keys or titles, with the unit in brackets ("x [mm]"), or headers that
+/// `renamed` puts in their place. Problem: `renamed` names a header that is not there.
+CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field, const CsvColumns& renamed = {});
 /// Without headers (a block pasted from a spreadsheet): columns in the order of the schema, in `units`.
 CsvTable table_from_csv_rows(const CsvText& csv, const FieldSpec& field, const std::vector<Unit>& units);
 /// Whether the first row names a column of the table: tells the two cases apart.
 bool has_header(const CsvText& csv, const FieldSpec& field);
 
 /// Reads a file; problems carry the file's name. `csv_file` of the table is left empty.
-CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field);
+CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field,
+                             const CsvColumns& renamed = {});
 
 }  // namespace covaria

@@ -52,7 +52,10 @@ void write_analysis(JsonWriter& out, const AnalysisEntry& analysis) {
 // What has no influence on numbers is taken away, and CSV rows are put in place of the file's name.
 void keep_numbers(Setup& setup) {
     for (auto& [key, value] : setup.values)
-        if (SetupTable* table = std::get_if<SetupTable>(&value)) table->csv_file.clear();
+        if (SetupTable* table = std::get_if<SetupTable>(&value)) {
+            table->csv_file.clear();
+            table->csv_columns.clear();
+        }
 }
 
 Project numbers_only(Project project) {

@@ -103,8 +103,11 @@ private:
         if (!value.is_object()) return {};
         if (reader.has("csv")) {
             const std::string file = reader.text("csv");
+            const Json* columns = reader.find("columns");
             reader.refuse_unknown_keys();
-            return csv_table(file);
+            CsvColumns renamed;
+            if (columns && !read_csv_columns(*columns, renamed)) return {};
+            return csv_table(file, std::move(renamed));
         }
         const Json* columns = reader.list("columns");
         const Json* rows = reader.list("rows");
@@ -170,7 +173,26 @@ private:
         return kind == FieldKind::flag ? "true or false" : "a text in quotes";
     }
 
-    SetupValue csv_table(const std::string& name) {
+    bool read_csv_columns(const Json& columns, CsvColumns& renamed) {
+        if (!columns.is_object()) {
+            refuse("the columns of the CSV file of " + title() +
+                       " must be an object in braces: a header of the file and the column it stands for",
+                   "/columns");
+            return false;
+        }
+        for (const auto& [header, column] : columns.items()) {
+            if (!column.is_string()) {
+                refuse("'" + header + "' must stand for a column of " + title() +
+                           " (a text), or for none (an empty text)",
+                       "/columns/" + header);
+                return false;
+            }
+            renamed.emplace_back(header, column.get<std::string>());
+        }
+        return true;
+    }
+
+    SetupValue csv_table(const std::string& name, CsvColumns renamed) {
         const fs::path relative = fs::path(name).lexically_normal();
         if (name.empty() || relative.is_absolute() || *relative.begin() == "..")
             return refuse("the CSV file '" + name + "' of " + title() +
@@ -181,7 +203,7 @@ private:
         if (!fs::exists(file, ignored))
             return refuse(
                 "the CSV file of " + title() + " does not exist: looked for '" + file.string() + "'", "/csv");
-        CsvTable read = table_from_csv_file(file, field_);
+        CsvTable read = table_from_csv_file(file, field_, renamed);
         for (Problem& problem : read.problems.items()) {
             problem.path = path_;
             problem.message = "CSV file of " + title() + ": " + problem.message;
@@ -189,6 +211,7 @@ private:
         }
         context_.csv.push_back({path_, file.string(), read.lines});
         read.table.csv_file = name;
+        read.table.csv_columns = std::move(renamed);
         return read.problems.has_errors() ? SetupValue{} : SetupValue(std::move(read.table));
     }
 

@@ -47,10 +47,19 @@ void write_table(JsonWriter& out, const SetupTable& table, const FieldSpec& fiel
         out.begin_object(Style::one_line);
         out.key("csv");
         out.text(table.csv_file);
+        if (!table.csv_columns.empty()) {
+            out.key("columns");
+            out.begin_object(Style::one_line);
+            for (const auto& [header, column] : table.csv_columns) {
+                out.key(header);
+                out.text(column);
+            }
+            out.end();
+        }
         out.end();
         return;
     }
-    SetupTable with_units{table.units, table.rows, {}};
+    SetupTable with_units{table.units, table.rows, {}, {}};
     for (std::size_t i = table.units.size(); i < field.columns.size(); ++i)
         with_units.units.push_back(field.columns[i].unit);
     std::vector<std::size_t> columns;

@@ -89,6 +89,7 @@ std::string format_to_match(double value, double uncertainty, int digits) {
 
 std::string format_cell(const TableCell& cell, const TableColumn& column) {
     const auto number = [&column](double value) {
+        if (column.decimals >= 0) return format_decimals(value, column.decimals);
         return column.digits > 0 ? format_significant(value, column.digits)
                                  : without_trailing_zeros(format_significant(value, unmatched_digits));
     };

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/report/plot_specification.h"
+#include "core/base/plot_specification.h"
 #include "core/result/uncertainty_result.h"
 
 namespace covaria {

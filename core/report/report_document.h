@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/data_table.h"
-#include "core/report/plot_specification.h"
+#include "core/base/plot_specification.h"
 
 namespace covaria {
 

@@ -4,13 +4,18 @@
 namespace covaria::report_parts {
 namespace {
 
-void add_asset(Blocks& blocks, const ReportSource& source, const std::string& id,
-               const AssetLibrary::Entry& entry) {
+void add_asset(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
+               const std::string& id, const AssetLibrary::Entry& entry) {
     blocks.push_back(HeadingBlock{3, entry.name});
     const AssetEntry* typed = source.project.find_asset(id);
     if (typed) add_paragraphs(blocks, typed->notes);
     if (typed && entry.descriptor) add_setup_fields(blocks, entry.descriptor->schema, typed->setup, source);
     for (DataTable& table : entry.asset->evaluation()) blocks.push_back(TableBlock{std::move(table), {}});
+    for (PlotSpecification& plot : entry.asset->figures()) {
+        plot.id = id + "-" + plot.id;
+        std::string caption = plot.title + ".";
+        blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
+    }
     if (!entry.descriptor || entry.descriptor->references.empty()) return;
     ListBlock references;
     for (const Reference& reference : entry.descriptor->references)
@@ -30,7 +35,7 @@ void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
         const AssetLibrary::Entry* entry = source.assets.find(id);
         if (!entry) continue;
         if (shown.insert(id).second)
-            add_asset(part, source, id, *entry);
+            add_asset(part, source, evaluated, id, *entry);
         else
             before.push_back(entry->name);
     }

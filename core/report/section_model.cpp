@@ -34,9 +34,14 @@ void add_models(Blocks& blocks, const ReportSource& source) {
 void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     if (!evaluated.analysis->model) return;
     std::vector<DataTable> tables = evaluated.analysis->model->evaluation();
-    if (tables.empty()) return;
+    std::vector<PlotSpecification> plots = evaluated.analysis->model->figures();
+    if (tables.empty() && plots.empty()) return;
     blocks.push_back(HeadingBlock{2, "Evaluation of the set-up"});
     for (DataTable& table : tables) blocks.push_back(TableBlock{std::move(table), {}});
+    for (PlotSpecification& plot : plots) {
+        std::string caption = plot.title + ".";
+        blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
+    }
 }
 
 }  // namespace covaria::report_parts

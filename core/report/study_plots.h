@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/report/plot_specification.h"
+#include "core/base/plot_specification.h"
 #include "core/result/study_result.h"
 
 namespace covaria {

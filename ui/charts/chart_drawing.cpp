@@ -171,10 +171,13 @@ void draw_marks(QPainter& painter, const ChartDrawing& chart) {
     }
 }
 
-/// The value of each bar beside its end, clear of other series' points on the same row.
-void draw_bar_values(QPainter& painter, const ChartDrawing& chart) {
+/// The value of each bar beside its end, clear of other series' points on the same row; of bars that share a
+/// row only where the bars are as high as the text.
+void draw_bar_values(QPainter& painter, const ChartDrawing& chart, const PlotSeries& bars) {
     const PlotGeometry& geometry = chart.layout.geometry;
-    const PlotSeries& bars = chart.plot.series.front();
+    const bool alone = &bars == &chart.plot.series.front() &&
+                       std::count_if(chart.plot.series.begin(), chart.plot.series.end(),
+                                     [](const PlotSeries& s) { return s.kind == SeriesKind::bars; }) == 1;
     const double gap = std::round(6.0 * chart.layout.fonts.scale);
     const QRectF room = geometry.area.adjusted(0.0, -gap, 2.0 * gap, gap);
     painter.setPen(chart.theme.neutrals().text);
@@ -190,7 +193,8 @@ void draw_bar_values(QPainter& painter, const ChartDrawing& chart) {
         const double left =
             bars.x[i] < 0.0 ? geometry.x_at(low) - gap - text.width() : geometry.x_at(high) + gap;
         const QRectF box(left, geometry.y_at(bars.y[i]) - 0.5 * text.height(), text.width(), text.height());
-        const double cell = std::abs(geometry.y_at(1.0) - geometry.y_at(0.0));
+        const double cell =
+            std::abs(geometry.y_at(1.0) - geometry.y_at(0.0)) * (alone ? 1.0 : bars.bar_width);
         if (cell >= 0.8 * text.height() && room.contains(box)) text.draw(painter, box.topLeft());
     }
 }
@@ -265,7 +269,9 @@ void draw_above(QPainter& painter, const ChartDrawing& chart) {
     if (!chart.plot.series.empty()) {
         draw_axes(painter, chart);
         draw_marks(painter, chart);
-        if (chart.plot.horizontal_bars) draw_bar_values(painter, chart);
+        for (const PlotSeries& series : chart.plot.series)
+            if (chart.plot.horizontal_bars && series.kind == SeriesKind::bars)
+                draw_bar_values(painter, chart, series);
     }
     for (const LegendEntry& entry : chart.layout.legend) draw_swatch(painter, chart, entry);
     for (const PlacedText& text : chart.layout.texts) draw_text(painter, chart, text);

@@ -4,7 +4,7 @@
 #include <QPointF>
 #include <QRectF>
 
-#include "core/report/plot_specification.h"
+#include "core/base/plot_specification.h"
 
 namespace covaria::ui {
 

@@ -135,6 +135,7 @@ void SetupTableModel::replace_table(const SetupTable& table, const QString& text
 void SetupTableModel::embed() {
     SetupTable embedded = table_;
     embedded.csv_file.clear();
+    embedded.csv_columns.clear();
     replace_table(embedded, tr("Take %1 into the project").arg(to_qt(field()->title)));
 }
 

@@ -1,15 +1,14 @@
 #include "ui/pages/evaluation_tab.h"
 
-#include <QScrollBar>
-
 #include "ui/pages/data_table_html.h"
 
 namespace covaria::ui {
 
 EvaluationTab::EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidget* parent)
-    : QTextBrowser(parent), runner_(runner), selection_(selection), jobs_(this, Execution::threads) {
-    setFrameShape(QFrame::NoFrame);
-    document()->setDocumentMargin(10);
+    : EvaluationView(Qt::Horizontal, parent),
+      runner_(runner),
+      selection_(selection),
+      jobs_(this, Execution::threads) {
     setAccessibleName(tr("Evaluation of the set-up"));
     const auto take = [this](const QString& id) {
         if (id == selection_.analysis()) refresh();
@@ -24,17 +23,15 @@ void EvaluationTab::refresh() {
     if (prepared == shown_) return;
     shown_ = prepared;
     if (!prepared) {
-        clear();
+        show_evaluation({}, {});
         return emit filled(false);
     }
     jobs_.push([this, prepared]() -> JobQueue::Delivery {
         const QString html = html_of(prepared->model->evaluation());
-        return [this, prepared, html] {
+        return [this, prepared, html, figures = prepared->model->figures()] {
             if (prepared != shown_) return;
-            const int position = verticalScrollBar()->value();
-            setHtml(html);
-            verticalScrollBar()->setValue(position);
-            emit filled(!html.isEmpty());
+            show_evaluation(html, figures);
+            emit filled(!html.isEmpty() || !figures.empty());
         };
     });
 }

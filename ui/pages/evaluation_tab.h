@@ -1,9 +1,9 @@
-// What a model says about its set-up beside the results: residuals, redundancy, fits ... as tables.
+// What a model says about its set-up beside the results: residuals, redundancy, fits ... as tables
+// and charts.
 #pragma once
 
-#include <QTextBrowser>
-
 #include "ui/document/selection.h"
+#include "ui/pages/evaluation_view.h"
 #include "ui/run/analysis_runner.h"
 #include "ui/run/job_queue.h"
 
@@ -11,7 +11,7 @@ namespace covaria::ui {
 
 /// Of the analysis being looked at; evaluated in a worker thread. Models that have nothing to say need no
 /// tab.
-class EvaluationTab : public QTextBrowser {
+class EvaluationTab : public EvaluationView {
     Q_OBJECT
 public:
     EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);

@@ -3,7 +3,7 @@
 
 #include <QColor>
 
-#include "core/report/plot_specification.h"
+#include "core/base/plot_specification.h"
 
 class QApplication;
 

@@ -1,6 +1,7 @@
 // Axes, unit of length, labels and legend of a scene.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "viz/scene/build_parts.h"
@@ -112,8 +113,12 @@ void add_legend(SceneBuild& build) {
             scene.legend.push_back({LegendMark::line, Role::sight_line, "line of sight"});
             break;
         }
-    if (!scene.vectors.empty())
-        scene.legend.push_back({LegendMark::arrow, Role::vector, "vectors, not to scale"});
+    for (const auto& [kind, role, name] : {std::tuple{VectorKind::force, Role::vector, "forces"},
+                                           std::tuple{VectorKind::moment, Role::moment, "moments"}})
+        if (std::any_of(scene.vectors.begin(), scene.vectors.end(),
+                        [kind = kind](const SceneVector& vector) { return vector.kind == kind; }))
+            scene.legend.push_back(
+                {LegendMark::arrow, role, std::string(name) + ", to a scale of their own"});
 }
 
 }  // namespace covaria::detail

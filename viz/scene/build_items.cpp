@@ -15,7 +15,7 @@ constexpr double plate_thickness = 0.012;
 constexpr double seat_height = 0.75 * point_radius;
 constexpr double plate_margin = 0.032;
 constexpr double glyph_size = 0.09;
-constexpr double longest_vector = 0.25;
+constexpr double longest_vector = 0.6;
 constexpr double smallest_size = 0.1;  // m, when everything is in one place
 
 double diagonal_of(const SceneBuild& build) {
@@ -186,19 +186,38 @@ void add_links(SceneBuild& build) {
     }
 }
 
-void add_vectors(SceneBuild& build) {
+/// The tip is a point whose coordinates are the vector's, to its scale.
+void add_tip(SceneBuild& build, const LayoutVector& vector, const SceneVector& drawn, double scale) {
+    if (!vector.outputs) return;
+    VectorTip& tip = build.tips.emplace_back();
+    tip.item = drawn.item;
+    tip.item.position += drawn.arrow;
+    tip.point.group = vector.group;
+    tip.point.p_W = tip.item.position;
+    tip.point.outputs = vector.outputs;
+    tip.point.R_WQ = scale * vector.R_WQ;
+}
+
+/// Drawn length per unit of the vectors of a kind, m: the longest has the same length for every kind.
+double vector_scale(const SceneBuild& build, VectorKind kind) {
     double longest = 0.0;
-    const Layout& layout = *build.source.layout;
-    for (const LayoutVector& vector : layout.vectors)
-        if (build.shows(vector.group)) longest = std::max(longest, vector.vector_W.norm());
-    if (!(longest > 0) || !std::isfinite(longest)) return;
-    for (const LayoutVector& vector : layout.vectors) {
-        if (!build.shows(vector.group)) continue;
+    for (const LayoutVector& vector : build.source.layout->vectors)
+        if (vector.kind == kind && build.shows(vector.group))
+            longest = std::max(longest, vector.vector_W.norm());
+    return longest > 0.0 && std::isfinite(longest) ? longest_vector * build.scene.size / longest : 0.0;
+}
+
+void add_vectors(SceneBuild& build) {
+    for (const LayoutVector& vector : build.source.layout->vectors) {
+        const double scale = vector_scale(build, vector.kind);
+        if (!build.shows(vector.group) || !(scale > 0.0)) continue;
         SceneVector& added = build.scene.vectors.emplace_back();
         added.item = {
             build.unique_id("vector", vector.name), vector.name, vector.group, vector.at_W, {}, {}, {}};
-        added.arrow = vector.vector_W * (longest_vector * build.scene.size / longest);
-        added.radius = 0.004 * build.scene.size;
+        added.kind = vector.kind;
+        added.arrow = vector.vector_W * scale;
+        added.radius = 0.006 * build.scene.size;
+        add_tip(build, vector, added, scale);
     }
 }
 

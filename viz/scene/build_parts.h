@@ -3,11 +3,18 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "viz/scene/build_scene.h"
 #include "viz/scene/point_uncertainty.h"
 
 namespace covaria::detail {
+
+/// The tip of a vector as a point with uncertainty: its matrix takes the vector's unit to metres drawn.
+struct VectorTip {
+    LayoutPoint point;
+    SceneItem item;
+};
 
 /// What all parts share.
 struct SceneBuild {
@@ -16,6 +23,7 @@ struct SceneBuild {
     const PointUncertainties& uncertainties;
     Scene& scene;
     std::set<std::string> ids = {};
+    std::vector<VectorTip> tips = {};
 
     bool shows(const std::string& group) const { return group.empty() || group == scene.group; }
     /// "point:b1", made unique by "#2".

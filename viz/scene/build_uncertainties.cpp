@@ -18,24 +18,29 @@ constexpr double most_reduction = 10.0;    // below which ellipsoids would hardl
 /// The points with an ellipsoid, with the item that `add_points` made for each.
 struct UncertainPoint {
     const LayoutPoint* point;
-    const ScenePoint* drawn;
+    const SceneItem* drawn;
     Role role;
     CoverageEllipsoid ellipsoid;
 };
+
+void add_uncertain(const SceneBuild& build, const LayoutPoint& point, const SceneItem& drawn,
+                   std::vector<UncertainPoint>& found) {
+    const auto uncertainty = build.uncertainties.of(point);
+    if (!uncertainty) return;
+    const Eigen::Matrix3d covariance_W = point.R_WQ * uncertainty->covariance * point.R_WQ.transpose();
+    const auto ellipsoid = coverage_ellipsoid(covariance_W, build.options.probability);
+    if (ellipsoid.rank == 0) return;
+    found.push_back({&point, &drawn, uncertainty->of_outputs ? Role::output : Role::input, ellipsoid});
+}
 
 std::vector<UncertainPoint> uncertain_points(const SceneBuild& build) {
     std::vector<UncertainPoint> found;
     std::size_t next = 0;
     for (const LayoutPoint& point : build.source.layout->points) {
         if (!build.shows(point.group) || next >= build.scene.points.size()) continue;
-        const ScenePoint& drawn = build.scene.points[next++];
-        const auto uncertainty = build.uncertainties.of(point);
-        if (!uncertainty) continue;
-        const Eigen::Matrix3d covariance_W = point.R_WQ * uncertainty->covariance * point.R_WQ.transpose();
-        const auto ellipsoid = coverage_ellipsoid(covariance_W, build.options.probability);
-        if (ellipsoid.rank == 0) continue;
-        found.push_back({&point, &drawn, uncertainty->of_outputs ? Role::output : Role::input, ellipsoid});
+        add_uncertain(build, point, build.scene.points[next++].item, found);
     }
+    for (const VectorTip& tip : build.tips) add_uncertain(build, tip.point, tip.item, found);
     return found;
 }
 
@@ -79,7 +84,7 @@ void add_cloud(SceneBuild& build, const UncertainPoint& p) {
     if (!trials || !estimates) return;
     const auto available = static_cast<std::size_t>(trials->cols());
     const std::size_t wanted = std::min(available, build.options.cloud_limit);
-    SceneCloud cloud{p.drawn->item, p.role, {}};
+    SceneCloud cloud{*p.drawn, p.role, {}};
     cloud.offsets.reserve(3 * wanted);
     for (std::size_t i = 0; i < wanted; ++i) {
         const auto t = static_cast<Eigen::Index>(i * available / wanted);
@@ -111,7 +116,7 @@ void add_uncertainties(SceneBuild& build) {
         given > 0 && std::isfinite(given) ? given : automatic_magnification(points, scene.size);
     for (const UncertainPoint& p : points) {
         if (build.options.ellipsoids)
-            scene.ellipsoids.push_back({p.drawn->item, p.role, scene.magnification * p.ellipsoid.axes,
+            scene.ellipsoids.push_back({*p.drawn, p.role, scene.magnification * p.ellipsoid.axes,
                                         p.ellipsoid.rank, p.ellipsoid.coverage_factor});
         if (build.options.clouds) add_cloud(build, p);
     }

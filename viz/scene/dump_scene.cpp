@@ -27,9 +27,9 @@ std::string number(const Eigen::Vector3d& v) {
 }
 
 const char* text_of(Role role) {
-    static constexpr const char* names[] = {"axis_x", "axis_y", "axis_z",    "point",      "input",
-                                            "output", "body",   "link",      "sight_line", "instrument",
-                                            "vector", "text",   "quiet_text"};
+    static constexpr const char* names[] = {"axis_x", "axis_y", "axis_z", "point",      "input",
+                                            "output", "body",   "link",   "sight_line", "instrument",
+                                            "vector", "moment", "text",   "quiet_text"};
     return names[static_cast<std::size_t>(role)];
 }
 
@@ -100,7 +100,7 @@ void put_solids(std::ostream& out, const Scene& scene) {
             << mm(link.dash) << "\n";
     }
     for (const SceneVector& vector : scene.vectors) {
-        put_item(out << "vector ", vector.item);
+        put_item(out << (vector.kind == VectorKind::moment ? "moment " : "force "), vector.item);
         out << " arrow " << mm(vector.arrow) << "\n";
     }
 }

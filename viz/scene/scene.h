@@ -24,7 +24,8 @@ enum class Role {
     link,
     sight_line,
     instrument,
-    vector,
+    vector,  ///< a force
+    moment,
     text,
     quiet_text
 };
@@ -100,9 +101,10 @@ struct SceneLink {
     bool operator==(const SceneLink&) const = default;
 };
 
-/// An arrow from item.position.
+/// An arrow from item.position; a moment has two heads.
 struct SceneVector {
     SceneItem item;
+    VectorKind kind = VectorKind::force;
     Eigen::Vector3d arrow = Eigen::Vector3d::Zero();  ///< as drawn, m: scaled to the scene
     double radius = 0.0;
     bool operator==(const SceneVector&) const = default;

@@ -102,6 +102,19 @@ void add_glyph(const SceneBody& body, Parts& parts) {
     }
 }
 
+/// A moment has two heads, one behind the other.
+void add_vectors(const Scene& scene, Parts& parts) {
+    for (const SceneVector& v : scene.vectors) {
+        const bool moment = v.kind == VectorKind::moment;
+        const Colour colour = parts.colour(moment ? Role::moment : Role::vector);
+        const Vector tip = v.item.position + v.arrow;
+        parts.solids.arrow(v.item.position, tip, v.radius, colour);
+        const double head = 5.0 * v.radius;
+        if (moment && v.arrow.norm() > 3.0 * head)
+            parts.solids.arrow(v.item.position, tip - head * v.arrow.normalized(), v.radius, colour);
+    }
+}
+
 void add_outline(std::vector<Vector> corners, const Vector& shift, Shapes& lines, Colour colour) {
     for (Vector& corner : corners) corner += shift;
     corners.push_back(corners.front());
@@ -178,9 +191,7 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Vector&
             add_links(scene, parts);
             break;
         case Layer::vectors:
-            for (const SceneVector& v : scene.vectors)
-                parts.solids.arrow(v.item.position, v.item.position + v.arrow, v.radius,
-                                   parts.colour(Role::vector));
+            add_vectors(scene, parts);
             break;
         case Layer::ellipsoids:
             add_ellipsoids(scene, parts);

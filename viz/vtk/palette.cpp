@@ -31,6 +31,8 @@ Colour light(Role role) {
             return {0x6B, 0x74, 0x7D};
         case Role::vector:
             return {0xA6, 0x3C, 0x78};
+        case Role::moment:
+            return {0x7A, 0x68, 0x00};
         case Role::text:
             return {0x20, 0x24, 0x28};
         case Role::quiet_text:
@@ -63,6 +65,8 @@ Colour dark(Role role) {
             return {0x9A, 0xA4, 0xAE};
         case Role::vector:
             return {0xE0, 0x8B, 0xB9};
+        case Role::moment:
+            return {0xD9, 0xC6, 0x5A};
         case Role::text:
             return {0xE9, 0xEC, 0xEF};
         case Role::quiet_text:
