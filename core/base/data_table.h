@@ -13,7 +13,7 @@ struct TableColumn {
     std::string header;  ///< may be a symbol ("u_cal"); `is_symbol` says so
     Unit unit = {};      ///< numbers of the column are SI; writers convert to this unit
     bool is_symbol = false;
-    int digits = 0;  ///< significant digits for people; 0 = writer's choice
+    int digits = 0;     ///< significant digits for people; 0 = writer's choice
     int decimals = -1;  ///< fixed number of decimals in the shown unit instead; -1 = none
 };
 

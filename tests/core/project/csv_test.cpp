@@ -33,14 +33,15 @@ CsvTable table_of(const std::string& text) {
     return csv ? table_from_csv(*csv, readings_field()) : CsvTable{};
 }
 
-// The whole project, its readings in `csv`.
-LoadedProject with_csv(const std::string& csv, const std::string& name = "readings.csv") {
+// The whole project, its readings in `csv`; `more` follows the file's name.
+LoadedProject with_csv(const std::string& csv, const std::string& name = "readings.csv",
+                       const std::string& more = {}) {
     const auto folder = fresh_folder("csv");
     put_bytes(folder / "readings.csv", csv);
     put_bytes(folder / "p.covaria",
               changed("{\n          \"columns\": [\"point\", \"value [mm]\"],\n          "
                       "\"rows\": []\n        }",
-                      "{\"csv\": \"" + name + "\"}"));
+                      "{\"csv\": \"" + name + "\"" + more + "}"));
     return load_project(folder / "p.covaria");
 }
 
@@ -168,6 +169,38 @@ TEST(CsvFile, ProblemsNameTheCsvFileAndLine) {
     EXPECT_EQ(std::filesystem::path(missing.file).filename(), "readings.csv");
     EXPECT_EQ(missing.line, 3);
     EXPECT_EQ(missing.path, "/assets/0/setup/readings/rows/0/value");
+}
+
+TEST(CsvFile, ColumnsMayHaveOtherNames) {
+    const std::string columns =
+        ", \"columns\": {\"Pt.\": \"point\", \"r_um\": \"value [um]\", \"operator\": \"\"}";
+    const LoadedProject loaded =
+        with_csv("operator,r_um,Pt.\nAnna,1.5,b1\nBen,2.5,b2\n", "readings.csv", columns);
+    ASSERT_TRUE(loaded.problems.empty()) << loaded.problems.items()[0].message;
+    const SetupTable& table = std::get<SetupTable>(loaded.project.assets[0].setup.values.at("readings"));
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(std::get<std::string>(table.rows[1][0]), "b2");
+    EXPECT_EQ(std::get<double>(table.rows[1][1]), 2.5);
+    EXPECT_EQ(table.units[1], Unit::of("um"));
+    EXPECT_NE(project_text(loaded.project).find("\"readings\": {\"csv\": \"readings.csv\"" + columns + "}\n"),
+              std::string::npos);
+}
+
+TEST(CsvFile, OtherNamesMustBeThoseOfColumns) {
+    const std::string csv = "Pt.,r_um\nb1,1.5\n";
+    const auto refused = [&](const std::string& columns) {
+        return with_csv(csv, "readings.csv", ", \"columns\": " + columns).problems;
+    };
+    EXPECT_EQ(problem_with(refused("{\"Pt\": \"point\", \"r_um\": \"value [um]\"}"),
+                           "the file has no column 'Pt' (did you mean 'Pt.'?)")
+                  .line,
+              1);
+    problem_with(refused("{\"Pt.\": \"point\", \"r_um\": \"reading [N]\"}"), "N");
+    problem_with(refused("{\"Pt.\": \"point\", \"r_um\": \"\"}"),
+                 "column 'value [mm]' of 'readings' is missing");
+    EXPECT_EQ(problem_with(refused("[1]"), "must be an object in braces").path,
+              "/assets/0/setup/readings/columns");
+    problem_with(refused("{\"Pt.\": 1}"), "'Pt.' must stand for a column");
 }
 
 TEST(CsvFile, MustLieInTheFolderOfTheProject) {

@@ -202,6 +202,40 @@ TEST(BuildScene, IndicesOutOfRangeAndInfiniteUncertaintyAreLeftOut) {
     EXPECT_EQ(scene.ellipsoids.size(), 5u);
 }
 
+TEST(BuildScene, VectorsHaveTheirUncertaintyAtTheTip) {
+    auto setup = test::stewart_setup(400);
+    const LayoutPoint origin = *std::find_if(setup.layout.points.begin(), setup.layout.points.end(),
+                                             [](const LayoutPoint& p) { return p.outputs.has_value(); });
+    const Eigen::Vector3d at(0.1, 0.2, 0.3);
+    LayoutVector force{.name = "F", .at_W = at, .vector_W = {0.0, 0.0, 50.0}, .outputs = origin.outputs};
+    LayoutVector small{.name = "G", .at_W = at, .vector_W = {10.0, 0.0, 0.0}};
+    LayoutVector moment{.name = "M", .at_W = at, .vector_W = {0.2, 0.0, 0.0}, .kind = VectorKind::moment};
+    setup.layout.vectors = {force, small, moment};
+    SceneOptions options;
+    options.magnification = 1.0;
+    const Scene scene = build_scene(setup.source(), options);
+    ASSERT_EQ(scene.vectors.size(), 3u);
+    const double length = scene.vectors[0].arrow.norm();
+    EXPECT_NEAR(scene.vectors[1].arrow.norm(), length / 5.0, 1e-12) << "forces share a scale";
+    EXPECT_NEAR(scene.vectors[2].arrow.norm(), length, 1e-12) << "moments have their own";
+    const SceneEllipsoid* tip = ellipsoid_of(scene, "vector:F");
+    const SceneEllipsoid* point = ellipsoid_of(scene, "point:" + origin.name);
+    ASSERT_TRUE(tip && point);
+    EXPECT_LT((tip->item.position - at - scene.vectors[0].arrow).norm(), 1e-12);
+    EXPECT_NEAR(tip->axes.col(0).norm(), point->axes.col(0).norm() * length / 50.0, 1e-12)
+        << "drawn to the scale of the arrow";
+    EXPECT_EQ(ellipsoid_of(scene, "vector:G"), nullptr);
+    const auto cloud = std::find_if(scene.clouds.begin(), scene.clouds.end(),
+                                    [](const SceneCloud& c) { return c.item.id == "vector:F"; });
+    ASSERT_NE(cloud, scene.clouds.end());
+    EXPECT_GT(cloud->size(), 100u);
+    const auto legend = [&](const std::string& text) {
+        return std::any_of(scene.legend.begin(), scene.legend.end(),
+                           [&](const LegendLine& line) { return line.text.find(text) == 0; });
+    };
+    EXPECT_TRUE(legend("forces") && legend("moments"));
+}
+
 TEST(BuildScene, EqualNamesGetDifferentIds) {
     Layout layout;
     layout.points = {{"T", PointKind::target, {0, 0, 0}}, {"T", PointKind::target, {1, 0, 0}}};
