@@ -20,7 +20,10 @@ struct ConvertRequest {
 
 void embed_tables(Setup& setup) {
     for (auto& [key, value] : setup.values)
-        if (auto* table = std::get_if<SetupTable>(&value)) table->csv_file.clear();
+        if (auto* table = std::get_if<SetupTable>(&value)) {
+            table->csv_file.clear();
+            table->csv_columns.clear();
+        }
 }
 
 bool refers_to_csv(const Setup& setup) {

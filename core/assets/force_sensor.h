@@ -30,6 +30,7 @@ struct Run {
     int number = 0;
     std::optional<Readings> zero_before, zero_after;  ///< as indicated
     std::vector<StepReading> increasing, decreasing;  ///< by load, rising
+    double time_before = 0.0, time_after = 0.0;       ///< of the unloaded readings, s; NaN: not known
     const StepReading* decreasing_at(int step) const;
 };
 

@@ -198,18 +198,32 @@ private:
             }
     }
 
+    /// Fig. 2: the first wait of each sort that is too short is warned of.
     void check_times() {
         for (const Run& run : series().runs)
             for (std::size_t i = 1; i < run.increasing.size(); ++i) {
-                const double wait = run.increasing[i].time - run.increasing[i - 1].time;
+                const StepReading &before = run.increasing[i - 1], &now = run.increasing[i];
+                const double wait = now.time - before.time;
                 if (!(wait < 0.9 * calibration_.plan.load_time)) continue;
                 warn("run " + std::to_string(run.number) + " of " + name() + ": only " +
-                     readable_number(wait) + " s between steps " +
-                     std::to_string(run.increasing[i - 1].step) + " and " +
-                     std::to_string(run.increasing[i].step) + ", " +
-                     readable_number(calibration_.plan.load_time) + " s are planned");
-                return;
+                     readable_number(wait) + " s between steps " + std::to_string(before.step) + " and " +
+                     std::to_string(now.step) + ", " + readable_number(calibration_.plan.load_time) +
+                     " s are planned");
+                return check_free_times();
             }
+        check_free_times();
+    }
+
+    void check_free_times() {
+        const std::vector<Run>& runs = series().runs;
+        for (std::size_t i = 1; i < runs.size(); ++i) {
+            const double wait = runs[i].time_before - runs[i - 1].time_after;
+            if (!runs[i - 1].zero_after || !(wait < 0.9 * calibration_.plan.free_time)) continue;
+            warn("run " + std::to_string(runs[i].number) + " of " + name() + " begins " +
+                 readable_number(wait) + " s after the one before was unloaded, " +
+                 readable_number(calibration_.plan.free_time) + " s are planned");
+            return;
+        }
     }
 
     Calibration& calibration_;

@@ -129,18 +129,20 @@ private:
 
     void put(std::size_t row, Run& run, double load, const Readings& readings) {
         const std::string phase = text(row, "phase");
+        const double time =
+            setup_.cell_empty("readings", row, "t") ? std::nan("") : setup_.cell_number("readings", row, "t");
         if (phase == "zero_before" || phase == "zero_after") {
             auto& zero = phase == "zero_before" ? run.zero_before : run.zero_after;
             if (zero) return refuse(row, "phase", "this run has its unloaded reading already");
             zero = readings;
+            (phase == "zero_before" ? run.time_before : run.time_after) = time;
             return;
         }
         StepReading reading;
         reading.step = static_cast<int>(setup_.cell_number("readings", row, "step"));
         reading.load = load;
         reading.net = readings;
-        reading.time =
-            setup_.cell_empty("readings", row, "t") ? std::nan("") : setup_.cell_number("readings", row, "t");
+        reading.time = time;
         std::vector<StepReading>& steps = phase == "decreasing" ? run.decreasing : run.increasing;
         for (const StepReading& known : steps)
             if (known.step == reading.step)

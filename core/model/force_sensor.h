@@ -1,5 +1,4 @@
-// Capabilities of multi-axis force/moment sensors ("force-sensor") and of the machines that calibrate them
-// ("force-calibrator"), after Kim.
+// Capabilities of multi-axis force/moment sensors and of the machines that calibrate them, after Kim.
 //
 // Readings of the bridge are ratios (V/V); files and forms show mV/V. A row of a matrix is a channel, a
 // column is the axis that is loaded.

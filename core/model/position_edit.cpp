@@ -39,6 +39,7 @@ bool write_row(const FieldSpec& field, SetupTable& table, std::size_t row, const
         cells[column] = rounded(p[i], step, table.units[column], *before);
     }
     table.csv_file.clear();
+    table.csv_columns.clear();
     return true;
 }
 

@@ -83,13 +83,6 @@ private:
     CsvTable& out_;
 };
 
-// Separators behind the last header are no columns.
-std::vector<std::string> headers_of(const CsvText& csv) {
-    std::vector<std::string> headers = csv.rows.front().cells;
-    while (!headers.empty() && headers.back().empty()) headers.pop_back();
-    return headers;
-}
-
 /// Headers with those of `renamed` replaced and those that are not read left out; `read` says which remain.
 std::vector<std::string> renamed_headers(const std::vector<std::string>& headers, const CsvColumns& renamed,
                                          std::vector<std::size_t>& read, Problems& problems) {
@@ -101,15 +94,20 @@ std::vector<std::string> renamed_headers(const std::vector<std::string>& headers
     for (std::size_t i = 0; i < headers.size(); ++i) {
         const auto found = std::find_if(renamed.begin(), renamed.end(),
                                         [&](const auto& pair) { return pair.first == headers[i]; });
-        const std::string& header = found == renamed.end() ? headers[i] : found->second;
-        if (header.empty()) continue;
-        kept.push_back(header);
+        if (found != renamed.end() && found->second.empty()) continue;
+        kept.push_back(found == renamed.end() ? headers[i] : found->second);
         read.push_back(i);
     }
     return kept;
 }
 
 }  // namespace
+
+std::vector<std::string> headers_of(const CsvText& csv) {
+    std::vector<std::string> headers = csv.rows.front().cells;
+    while (!headers.empty() && headers.back().empty()) headers.pop_back();
+    return headers;
+}
 
 CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field, const CsvColumns& renamed) {
     CsvTable out;

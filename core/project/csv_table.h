@@ -23,6 +23,8 @@ using CsvColumns = std::vector<std::pair<std::string, std::string>>;
 /// The first row holds headers: column keys or titles, with the unit in brackets ("x [mm]"), or headers that
 /// `renamed` puts in their place. Problem: `renamed` names a header that is not there.
 CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field, const CsvColumns& renamed = {});
+/// The cells of the first row, which there must be; separators behind the last are no columns.
+std::vector<std::string> headers_of(const CsvText& csv);
 /// Without headers (a block pasted from a spreadsheet): columns in the order of the schema, in `units`.
 CsvTable table_from_csv_rows(const CsvText& csv, const FieldSpec& field, const std::vector<Unit>& units);
 /// Whether the first row names a column of the table: tells the two cases apart.

@@ -5,10 +5,12 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "core/base/symbol.h"
+#include "core/project/table_columns.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/document/strings.h"
@@ -28,6 +30,7 @@ CsvImportDialog::CsvImportDialog(const FieldSpec& field, std::vector<Unit> units
       field_(field),
       units_(std::move(units)),
       separator_(new QComboBox(this)),
+      columns_(new QTableWidget(this)),
       preview_(new QTableWidget(this)),
       summary_(new QLabel(this)) {
     setWindowTitle(tr("Import %1 into %2").arg(QFileInfo(file).fileName(), to_qt(field.title)));
@@ -42,22 +45,70 @@ CsvImportDialog::CsvImportDialog(const FieldSpec& field, std::vector<Unit> units
     separator_->addItem(tr("tab"), QString("\t"));
     preview_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     preview_->setAccessibleName(tr("Preview"));
+    preview_->setObjectName("preview");
     summary_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     accept_ = buttons->button(QDialogButtonBox::Ok);
     accept_->setText(tr("Import"));
+    make_columns_table();
     auto* form = new QFormLayout;
     form->addRow(tr("&Separator of cells"), separator_);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(form);
+    layout->addWidget(columns_);
     layout->addWidget(preview_, 1);
     layout->addWidget(summary_);
     layout->addWidget(buttons);
-    resize(720, 480);
+    resize(760, 620);
     connect(separator_, &QComboBox::currentIndexChanged, this, &CsvImportDialog::read);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     read();
+}
+
+void CsvImportDialog::make_columns_table() {
+    columns_->setColumnCount(2);
+    columns_->setHorizontalHeaderLabels({tr("Column of the file"), tr("is read as")});
+    columns_->horizontalHeader()->setStretchLastSection(true);
+    columns_->verticalHeader()->hide();
+    columns_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    columns_->setAccessibleName(tr("Columns of the file"));
+    columns_->setObjectName("columns");
+    columns_->setMaximumHeight(170);
+}
+
+/// One line for each header, which may stand for any column of the table; anew only for other headers.
+void CsvImportDialog::offer_columns(const std::vector<std::string>& headers) {
+    columns_->setVisible(!headers.empty());
+    if (headers == headers_) return;
+    headers_ = headers;
+    columns_->setRowCount(static_cast<int>(headers.size()));
+    for (int row = 0; row < columns_->rowCount(); ++row) {
+        const std::string& header = headers[static_cast<std::size_t>(row)];
+        columns_->setItem(row, 0, new QTableWidgetItem(to_qt(header)));
+        auto* choice = new QComboBox;
+        choice->setAccessibleName(tr("Column %1 is read as").arg(to_qt(header)));
+        const bool known = find_table_column(field_, header_name(header)) != SetupSchema::npos;
+        choice->addItem(known ? tr("as it is named") : tr("unknown: choose"), to_qt(header));
+        choice->addItem(tr("not read"), QString());
+        for (const ColumnSpec& column : field_.columns)
+            choice->addItem(with_unit(to_qt(symbol_to_unicode(column.title)), column.unit),
+                            to_qt(column_header(column, column.unit)));
+        columns_->setCellWidget(row, 1, choice);
+        connect(choice, &QComboBox::currentIndexChanged, this, &CsvImportDialog::read);
+    }
+    columns_->resizeColumnToContents(0);
+}
+
+CsvColumns CsvImportDialog::renamed() const {
+    CsvColumns renamed;
+    for (int row = 0; row < columns_->rowCount(); ++row) {
+        const auto* choice = qobject_cast<QComboBox*>(columns_->cellWidget(row, 1));
+        if (choice && choice->currentIndex() > 0)
+            renamed.emplace_back(headers_[static_cast<std::size_t>(row)],
+                                 to_std(choice->currentData().toString()));
+    }
+    return renamed;
 }
 
 void CsvImportDialog::read() {
@@ -68,13 +119,17 @@ void CsvImportDialog::read() {
         chosen.isEmpty() ? std::nullopt : std::optional<char>(chosen.at(0).toLatin1());
     if (const auto csv =
             read_csv(std::string_view(text_.data(), static_cast<std::size_t>(text_.size())), separator);
-        !csv)
+        !csv) {
         failure = csv.error().line > 0
                       ? tr("Line %1: %2").arg(csv.error().line).arg(to_qt(csv.error().message))
                       : to_qt(csv.error().message);
-    else
-        imported_ = has_header(*csv, field_) ? table_from_csv(*csv, field_)
-                                             : table_from_csv_rows(*csv, field_, units_);
+    } else if (has_header(*csv, field_)) {
+        offer_columns(headers_of(*csv));
+        imported_ = table_from_csv(*csv, field_, renamed());
+    } else {
+        offer_columns({});
+        imported_ = table_from_csv_rows(*csv, field_, units_);
+    }
     show_preview();
     show_summary(failure);
 }

@@ -1,4 +1,4 @@
-// Shows what a CSV file would become before it replaces a table.
+// Shows what a CSV file would become before it replaces a table; which column is which can be chosen.
 #pragma once
 
 #include <QComboBox>
@@ -22,6 +22,9 @@ public:
     const Problems& problems() const { return imported_.problems; }
 
 private:
+    void make_columns_table();
+    void offer_columns(const std::vector<std::string>& headers);
+    CsvColumns renamed() const;
     void read();
     void show_preview();
     void show_summary(const QString& failure);
@@ -32,6 +35,8 @@ private:
     QString read_failure_;
     CsvTable imported_;
     QComboBox* separator_;
+    QTableWidget* columns_;  ///< headers of the file and what they stand for
+    std::vector<std::string> headers_;
     QTableWidget* preview_;
     QLabel* summary_;
     QPushButton* accept_;

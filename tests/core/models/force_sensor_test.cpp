@@ -242,6 +242,19 @@ TEST(ForceSensor, WithoutDecreasingLoadsHysteresisIsNotKnown) {
     EXPECT_EQ(numbers(table_with(project.asset_tables("sensor"), "table-3"), 3)[2], 0.0);
 }
 
+TEST(ForceSensor, TimesOfThePlanAreChecked) {
+    ForceProject project;
+    ASSERT_TRUE(project.prepare("combined"));
+    EXPECT_TRUE(project.problems.empty()) << project.words();
+    project.asset("sensor").values["load_time"] = Quantity{60.0, Unit::of("s")};
+    EXPECT_TRUE(project.warns("combined", "run 1 of Fx: only 30 s between steps 1 and 2, 60 s are planned"))
+        << project.words();
+    project.asset("sensor").values["free_time"] = Quantity{5.0, Unit::of("min")};
+    EXPECT_TRUE(
+        project.warns("combined", "run 2 of Fx begins 120 s after the one before was unloaded, 300 s"))
+        << project.words();
+}
+
 TEST(ForceSensor, ExchangedUnitsAreRefused) {
     ForceProject unit;
     unit.change_readings({"Fx", "calibration", "increasing", 1, 1}, [&](std::vector<SetupCell>& row) {

@@ -194,9 +194,31 @@ TEST_F(CsvImportTest, PreviewsWhatWillBeImported) {
     EXPECT_FALSE(dialog.problems().has_errors());
     ASSERT_EQ(dialog.table().rows.size(), 2u);
     EXPECT_EQ(dialog.table().units[1], Unit::of("m"));
-    const auto* preview = dialog.findChild<QTableWidget*>();
+    const auto* preview = dialog.findChild<QTableWidget*>("preview");
     EXPECT_EQ(preview->item(1, 1)->text(), "1.5");
     EXPECT_EQ(preview->horizontalHeaderItem(1)->text(), "x / m");
+}
+
+TEST_F(CsvImportTest, AColumnOfTheFileMayStandForAnyColumn) {
+    const CsvImportDialog dialog(field, units,
+                                 file("Name,pos,u_x [um],operator\nb1,0.5,2,Anna\nb2,1.5,3,Ben\n"));
+    EXPECT_TRUE(dialog.problems().has_errors());
+    const auto* columns = dialog.findChild<QTableWidget*>("columns");
+    ASSERT_EQ(columns->rowCount(), 4);
+    const auto choose = [&](int row, const QString& text) {
+        auto* choice = qobject_cast<QComboBox*>(columns->cellWidget(row, 1));
+        const int index = choice->findText(text);
+        ASSERT_GE(index, 0) << text.toStdString();
+        choice->setCurrentIndex(index);
+    };
+    choose(3, "not read");
+    choose(1, "x / mm");
+    EXPECT_FALSE(dialog.problems().has_errors()) << dialog.problems().items()[0].message;
+    ASSERT_EQ(dialog.table().rows.size(), 2u);
+    EXPECT_EQ(std::get<double>(dialog.table().rows[1][1]), 1.5);
+    EXPECT_EQ(dialog.table().units[1], Unit::of("mm"));
+    choose(2, "x / mm");
+    EXPECT_TRUE(dialog.problems().has_errors()) << "one column for two";
 }
 
 TEST_F(CsvImportTest, WithoutHeadsTheTablesUnitsAreUsed) {
