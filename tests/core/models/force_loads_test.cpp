@@ -194,9 +194,11 @@ TEST(ForceLoads, VectorsCarryTheirUncertainty) {
         x.push_back(estimate_of(prepared->inputs, i));
     const Layout layout = prepared->model->layout(x);
     ASSERT_EQ(layout.vectors.size(), 6u);  // force and moment of three cases
+    // The sensor is turned by 90° about z: 50, -30, 80 N and 0.4, -0.6, 0.2 N m along its own axes.
     const LayoutVector &force = layout.vectors[0], &moment = layout.vectors[1];
-    EXPECT_LT((force.vector_W - Eigen::Vector3d(50, -30, 80)).norm(), 1e-9);
-    EXPECT_LT((moment.vector_W - Eigen::Vector3d(.4, -.6, .2)).norm(), 1e-11);
+    EXPECT_LT((force.vector_W - Eigen::Vector3d(30, 50, 80)).norm(), 1e-9);
+    EXPECT_LT((moment.vector_W - Eigen::Vector3d(.6, .4, .2)).norm(), 1e-11);
+    EXPECT_LT((force.R_WQ * Eigen::Vector3d(50, -30, 80) - force.vector_W).norm(), 1e-9);
     EXPECT_EQ(moment.kind, VectorKind::moment);
     ASSERT_TRUE(force.outputs && moment.outputs);
     for (std::size_t i = 0; i < 3; ++i) {
