@@ -201,17 +201,17 @@ TEST_F(CsvImportTest, PreviewsWhatWillBeImported) {
 
 TEST_F(CsvImportTest, AColumnOfTheFileMayStandForAnyColumn) {
     const CsvImportDialog dialog(field, units,
-                                 file("Name,pos,u_x [um],operator\nb1,0.5,2,Anna\nb2,1.5,3,Ben\n"));
+                                 file("Name,pos,u_x [um],Kind,operator\nb1,0.5,2,Nest,Anna\nb2,1.5,3,b,Ben\n"));
     EXPECT_TRUE(dialog.problems().has_errors());
     const auto* columns = dialog.findChild<QTableWidget*>("columns");
-    ASSERT_EQ(columns->rowCount(), 4);
+    ASSERT_EQ(columns->rowCount(), 5);
     const auto choose = [&](int row, const QString& text) {
         auto* choice = qobject_cast<QComboBox*>(columns->cellWidget(row, 1));
         const int index = choice->findText(text);
         ASSERT_GE(index, 0) << text.toStdString();
         choice->setCurrentIndex(index);
     };
-    choose(3, "not read");
+    choose(4, "not read");
     choose(1, "x / mm");
     EXPECT_FALSE(dialog.problems().has_errors()) << dialog.problems().items()[0].message;
     ASSERT_EQ(dialog.table().rows.size(), 2u);
