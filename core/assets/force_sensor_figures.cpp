@@ -97,7 +97,7 @@ public:
     /// Deviation from the straight line between zero and rated load, so that the loop is wide.
     PlotSpecification loop() const {
         PlotSpecification plot = empty("loop", "Hysteresis loop, magnified, of ");
-        plot.y.title = "mean reading less line through rated output (µV/V)";
+        plot.y.title = "deviation from the line (µV/V)";
         const double line = channel_.rated_output / channel_.rated_load;
         PlotSeries up{"increasing", SeriesKind::line, SeriesRole::data, {0.0}, {0.0}, {}, 0.0};
         PlotSeries down{"decreasing", SeriesKind::line, SeriesRole::emphasis, {}, {}, {}, 0.0};

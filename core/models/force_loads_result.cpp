@@ -17,11 +17,12 @@ DataTable matrix_table(const LoadsSetup& setup) {
     table.id = "matrix";
     table.title = "Calibration matrix: reading by load";
     table.columns = {{.header = "channel"}};
-    for (std::size_t c = 0; c < setup.size(); ++c)
-        table.columns.push_back(
-            {.header = "load " + key_of(setup, c),
-             .unit = Unit::of(setup.channels()[c].kind().is_moment ? "mV/V/N/m" : "mV/V/N"),
-             .digits = 5});
+    for (std::size_t c = 0; c < setup.size(); ++c) {
+        const bool moment = setup.channels()[c].kind().is_moment;
+        table.columns.push_back({.header = "load " + key_of(setup, c),
+                                 .unit = Unit::of(moment ? "mV/V/N/m" : "uV/V/N"),
+                                 .decimals = moment ? 6 : 5});
+    }
     for (std::size_t h = 0; h < setup.size(); ++h) {
         std::vector<TableCell> row{key_of(setup, h)};
         for (std::size_t c = 0; c < setup.size(); ++c)

@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTextBrowser>
+#include <QTextOption>
 #include <QVBoxLayout>
 
 #include "ui/charts/chart_view.h"
@@ -21,6 +22,9 @@ EvaluationView::EvaluationView(Qt::Orientation orientation, QWidget* parent)
       chart_(new ChartView) {
     text_->setFrameShape(QFrame::NoFrame);
     text_->document()->setDocumentMargin(10);
+    // Wide tables scroll; numbers are never broken.
+    text_->setWordWrapMode(QTextOption::WordWrap);
+    text_->document()->setDefaultStyleSheet(QStringLiteral("td { white-space: nowrap }"));
     text_->setAccessibleName(tr("Tables of the evaluation"));
     list_->setAccessibleName(tr("Chart"));
     list_->setToolTip(tr("Which chart of the evaluation is shown"));
