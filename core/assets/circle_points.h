@@ -4,8 +4,9 @@
 
 #include <optional>
 
+#include "core/assets/identified_parameters.h"
+#include "core/assets/measured_points.h"
 #include "core/assets/robot_schema.h"
-#include "core/assets/robot_source.h"
 #include "core/math/axis_frames.h"
 #include "core/math/circle_fit.h"
 #include "core/model/output_quantity.h"
@@ -20,28 +21,15 @@ struct Trajectory {
     CircleShape shape;
 };
 
-/// A parameter that is found.
-struct Parameter {
-    std::size_t joint = 0;
-    JointParameter parameter = JointParameter::theta;
-    std::string symbol() const { return std::string(symbol_of(parameter)) + "_" + std::to_string(joint + 1); }
-};
-
-struct Missing {
-    std::string parameter, reason;
-};
-
 struct Identification {
     std::shared_ptr<const Asset> nominal;
-    std::shared_ptr<const Asset> instrument;  ///< null: a typed standard uncertainty
-    std::string instrument_id, instrument_name;
-    double u_point = 0.0;
+    PointLocator locator;
     PlaneFit plane = PlaneFit::total_least_squares;
     bool simulated = false;
     std::vector<Trajectory> trajectories;  ///< one for each joint
     AxisStructure structure;
-    std::vector<Parameter> parameters;
-    std::vector<Missing> missing;
+    std::vector<IdentifiedParameter> parameters;
+    std::vector<HeldParameter> missing;
     InputSet inputs;
 
     const SerialRobotSource& robot() const { return *nominal->serial_robot(); }

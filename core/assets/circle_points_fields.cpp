@@ -64,34 +64,6 @@ std::vector<FieldSpec> simulation_fields() {
          .section = "Points"}};
 }
 
-std::vector<FieldSpec> uncertainty_fields() {
-    return {
-        {.key = "point_uncertainty",
-         .title = "Uncertainty of the points",
-         .kind = FieldKind::choice,
-         .help = "A standard uncertainty of every coordinate, or an instrument of the project that stands "
-                 "somewhere.",
-         .default_value = std::string("typed"),
-         .choices = {{"typed", "typed: alike for all coordinates"}, {"asset", "an instrument"}},
-         .section = "Points"},
-        {.key = "u_point",
-         .title = "Standard uncertainty of a coordinate",
-         .help = "Of every coordinate of every point, independent of all others.",
-         .unit = Unit::of("mm"),
-         .range = {.low = 0.0},
-         .default_value = Quantity{0.015, Unit::of("mm")},
-         .shown_if = Condition{"point_uncertainty", {"typed"}},
-         .section = "Points"},
-        {.key = "instrument",
-         .title = "Instrument",
-         .kind = FieldKind::reference,
-         .help = "What measured the points: each reading deviates by itself, its scale and its station alike "
-                 "for all points.",
-         .capabilities = {"point-uncertainty"},
-         .shown_if = Condition{"point_uncertainty", {"asset"}},
-         .section = "Points"}};
-}
-
 }  // namespace
 
 std::vector<FieldSpec> fields() {
@@ -113,7 +85,7 @@ std::vector<FieldSpec> fields() {
          .choices = {{"measured", "measured"}, {"simulated", "simulated"}},
          .section = "Points"},
         points_field()};
-    for (const std::vector<FieldSpec>& more : {simulation_fields(), uncertainty_fields()})
+    for (const std::vector<FieldSpec>& more : {simulation_fields(), locator_fields()})
         all.insert(all.end(), more.begin(), more.end());
     all.push_back(
         {.key = "plane",

@@ -66,18 +66,7 @@ private:
                 "in Craig's");
         if (id_.robot().joints().size() < 2)
             problems_.error("/nominal", "an arm of one joint has no parameters between two axes");
-        if (setup_.text("point_uncertainty") == "typed") {
-            id_.u_point = setup_.number("u_point");
-            return !problems_.has_errors();
-        }
-        id_.instrument_id = setup_.text("instrument");
-        const AssetLibrary::Entry* instrument = assets_.find(id_.instrument_id);
-        if (!instrument || !instrument->asset || !instrument->asset->point_uncertainty()) {
-            problems_.error("/instrument", "'" + id_.instrument_id + "' does not locate points by itself");
-            return false;
-        }
-        id_.instrument = instrument->asset;
-        id_.instrument_name = instrument->name.empty() ? id_.instrument_id : instrument->name;
+        if (auto locator = read_locator(setup_, assets_, problems_)) id_.locator = std::move(*locator);
         return !problems_.has_errors();
     }
 
@@ -120,21 +109,23 @@ private:
     }
 
     void add_inputs() {
+        std::vector<LocatedPoint> points;
         for (std::size_t j = 0; j < id_.trajectories.size(); ++j) {
             id_.trajectories[j].first_input = id_.inputs.quantities.size();
-            for (std::size_t k = 0; k < id_.trajectories[j].points.size(); ++k) add_point(j, k);
+            for (std::size_t k = 0; k < id_.trajectories[j].points.size(); ++k)
+                points.push_back(add_point(j, k));
         }
-        if (id_.instrument) add_deviations();
+        add_point_components(id_.locator, points, id_.inputs, problems_);
     }
 
-    void add_point(std::size_t j, std::size_t k) {
+    LocatedPoint add_point(std::size_t j, std::size_t k) {
         static const char* const axes[] = {"x", "y", "z"};
         const Trajectory& t = id_.trajectories[j];
-        const std::string label = std::to_string(j + 1) + "," + std::to_string(k + 1);
-        const std::size_t first = id_.inputs.quantities.size();
+        LocatedPoint point{t.points[k], std::to_string(j + 1) + "," + std::to_string(k + 1),
+                           id_.inputs.quantities.size()};
         for (int c = 0; c < 3; ++c) {
             InputQuantity quantity{
-                .symbol = std::string(axes[c]) + "_" + label,
+                .symbol = std::string(axes[c]) + "_" + point.label,
                 .name = joint_name(j) + ", point " + std::to_string(k + 1) + ", " + axes[c],
                 .unit = Unit::of("mm"),
                 .offset = t.points[k][c],
@@ -143,43 +134,7 @@ private:
             quantity.tags = {{"trajectory", joint_name(j)}};
             id_.inputs.quantities.push_back(std::move(quantity));
         }
-        if (id_.instrument) return;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::string symbol = id_.inputs.quantities[first + c].symbol;
-            id_.inputs.quantities[first + c].shares = {
-                {id_.inputs.add({.id = symbol + ".point",
-                                 .name = "point, " + symbol,
-                                 .unit = Unit::of("mm"),
-                                 .distribution = Distribution::normal(id_.u_point),
-                                 .origin = "typed standard uncertainty"}),
-                 1.0}};
-        }
-    }
-
-    /// All points of all joints are measured from one set-up of the instrument.
-    void add_deviations() {
-        std::vector<Eigen::Vector3d> points;
-        std::vector<std::string> labels;
-        for (std::size_t j = 0; j < id_.trajectories.size(); ++j)
-            for (std::size_t k = 0; k < id_.trajectories[j].points.size(); ++k) {
-                points.push_back(id_.trajectories[j].points[k]);
-                labels.push_back(std::to_string(j + 1) + "," + std::to_string(k + 1));
-            }
-        const PointUncertaintySource& source = *id_.instrument->point_uncertainty();
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (const std::string objection = source.objection(points[i]); !objection.empty())
-                return problems_.error("/instrument", "point " + labels[i] + ": " + objection);
-        for (JointDeviation& d : source.joint_deviations(points)) {
-            UncertaintyComponent component = d.component;
-            component.id = id_.instrument_id + "." + d.id + (d.point ? "." + labels[*d.point] : "");
-            component.name = id_.instrument_name + ", " + d.name;
-            component.origin = id_.instrument_name + " (" + component.origin + ")";
-            const std::size_t index = id_.inputs.add(std::move(component));
-            for (std::size_t i = 0; i < points.size(); ++i)
-                for (std::size_t c = 0; c < 3; ++c)
-                    if (const double f = d.directions[i][static_cast<Eigen::Index>(c)]; f != 0.0)
-                        id_.inputs.quantities[3 * i + c].shares.push_back({index, f});
-        }
+        return point;
     }
 
     /// Root mean square of the standard uncertainties of the coordinates of a trajectory.
@@ -347,7 +302,7 @@ private:
         const std::size_t n = id_.trajectories.size();
         for (std::size_t j = 0; j < n; ++j)
             for (JointParameter p : joint_parameters) {
-                const Parameter parameter{j, p};
+                const IdentifiedParameter parameter{j, p};
                 const std::string reason = reason_against(j, p);
                 const bool exists = p != JointParameter::beta || (j + 1 < n && id_.structure.parallel[j]);
                 if (reason.empty() && exists) id_.parameters.push_back(parameter);

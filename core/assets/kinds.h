@@ -23,6 +23,8 @@ AssetDescriptor robot_repeatability_kind();
 AssetDescriptor serial_robot_kind();
 /// A robot with the parameters of an identification by joint trajectories (Wen et al., 2.1).
 AssetDescriptor identified_robot_kind();
+/// A robot with the parameters of an identification by least squares from measured poses.
+AssetDescriptor calibrated_robot_kind();
 /// A machine that loads a force/moment sensor (Kim, Eq. 5).
 AssetDescriptor force_calibrator_kind();
 /// A multi-axis force/moment sensor with its calibration (Kim).

@@ -10,7 +10,7 @@ const std::vector<AssetDescriptor>& asset_registry() {
         artefact_points_kind(),     length_standard_kind(),     spherical_instrument_kind(),
         sensor_network_kind(),      point_specification_kind(), ballbar_set_kind(),
         robot_repeatability_kind(), serial_robot_kind(),        identified_robot_kind(),
-        force_calibrator_kind(),    force_sensor_kind()};
+        calibrated_robot_kind(),    force_calibrator_kind(),    force_sensor_kind()};
     return kinds;
 }
 

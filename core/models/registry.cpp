@@ -5,6 +5,7 @@
 #include "core/models/force_loads.h"
 #include "core/models/points_from_sensors.h"
 #include "core/models/pose_from_points.h"
+#include "core/models/robot_calibration.h"
 #include "core/models/robot_circle_points.h"
 #include "core/models/robot_pose.h"
 #include "core/models/tcp_from_ballbars.h"
@@ -14,8 +15,8 @@ namespace covaria {
 const std::vector<ModelDescriptor>& model_registry() {
     static const std::vector<ModelDescriptor> models{pose_from_points_model(),    points_from_sensors_model(),
                                                      tcp_from_ballbars_model(),   robot_pose_model(),
-                                                     robot_circle_points_model(), force_channels_model(),
-                                                     force_loads_model()};
+                                                     robot_circle_points_model(), robot_calibration_model(),
+                                                     force_channels_model(),      force_loads_model()};
     return models;
 }
 

@@ -11,7 +11,7 @@ namespace {
 class RobotCirclePoints : public EquationModel<RobotCirclePoints> {
 public:
     explicit RobotCirclePoints(circle_points::Identification id) : id_(std::move(id)) {
-        for (const circle_points::Parameter& p : id_.parameters) {
+        for (const IdentifiedParameter& p : id_.parameters) {
             const std::string joint = "joint " + std::to_string(p.joint + 1);
             outputs_.push_back({.symbol = p.symbol(),
                                 .name = std::string(name_of(p.parameter)) + " of " + joint,

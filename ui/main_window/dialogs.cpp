@@ -63,6 +63,9 @@ Dialogs standard_dialogs(QWidget* parent) {
         return QFileDialog::getOpenFileName(parent, text_of("Open Project"), folder,
                                             text_of("Covaria project (*.covaria)"));
     };
+    dialogs.file_to_import = [parent](const QString& title, const QString& folder, const QString& filter) {
+        return QFileDialog::getOpenFileName(parent, title, folder, filter);
+    };
     dialogs.file_to_save = [parent](const QString& title, const QString& suggested, const QString& filter) {
         return QFileDialog::getSaveFileName(parent, title, suggested, filter);
     };

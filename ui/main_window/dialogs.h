@@ -14,6 +14,8 @@ enum class DiskAnswer { reload, keep };
 
 struct Dialogs {
     std::function<QString(const QString& folder)> file_to_open;
+    /// title, folder, filter; empty = cancelled.
+    std::function<QString(const QString& title, const QString& folder, const QString& filter)> file_to_import;
     /// title, suggested path, filter ("PDF document (*.pdf)"); empty = cancelled.
     std::function<QString(const QString& title, const QString& suggested, const QString& filter)>
         file_to_save;

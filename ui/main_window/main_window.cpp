@@ -16,6 +16,7 @@
 #include "ui/main_window/dock_title.h"
 #include "ui/main_window/export_actions.h"
 #include "ui/main_window/help_actions.h"
+#include "ui/main_window/import_actions.h"
 #include "ui/main_window/run_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/window_state.h"
@@ -103,6 +104,7 @@ void MainWindow::make_panes() {
     tabifyDockWidget(problems, log);
     statusBar()->addPermanentWidget(new RunStatus(document_, runner_, selection_));
     exports_ = new ExportActions(document_, runner_, files_.dialogs, this);
+    imports_ = new ImportActions(document_, files_.dialogs, this);
 }
 
 QDockWidget* MainWindow::add_dock(Qt::DockWidgetArea area, const QString& title, const QString& name,
@@ -185,11 +187,13 @@ void MainWindow::make_file_menu() {
     menu->addSeparator();
     menu->addActions({files_.save_action, files_.save_as_action});
     menu->addSeparator();
+    menu->addAction(imports_->urdf_action);
     QMenu* exported = exports_->make_menu(menu);
     menu->addMenu(exported);
     menu->addSeparator();
     menu->addAction(icon(QStringLiteral("quit")), tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
-    project_actions_ << files_.save_action << files_.save_as_action << exported->menuAction();
+    project_actions_ << files_.save_action << files_.save_as_action << imports_->urdf_action
+                     << exported->menuAction();
 }
 
 void MainWindow::make_edit_menu() {

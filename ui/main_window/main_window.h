@@ -45,6 +45,7 @@ public:
     PropertiesPane& properties() { return *properties_; }
     ProjectPane& project_pane() { return *project_; }
     ExportActions& exports() { return *exports_; }
+    ImportActions& imports() { return *imports_; }
 
 protected:
     bool event(QEvent* event) override;
@@ -87,6 +88,7 @@ private:
     ProblemsPane* problems_ = nullptr;
     LogPane* log_ = nullptr;
     ExportActions* exports_ = nullptr;
+    ImportActions* imports_ = nullptr;
     RunActions* run_ = nullptr;
     ThemeSwitch* theme_ = nullptr;
     QMenu* add_ = nullptr;

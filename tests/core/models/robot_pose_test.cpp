@@ -232,5 +232,78 @@ TEST(RobotPose, GridOverTheFirstThreeJoints) {
     expect_near(sum, {1.0932, .9522, .5451, 1.5863}, 1.2e-4);
 }
 
+// --- the adaptive procedure
+
+TEST(RobotPose, AdaptiveStopsWhereNormalTheorySays) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        Robot robot;
+        AnalysisEntry& analysis = robot.find("zero-pose-adaptive");
+        analysis.options.seed = seed;
+        const auto prepared = robot.prepare("zero-pose-adaptive");
+        const UncertaintyResult r = run_analysis(*prepared).value();
+        EXPECT_TRUE(r.stabilised);
+        const double batches = static_cast<double>(r.trials) / 10'000.0;
+        EXPECT_GE(batches, 150.0) << "20 runs: 197 to 260, median 225";
+        EXPECT_LE(batches, 310.0);
+    }
+}
+
+/// Two joints in a plane: z is known exactly.
+void make_planar(Robot& robot, double u_theta) {
+    covaria::SetupTable& joints = robot.asset_table("er10l-nominal", "joints");
+    joints.rows.resize(2);
+    joints.rows[0] = {0.0, 0.0, 300.0, 0.0, 0.0, {}, {}, {}, {}, {}, {}};
+    joints.rows[1] = {30.0, 0.0, 200.0, 0.0, {}, {}, {}, {}, {}, {}, {}};
+    covaria::SetupTable& u = robot.asset_table("er10l-nominal", "uncertainties");
+    u.rows = {{std::string("typed"), 1.0, u_theta, {}, {}, {}, {}, {}, {}}};
+    covaria::SetupTable& poses = robot.table("zero-pose-nominal", "poses");
+    poses.rows[0] = {std::string("zero"), 0.0, 0.0, {}, {}, {}, {}, {}};
+}
+
+TEST(RobotPose, APlanarArmIsExactAcrossItsPlane) {
+    Robot robot;
+    make_planar(robot, .01);
+    const UncertaintyResult r = robot.run("zero-pose-nominal", 20'000);
+    EXPECT_EQ(r.failed_trials, 0u);
+    EXPECT_GT(r.outputs[1].monte_carlo->standard_uncertainty, 1e-5);
+    const MonteCarloOutput& z = *r.outputs[2].monte_carlo;
+    EXPECT_EQ(z.standard_uncertainty, 0.0);
+    EXPECT_EQ(z.shortest.high - z.shortest.low, 0.0);
+    EXPECT_TRUE(std::isfinite(z.skewness) && std::isfinite(z.kurtosis));
+}
+
+// An output without uncertainty has no digits to agree on, and needs none.
+TEST(RobotPose, AdaptiveRunsEndForExactOutputsAndGenerousTolerances) {
+    Robot robot;
+    make_planar(robot, .01);
+    EvaluationOptions& options = robot.find("zero-pose-nominal").options;
+    options.method = Method::adaptive;
+    options.maximum_trials = 5'000'000;
+    UncertaintyResult r = run_analysis(*robot.prepare("zero-pose-nominal")).value();
+    EXPECT_TRUE(r.stabilised);
+    options.tolerance = Quantity{5.0, Unit::of("mm")};  // far above u
+    r = run_analysis(*robot.prepare("zero-pose-nominal")).value();
+    EXPECT_TRUE(r.stabilised);
+    EXPECT_EQ(r.trials, 10u * 10'000u) << "the least number of batches";
+}
+
+TEST(RobotPose, NoUncertaintyAtAll) {
+    Robot robot;
+    make_planar(robot, 0.0);
+    const UncertaintyResult r = robot.run("zero-pose-nominal", 10'000);
+    for (const OutputResult& y : r.outputs) {
+        EXPECT_EQ(y.monte_carlo->standard_uncertainty, 0.0);
+        EXPECT_EQ(y.first_order.standard_uncertainty, 0.0);
+    }
+}
+
+TEST(RobotPose, BetaAndDOfOneJointAreRefused) {
+    Robot robot;
+    robot.asset_table("er10l-nominal", "joints").rows[1][1] = 5.0;
+    EXPECT_EQ(robot.prepare("zero-pose-nominal"), nullptr);
+    EXPECT_NE(robot.words().find("where beta is given, d is 0 by definition"), std::string::npos)
+        << robot.words();
+}
+
 }  // namespace
 }  // namespace covaria

@@ -32,7 +32,7 @@ protected:
     struct Answers {
         SaveAnswer save = SaveAnswer::discard;
         DiskAnswer disk = DiskAnswer::keep;
-        QString file_to_save;
+        QString file_to_save, file_to_import;
         int recover = -1;
         bool confirm = true;
         QStringList messages;  ///< shown to the user
@@ -49,6 +49,9 @@ protected:
         dialogs.changed_on_disk = [this](const QString&, bool) { return answer_.disk; };
         dialogs.file_to_save = [this](const QString&, const QString&, const QString&) {
             return answer_.file_to_save;
+        };
+        dialogs.file_to_import = [this](const QString&, const QString&, const QString&) {
+            return answer_.file_to_import;
         };
         dialogs.recover = [this](const QStringList&) { return answer_.recover; };
         dialogs.confirm = [this](const QString&, const QString&) { return answer_.confirm; };

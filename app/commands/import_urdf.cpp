@@ -1,0 +1,91 @@
+// covaria import-urdf FILE -o PROJECT: a robot from URDF as an asset of a new or of an existing project.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "app/commands/commands.h"
+#include "app/exit_status.h"
+#include "app/terminal.h"
+#include "core/assets/urdf.h"
+#include "core/project/project_file.h"
+
+namespace covaria {
+namespace {
+
+struct ImportRequest {
+    std::string file, output, tip;
+};
+
+/// "Arm X (5)" -> "arm-x-5", with a number appended while the project has it already.
+std::string free_id(const Project& project, const std::string& name) {
+    std::string id;
+    for (const char c : name) {
+        const auto u = static_cast<unsigned char>(c);
+        if (std::isalnum(u))
+            id += static_cast<char>(std::tolower(u));
+        else if (!id.empty() && id.back() != '-')
+            id += '-';
+    }
+    while (!id.empty() && id.back() == '-') id.pop_back();
+    if (id.empty()) id = "robot";
+    std::string free = id;
+    for (int n = 2; project.find_asset(free); ++n) free = id + "-" + std::to_string(n);
+    return free;
+}
+
+Result<Project> project_to_extend(const ImportRequest& request, const std::string& name) {
+    Project project;
+    project.title = name;
+    if (!std::filesystem::exists(request.output)) return project;
+    LoadedProject loaded = load_project(request.output);
+    print_problems(loaded.problems);
+    if (loaded.problems.has_errors())
+        return fail(ErrorCode::bad_input,
+                    request.output + ": the project has errors; nothing was added to it");
+    return std::move(loaded.project);
+}
+
+Result<void> import_robot(const ImportRequest& request) {
+    std::ifstream in(request.file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) return fail(ErrorCode::io, request.file + " cannot be read");
+    auto imported = import_urdf(text.str(), request.tip);
+    if (!imported) {
+        Error error = imported.error();
+        error.file = request.file;
+        return fail(std::move(error));
+    }
+    auto project = project_to_extend(request, imported->name);
+    if (!project) return fail(project.error());
+    project->assets.push_back({free_id(*project, imported->name), imported->kind, imported->name,
+                               imported->notes, std::move(imported->setup)});
+    return save_project(*project, request.output);
+}
+
+}  // namespace
+
+Command import_urdf_command(CLI::App& app) {
+    auto request = std::make_shared<ImportRequest>();
+    CLI::App* command = app.add_subcommand("import-urdf", "Make a serial robot from a URDF file");
+    command->add_option("FILE", request->file, "robot description (*.urdf), xacro macros expanded")
+        ->required();
+    command
+        ->add_option("--output,-o", request->output,
+                     "project to write; the robot is added to it if it is there already")
+        ->type_name("PROJECT")
+        ->required();
+    command->add_option("--tip", request->tip, "link at the end of the arm; found without it")
+        ->type_name("LINK");
+    return {command, [request](const std::stop_token&) {
+                if (auto done = import_robot(*request); !done) {
+                    print_error(done.error());
+                    return exit_status_of(done.error());
+                }
+                return exit_success;
+            }};
+}
+
+}  // namespace covaria

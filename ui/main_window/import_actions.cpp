@@ -1,0 +1,50 @@
+#include "ui/main_window/import_actions.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include "core/assets/urdf.h"
+#include "ui/document/project_edits.h"
+#include "ui/document/strings.h"
+#include "ui/theme/icons.h"
+
+namespace covaria::ui {
+
+ImportActions::ImportActions(Document& document, Dialogs& dialogs, QObject* parent)
+    : QObject(parent), document_(document), dialogs_(dialogs) {
+    urdf_action = new QAction(icon(QStringLiteral("robot")), tr("&Import Robot (URDF) …"), this);
+    urdf_action->setToolTip(tr("Add a serial robot from a robot description in URDF"));
+    connect(urdf_action, &QAction::triggered, this, &ImportActions::ask_for_urdf);
+}
+
+void ImportActions::ask_for_urdf() {
+    const QString folder = document_.file().isEmpty() ? QDir::homePath() : QFileInfo(document_.file()).path();
+    const QString file =
+        dialogs_.file_to_import(tr("Import Robot"), folder, tr("Robot description (*.urdf);;All files (*)"));
+    if (!file.isEmpty()) import_urdf_file(file);
+}
+
+void ImportActions::import_urdf_file(const QString& file) {
+    const QString name = QFileInfo(file).fileName();
+    QFile in(file);
+    if (!in.open(QIODevice::ReadOnly)) {
+        dialogs_.show_message(tr("The robot was not imported"),
+                              name + QStringLiteral("\n\n") + in.errorString());
+        return;
+    }
+    auto robot = import_urdf(in.readAll().toStdString());
+    if (!robot) {
+        dialogs_.show_message(tr("The robot was not imported"),
+                              name + QStringLiteral("\n\n") + to_qt(robot.error().message));
+        return;
+    }
+    AssetEntry entry{unique_id(document_.project(), robot->name), robot->kind,
+                     unique_name(document_.project(), robot->name), robot->notes, robot->setup};
+    document_.apply(tr("Import %1").arg(to_qt(entry.name)),
+                    [&](Project& project) { project.assets.push_back(entry); });
+    emit message(tr("Imported %1").arg(name));
+    emit imported(to_qt(entry.id));
+}
+
+}  // namespace covaria::ui
