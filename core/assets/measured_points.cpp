@@ -9,7 +9,7 @@ void add_typed(const PointLocator& locator, const LocatedPoint& point, InputSet&
         const std::string symbol = inputs.quantities[point.x_input + c].symbol;
         inputs.quantities[point.x_input + c].shares = {
             {inputs.add({.id = symbol + ".point",
-                         .name = "point, " + symbol,
+                         .name = "measured coordinate",
                          .unit = Unit::of("mm"),
                          .distribution = Distribution::normal(locator.u_point),
                          .origin = "typed standard uncertainty"}),

@@ -148,10 +148,11 @@ public:
             return refuse(
                 "no parameter of the arm can be told from these poses: every one of them is coupled "
                 "with others or held");
-        if (c_.rows() < c_.unknowns.size())
-            return refuse("the poses of the fit give " + std::to_string(c_.rows()) + " coordinates for " +
-                          std::to_string(c_.unknowns.size()) +
-                          " unknowns: measure more poses, or hold parameters");
+        if (c_.rows() <= c_.unknowns.size())
+            return refuse(
+                "the poses of the fit give " + std::to_string(c_.rows()) +
+                " coordinates, no more than there are unknowns to find: measure more poses, or hold "
+                "parameters");
         Calibration nominal = without_parameters();
         std::vector<double> v = start_of(c_);
         if (!minimise(c_, w_, v))

@@ -152,7 +152,7 @@ private:
             quantity.tags = {{"kind", turn ? "measured orientations" : "measured positions"}};
             if (turn)
                 c_.inputs.add(std::move(quantity), {{.id = symbol + ".orientation",
-                                                     .name = "orientation, " + symbol,
+                                                     .name = "measured orientation",
                                                      .unit = Unit::of("deg"),
                                                      .distribution = Distribution::normal(c_.u_angle),
                                                      .origin = "typed standard uncertainty"}});

@@ -117,7 +117,9 @@ private:
         for (const char* wanted : {"tool0", "tcp", "flange"})
             for (const Chain& chain : chains)
                 if (chain.tip.find(wanted) != std::string::npos) return chain;
-        return chains.front();
+        return *std::max_element(chains.begin(), chains.end(), [](const Chain& a, const Chain& b) {
+            return a.joints.size() < b.joints.size();
+        });
     }
 
     const Robot& robot_;

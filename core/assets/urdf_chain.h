@@ -22,13 +22,13 @@ struct Joint {
 
 struct Robot {
     std::string name;
-    std::vector<Joint> joints;  ///< in the order of the file
+    std::vector<Joint> joints = {};  ///< in the order of the file
 };
 
 /// Links from root to tip: the joints between them.
 struct Chain {
     std::string root, tip;
-    std::vector<Joint> joints;
+    std::vector<Joint> joints = {};
 };
 
 Result<Robot> read(const std::string& xml);

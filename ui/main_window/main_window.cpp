@@ -248,6 +248,9 @@ void MainWindow::connect_panes() {
     connect(&files_, &FileActions::message, this, say);
     connect(exports_, &ExportActions::message, this, say);
     connect(project_, &ProjectPane::message, this, say);
+    connect(imports_, &ImportActions::message, this, say);
+    connect(imports_, &ImportActions::imported, this,
+            [this](const QString& asset) { selection_.select_entry({SetupOwner::asset, to_std(asset)}); });
     connect(&document_, &Document::project_changed, this, &MainWindow::follow_document);
     connect(&problems_->problems(), &QAbstractItemModel::modelReset, this, &MainWindow::count_problems);
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);

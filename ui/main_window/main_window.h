@@ -17,6 +17,7 @@ class QToolBar;
 namespace covaria::ui {
 
 class ExportActions;
+class ImportActions;
 class LogPane;
 class ProblemsPane;
 class ProjectPane;

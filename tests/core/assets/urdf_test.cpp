@@ -131,8 +131,8 @@ TEST(Urdf, LimitsAndNamesAreKept) {
     const auto imported = import_urdf(urdf_of({{"revolute", O, O, Z}, {"continuous", {.5, 0, 0}, O, Y}}));
     ASSERT_TRUE(imported);
     const auto asset = made(*imported);
-    EXPECT_DOUBLE_EQ(asset->serial_robot()->joints()[0].low, -2.0);
-    EXPECT_DOUBLE_EQ(asset->serial_robot()->joints()[0].high, 1.5);
+    EXPECT_NEAR(asset->serial_robot()->joints()[0].low, -2.0, 1e-10);
+    EXPECT_NEAR(asset->serial_robot()->joints()[0].high, 1.5, 1e-10);
     EXPECT_TRUE(std::isinf(asset->serial_robot()->joints()[1].high));
     EXPECT_EQ(imported->name, "Arm");
     EXPECT_NE(imported->notes.find("j1, j2"), std::string::npos);

@@ -268,6 +268,9 @@ TEST(Calibration, AnInstrumentOfTheProjectMeasures) {
     Robot robot;
     covaria::Setup setup;
     setup.values["kind"] = std::string("tracker");
+    setup.values["distance_constant"] = Quantity{.01, Unit::of("mm")};
+    setup.values["angle_azimuth"] = Quantity{3.0, Unit::of("arcsec")};
+    setup.values["angle_elevation"] = Quantity{3.0, Unit::of("arcsec")};
     robot.project.assets.push_back({"tracker", "spherical-instrument", "Tracker", {}, setup});
     auto& values = robot.setup(simulated).values;
     values["point_uncertainty"] = std::string("asset");
@@ -289,7 +292,7 @@ TEST(Calibration, TooFewPosesAreRefused) {
     SetupTable& poses = robot.table(measured, "poses");
     poses.rows.resize(8);
     EXPECT_EQ(robot.prepare(measured), nullptr);
-    EXPECT_TRUE(says(robot, "give 24 coordinates for 27 unknowns")) << robot.words();
+    EXPECT_TRUE(says(robot, "give 24 coordinates, no more than there are unknowns")) << robot.words();
     poses.rows.resize(2);
     EXPECT_EQ(robot.prepare(measured), nullptr);
     EXPECT_TRUE(says(robot, "the fit has 2 poses")) << robot.words();
