@@ -1,5 +1,6 @@
 // covaria import-urdf FILE -o PROJECT: a robot from URDF as an asset of a new or of an existing project.
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -79,12 +80,11 @@ Command import_urdf_command(CLI::App& app) {
         ->required();
     command->add_option("--tip", request->tip, "link at the end of the arm; found without it")
         ->type_name("LINK");
-    return {command, [request](const std::stop_token&) {
-                if (auto done = import_robot(*request); !done) {
-                    print_error(done.error());
-                    return exit_status_of(done.error());
-                }
-                return exit_success;
+    return {command, [request](const std::stop_token&) -> int {
+                const auto done = import_robot(*request);
+                if (done) return exit_success;
+                print_error(done.error());
+                return exit_status_of(done.error());
             }};
 }
 
