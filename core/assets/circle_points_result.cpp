@@ -85,15 +85,14 @@ void add_circle(const Trajectory& t, const std::string& name, double axis, Layou
                             .to_W = s.centre + axis * s.axes.col(2)});
 }
 
-/// The first, the middle and the last point of an arc show their uncertainty; all together would hide the
-/// circles.
+/// The last point of an arc shows its uncertainty; those of all points together would hide the circles.
 void add_points(const Trajectory& t, const std::string& name, Layout& layout) {
     const std::size_t n = t.points.size();
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t i = t.first_input + 3 * k;
-        LayoutPoint point{.name = k == 0 ? name : "", .kind = PointKind::ball, .p_W = t.points[k]};
+        LayoutPoint point{.name = k == 0 ? name : "", .kind = PointKind::target, .p_W = t.points[k]};
         if (!t.rows.empty()) point.source.path = "/points/rows/" + std::to_string(t.rows[k]);
-        if (k == 0 || k == n / 2 || k + 1 == n) point.inputs = {{i, i + 1, i + 2}};
+        if (k + 1 == n) point.inputs = {{i, i + 1, i + 2}};
         layout.points.push_back(std::move(point));
     }
 }

@@ -165,16 +165,15 @@ Layout layout(const Calibration& c) {
     RobotData data = identified(c);
     data.X_FT = c.X_FT;
     add_arm(RobotSource(std::move(data)), c.poses.front().q, "", layout);
-    const std::size_t every = std::max<std::size_t>(1, c.poses.size() / 12);
+    const std::size_t every = std::max<std::size_t>(1, c.poses.size() / 6);
     for (std::size_t k = 0; k < c.poses.size(); ++k) {
         const MeasuredPose& pose = c.poses[k];
-        LayoutPoint point{.name = pose.check       ? pose.name + " (check)"
-                                  : k % every == 0 ? pose.name
-                                                   : "",
-                          .kind = pose.check ? PointKind::target : PointKind::ball,
+        const bool shown = k % every == every / 2;
+        LayoutPoint point{.name = pose.check || shown ? pose.name : "",
+                          .kind = pose.check ? PointKind::ball : PointKind::target,
                           .p_W = pose.p};
         point.source.path = pose.source;
-        if (k % every == 0) point.inputs = {{pose.first_input, pose.first_input + 1, pose.first_input + 2}};
+        if (shown) point.inputs = {{pose.first_input, pose.first_input + 1, pose.first_input + 2}};
         layout.points.push_back(std::move(point));
     }
     return layout;
