@@ -50,7 +50,7 @@ double magnification_with_room(const std::vector<UncertainPoint>& points, double
     for (const UncertainPoint& p : points) {
         double nearest = std::numeric_limits<double>::infinity();
         for (const UncertainPoint& other : points) {
-            const double distance = (other.drawn->item.position - p.drawn->item.position).norm();
+            const double distance = (other.drawn->position - p.drawn->position).norm();
             if (distance > same_place * size) nearest = std::min(nearest, distance);
         }
         least = std::min(least, room_to_neighbour * nearest / p.ellipsoid.axes.col(0).norm());
