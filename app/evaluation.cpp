@@ -2,7 +2,6 @@
 
 #include "app/terminal.h"
 #include "core/project/project_file.h"
-#include "core/propagation/forecast.h"
 #include "core/study/study.h"
 
 namespace covaria {
@@ -50,8 +49,7 @@ Result<EvaluatedAnalysis> evaluate_one(const Project& project, const AssetLibrar
         print_problems(problems);
         return fail(ErrorCode::bad_input, "analysis \"" + id + "\" cannot be evaluated");
     }
-    if (const auto forecast = forecast_adaptive(*prepared->model, prepared->inputs, prepared->options))
-        print_message(id + ": " + forecast->words());
+    if (!prepared->forecast.empty()) print_message(id + ": " + prepared->forecast);
     auto result = run_analysis(*prepared, control);
     if (!result) return fail(result.error());
     EvaluatedAnalysis evaluated{prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};

@@ -61,7 +61,7 @@ mask_of<Real> evaluate(const Identification& id, const In& x, Set set) {
     frames_from_axes(axes.data(), n, id.structure, frames.data());
     std::size_t out = 0;
     for (std::size_t j = 0; j + 1 < n; ++j) {
-        const JointValues<Real> v = parameters_between(frames[j], frames[j + 1], id.structure.parallel[j]);
+        const JointValues<Real> v = parameters_between(frames[j], frames[j + 1], id.structure.pair(j));
         for (; out < id.parameters.size() && id.parameters[out].joint == j; ++out)
             set(out, v[id.parameters[out].parameter]);
     }

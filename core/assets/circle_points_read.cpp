@@ -249,6 +249,7 @@ private:
         for (std::size_t j = 0; j + 1 < n; ++j) {
             const double sine = axis(j).cross(axis(j + 1)).norm();
             id_.structure.parallel.push_back(sine < limit);
+            id_.structure.opposite.push_back(axis(j).dot(axis(j + 1)) < 0.0);
             warn_of_parallel(j, sine, sine < limit);
         }
         decide_sides(R, nominal);

@@ -1,9 +1,7 @@
 // From a chain of URDF joints to parameters of Eq 5.
 #include "core/assets/urdf.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/assets/robot_schema.h"
 #include "core/assets/urdf_chain.h"
@@ -123,16 +121,6 @@ PoseValue pose_value(const Eigen::Isometry3d& X) {
     return pose;
 }
 
-/// Axes that point against each other are described like parallel ones, with alpha next to a half turn.
-JointValues<double> opposite_between(const AxisFrame<double>& a, const AxisFrame<double>& b) {
-    JointValues<double> v;
-    v.theta = std::atan2(a.x.dot(b.y), -a.y.dot(b.y));
-    v.alpha = std::numbers::pi - std::asin(std::clamp(a.z.dot(b.y), -1.0, 1.0));
-    v.beta = std::atan2(a.z.dot(b.x), -a.z.dot(b.z));
-    v.a = (b.o - a.o).dot(a.x) * std::cos(v.theta) + (b.o - a.o).dot(a.y) * std::sin(v.theta);
-    return v;
-}
-
 SetupTable joints_table(const Axes& axes, const FrameChain& chain) {
     static const SetupSchema schema = robot_schema();
     const FieldSpec& field = *schema.find("joints");
@@ -145,8 +133,10 @@ SetupTable joints_table(const Axes& axes, const FrameChain& chain) {
     for (std::size_t j = 0; j < axes.joints.size(); ++j) {
         const bool parallel = j < chain.parallel.size() && chain.parallel[j];
         const AxisFrame<double>&a = chain.frames[j], &b = chain.frames[j + 1];
-        const JointValues<double> v =
-            parallel && a.z.dot(b.z) < 0.0 ? opposite_between(a, b) : parameters_between(a, b, parallel);
+        const AxisPair pair = !parallel            ? AxisPair::skew
+                              : a.z.dot(b.z) < 0.0 ? AxisPair::opposite
+                                                   : AxisPair::parallel;
+        const JointValues<double> v = parameters_between(a, b, pair);
         std::vector<SetupCell> row(field.columns.size());
         for (JointParameter p : joint_parameters)
             if (p != JointParameter::beta || parallel)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/math/joint_transform.h"
@@ -14,11 +15,19 @@ struct AxisLine {
     Vector3<Real> point, direction;
 };
 
+enum class AxisPair { skew, parallel, opposite };
+
 /// What is decided once, from the estimates and the nominal arm.
 struct AxisStructure {
-    std::vector<bool> parallel;       ///< axis i + 1 and axis i + 2 are (nearly) parallel, one for each pair
-    std::vector<double> side;         ///< x_i = side z_{i-1} × z_i, or along side (O_i − O_{i-1})
+    std::vector<bool> parallel;  ///< axis i + 1 and axis i + 2 are (nearly) parallel, one for each pair
+    std::vector<bool> opposite;  ///< they point against each other: alpha is next to a half turn if parallel
+    std::vector<double> side;    ///< x_i = side z_{i-1} × z_i, or along side (O_i − O_{i-1})
     double theta_1 = 0.0, d_1 = 0.0;  ///< by definition: they place the base frame on axis 1
+
+    AxisPair pair(std::size_t i) const {
+        if (!parallel[i]) return AxisPair::skew;
+        return opposite[i] ? AxisPair::opposite : AxisPair::parallel;
+    }
 };
 
 template <class Real>
@@ -94,13 +103,18 @@ void frames_from_axes(const AxisLine<Real>* axes, std::size_t n, const AxisStruc
     base.o = base.o - base.z * Real(structure.d_1);
 }
 
-/// Parameters that lead from frame i − 1 to frame i by Eq 5.
+/// Parameters that lead from frame i − 1 to frame i by Eq 5. Of parallel axes there are two sets, (theta,
+/// alpha, beta) and (theta + π, π − alpha, beta + π): the one with a small beta.
 template <class Real>
-JointValues<Real> parameters_between(const AxisFrame<Real>& a, const AxisFrame<Real>& b, bool parallel) {
+JointValues<Real> parameters_between(const AxisFrame<Real>& a, const AxisFrame<Real>& b, AxisPair pair) {
     using namespace real_functions;
     JointValues<Real> v;
     const Vector3<Real> o = b.o - a.o;
-    if (parallel) {
+    if (pair == AxisPair::opposite) {
+        v.theta = atan2(Real(a.x.dot(b.y)), Real(-a.y.dot(b.y)));
+        v.alpha = Real(std::numbers::pi) - asin(Real(a.z.dot(b.y)));
+        v.beta = atan2(Real(a.z.dot(b.x)), Real(-a.z.dot(b.z)));
+    } else if (pair == AxisPair::parallel) {
         v.theta = atan2(Real(-a.x.dot(b.y)), Real(a.y.dot(b.y)));
         v.alpha = asin(Real(a.z.dot(b.y)));
         v.beta = atan2(Real(-a.z.dot(b.x)), Real(a.z.dot(b.z)));

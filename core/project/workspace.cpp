@@ -139,15 +139,16 @@ std::shared_ptr<const MeasurementModel> make_model(const Project& project, const
     return problems.has_errors() ? nullptr : std::shared_ptr<const MeasurementModel>(std::move(model));
 }
 
-// An adaptive run that would end at its cap is announced before it begins.
-void warn_of_trials(const MeasurementModel& model, const InputSet& inputs, const EvaluationOptions& options,
-                    Problems& problems) {
+// How many trials an adaptive run needs, in words; a run that would end at its cap is warned of.
+std::string forecast_trials(const MeasurementModel& model, const InputSet& inputs,
+                            const EvaluationOptions& options, Problems& problems) {
     const auto forecast = forecast_adaptive(model, inputs, options);
     if (forecast && forecast->trials > static_cast<double>(options.maximum_trials))
         problems.warning(
             "/options/tolerance",
             forecast->words() + "; the run is to end at " + std::to_string(options.maximum_trials) +
                 " trials and will not be stable then. Choose a larger tolerance or fewer digits");
+    return forecast ? forecast->words() : std::string();
 }
 
 // What influences the numbers of one analysis: itself and the assets that it uses.
@@ -187,7 +188,7 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
         check_requirement(entry.requirements[i], prepared->model->outputs(),
                           "/requirements/" + std::to_string(i), problems);
     if (problems.has_errors()) return nullptr;
-    warn_of_trials(*prepared->model, prepared->inputs, entry.options, problems);
+    prepared->forecast = forecast_trials(*prepared->model, prepared->inputs, entry.options, problems);
     prepared->id = entry.id;
     prepared->name = entry.name;
     prepared->descriptor = descriptor;

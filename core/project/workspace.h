@@ -25,6 +25,7 @@ struct PreparedAnalysis {
     InputSet inputs;  ///< the model's, with the analysis' edits and correlations applied
     EvaluationOptions options;
     std::string fingerprint;  ///< of everything that influences this analysis' numbers (its assets included)
+    std::string forecast = {};  ///< how many trials an adaptive run needs, in words; empty for other methods
 };
 
 /// Makes all assets; those with errors are left out and reported under "/assets/N/...".

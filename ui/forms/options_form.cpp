@@ -143,6 +143,18 @@ void OptionsForm::build_adaptive() {
                true,
                {1.0, largest_count}},
               {Method::adaptive}, &EvaluationOptions::maximum_trials);
+    forecast_ = new QLabel(this);
+    forecast_->setObjectName(QStringLiteral("forecast"));
+    forecast_->setWordWrap(true);
+    layout_->addRow(tr("Forecast"), forecast_);
+}
+
+void OptionsForm::set_forecast(const QString& words) {
+    QString sentence = words;
+    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+    forecast_->setText(sentence);
+    const EvaluationOptions* shown = options();
+    layout_->setRowVisible(forecast_, shown && shown->method == Method::adaptive && !sentence.isEmpty());
 }
 
 void OptionsForm::add_count(const Field& field, std::vector<Method> methods,
@@ -211,6 +223,7 @@ void OptionsForm::refresh() {
             std::find(row.methods.begin(), row.methods.end(), shown->method) != row.methods.end();
         layout_->setRowVisible(row.edit, used);
     }
+    set_forecast(shown->method == Method::adaptive ? forecast_->text() : QString());
 }
 
 void OptionsForm::refresh_problems() {

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QWidget>
 #include <functional>
 #include <optional>
@@ -21,6 +22,8 @@ public:
     OptionsForm(Document& document, std::string analysis, QWidget* parent = nullptr);
     /// "/analyses/0/options/trials", or relative: "/trials".
     bool focus_field(const std::string& path);
+    /// How many trials the adaptive procedure needs, in words; empty: not known.
+    void set_forecast(const QString& words);
 
 private:
     using Get = std::function<std::optional<double>(const EvaluationOptions&)>;
@@ -58,6 +61,7 @@ private:
     QFormLayout* layout_;
     QComboBox* method_;
     QCheckBox* second_order_;
+    QLabel* forecast_ = nullptr;
     std::vector<Row> rows_;
 };
 

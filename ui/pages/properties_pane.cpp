@@ -38,6 +38,7 @@ PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selec
     column->addWidget(new FieldHelp(*this));
     connect(&selection_, &Selection::entry_changed, this, &PropertiesPane::rebuild);
     connect(&document_, &Document::project_changed, this, &PropertiesPane::discard_if_gone);
+    connect(&runner_, &AnalysisRunner::state_changed, this, &PropertiesPane::show_forecast);
     connect(&selection_, &Selection::field_changed, this, &PropertiesPane::follow_field);
     rebuild();
 }
@@ -86,10 +87,17 @@ void PropertiesPane::add_asset_pages(const SetupAddress& entry) {
 void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     inputs_ = new InputsPage(document_, runner_, entry.id);
     options_ = new OptionsForm(document_, entry.id);
+    show_forecast(to_qt(entry.id));
     tabs_->addTab(inputs_, tr("Inputs"));
     tabs_->addTab(scrolled(options_), tr("Evaluation"));
     studies_ = new StudiesForm(document_, runner_, selection_, entry.id);
     tabs_->addTab(scrolled(studies_), tr("Studies"));
+}
+
+void PropertiesPane::show_forecast(const QString& analysis) {
+    if (!options_ || analysis != to_qt(selection_.entry().id)) return;
+    const auto& prepared = runner_.status(analysis).prepared;
+    options_->set_forecast(prepared ? to_qt(prepared->forecast) : QString());
 }
 
 void PropertiesPane::add_notes_page(const SetupAddress& entry) {

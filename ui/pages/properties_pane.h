@@ -39,6 +39,7 @@ private:
     void add_notes_page(const SetupAddress& entry);
     void discard_if_gone();
     void follow_field(const QString& field);
+    void show_forecast(const QString& analysis);
 
     Document& document_;
     AnalysisRunner& runner_;

@@ -43,6 +43,27 @@ TEST(CirclePoints, NoiseFreePointsGiveTheParametersBack) {
     for (int j = 0; j < 6; ++j) EXPECT_NEAR(found.at("R_" + std::to_string(j + 1)), radii[j], 1.0) << j;
 }
 
+// The nominal arm: axes 2 and 3 exactly parallel, wrist axes that intersect (a = 0, the sides of x follow the
+// nominal frames). With link 2 turned over, alpha_2 is a half turn.
+TEST(CirclePoints, ParallelIntersectingAndOpposingAxesAreRecovered) {
+    for (const double alpha_2 : {0.0, 180.0}) {
+        Robot robot;
+        robot.setup(simulated).values["nominal"] = std::string("er10l-nominal");
+        SetupTable& joints = robot.asset_table("er10l-nominal", "joints");
+        joints.rows[1][3] = alpha_2;
+        const auto found = by_symbol(robot.run(simulated, 0), false);
+        EXPECT_NEAR(std::remainder(found.at("alpha_2") - alpha_2, 360.0), 0.0, 1e-9);
+        EXPECT_NEAR(found.at("beta_2"), 0.0, 1e-9);
+        EXPECT_NEAR(found.at("theta_2"), -90.0, 1e-9);
+        EXPECT_NEAR(found.at("a_2"), 780.0, 1e-9);
+        EXPECT_NEAR(found.at("theta_3"), 0.0, 1e-9);
+        EXPECT_NEAR(found.at("a_3"), 140.0, 1e-9);
+        EXPECT_NEAR(found.at("d_4"), 1060.0, 1e-9);
+        EXPECT_NEAR(found.at("a_5"), 0.0, 1e-9);
+        EXPECT_NEAR(found.at("alpha_4"), 90.0, 1e-9);
+    }
+}
+
 // Table 4 as a sweep: reference values from 300 repetitions, 4 % each; the law of propagation has no noise.
 TEST(CirclePoints, StandardUncertaintyAgainstRange) {
     struct {
