@@ -94,7 +94,7 @@ TEST_F(DragSession, TheEvaluationIsATabOfModelsThatHaveOne) {
     int evaluation = 0;
     while (tabs.tabText(evaluation) != QStringLiteral("Evaluation")) ++evaluation;
     ASSERT_TRUE(wait_for([&] { return tabs.isTabVisible(evaluation); }));
-    const auto* text = qobject_cast<QTextBrowser*>(tabs.widget(evaluation));
+    const auto* text = tabs.widget(evaluation)->findChild<QTextBrowser*>();
     ASSERT_NE(text, nullptr);
     EXPECT_TRUE(text->toPlainText().contains(QStringLiteral("readings alone (Eq 5)")));
     open(project_copy());
