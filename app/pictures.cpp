@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/chart_picture.h"
+#include "core/model/has_layout.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/scene/study_scene.h"
 #include "viz/vtk/scene_renderer.h"
@@ -76,6 +78,8 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
     if (!standard_view_from(request.view))
         return fail(ErrorCode::bad_input,
                     "there is no view \"" + request.view + "\"; there are: " + joined(views));
+    if (request.study.empty() && !has_layout(*evaluated.analysis->model, evaluated.analysis->inputs))
+        return write_chart(evaluated, request, file);
     auto scene = scene_of(evaluated, request);
     if (!scene) return fail(scene.error());
     SceneRenderer renderer;
@@ -89,6 +93,10 @@ Result<void> write_pictures(const std::filesystem::path& folder,
                             const std::vector<EvaluatedAnalysis>& analyses, const std::stop_token& stop) {
     SceneRenderer renderer;
     for (const EvaluatedAnalysis& evaluated : analyses) {
+        if (!has_layout(*evaluated.analysis->model, evaluated.analysis->inputs)) {
+            if (auto written = write_charts(evaluated, folder); !written) return written;
+            continue;
+        }
         const std::vector<std::string> groups = groups_of(evaluated.analysis->model->outputs());
         for (const std::string& group : groups) {
             PictureRequest request;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/data_table.h"
@@ -34,6 +35,12 @@ struct Sensitivity {
 /// [output]: by rising input; inputs that are left out have no effect.
 using SensitivityRows = std::vector<std::vector<Sensitivity>>;
 
+struct ModelEquation {
+    std::string text;    ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
+    std::string source;  ///< "Porath et al., Eq. 19, corrected"
+    std::string mathml = {};  ///< the same as a <math> element, where there is one
+};
+
 /// Immutable after construction and safe to use from many threads at once. Everything is SI.
 class MeasurementModel {
 public:
@@ -60,6 +67,9 @@ public:
 
     /// Where things are when the inputs are x, in metrology words; see layout.h.
     virtual Layout layout(std::span<const double> x) const = 0;
+
+    /// The model's own equations, where they are not those of its descriptor.
+    virtual std::vector<ModelEquation> formulas() const { return {}; }
 
     /// What the model can say about its set-up beside the outputs, as tables (residuals, redundancy ...).
     virtual std::vector<DataTable> evaluation() const { return {}; }

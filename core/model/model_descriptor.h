@@ -12,11 +12,6 @@
 
 namespace covaria {
 
-struct ModelEquation {
-    std::string text;    ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
-    std::string source;  ///< "Porath et al., Eq. 19, corrected"
-};
-
 struct ModelDescriptor {
     std::string id;  ///< in files: lower-case words joined by hyphens
     std::string title;
@@ -32,6 +27,9 @@ struct ModelDescriptor {
     std::function<std::unique_ptr<MeasurementModel>(const SetupReader& setup, const AssetLibrary& assets,
                                                     Problems& problems)>
         create;
+    /// What the set-up implies and does not have yet (rows for the names in an equation), added to a copy;
+    /// empty: nothing is ever implied.
+    std::function<Setup(const Setup& setup)> completed = {};
 };
 
 }  // namespace covaria

@@ -143,6 +143,11 @@ Requirement read_requirement(const Json& value, const std::string& path, Problem
     requirement.group = reader.text("group");
     requirement.symbol = reader.text("symbol", true);
     requirement.target_uncertainty = reader.quantity("targetUncertainty");
+    requirement.lower_limit = reader.quantity("lowerLimit");
+    requirement.upper_limit = reader.quantity("upperLimit");
+    requirement.guard_factor = reader.number("guardFactor").value_or(requirement.guard_factor);
+    requirement.prior_mean = reader.quantity("priorMean");
+    requirement.prior_standard_deviation = reader.quantity("priorStandardDeviation");
     reader.refuse_unknown_keys();
     return requirement;
 }
@@ -159,6 +164,12 @@ void text_if_given(JsonWriter& out, const char* key, const std::string& text) {
     if (text.empty()) return;
     out.key(key);
     out.text(text);
+}
+
+void quantity_if_given(JsonWriter& out, const char* key, const std::optional<Quantity>& quantity) {
+    if (!quantity) return;
+    out.key(key);
+    write_quantity(out, *quantity);
 }
 
 void write_number_list(JsonWriter& out, const char* key, std::span<const double> numbers) {
@@ -249,10 +260,15 @@ void write_requirement(JsonWriter& out, const Requirement& requirement) {
     text_if_given(out, "group", requirement.group);
     out.key("symbol");
     out.text(requirement.symbol);
-    if (requirement.target_uncertainty) {
-        out.key("targetUncertainty");
-        write_quantity(out, *requirement.target_uncertainty);
+    quantity_if_given(out, "targetUncertainty", requirement.target_uncertainty);
+    quantity_if_given(out, "lowerLimit", requirement.lower_limit);
+    quantity_if_given(out, "upperLimit", requirement.upper_limit);
+    if (requirement.guard_factor != Requirement{}.guard_factor) {
+        out.key("guardFactor");
+        out.finite_number(requirement.guard_factor);
     }
+    quantity_if_given(out, "priorMean", requirement.prior_mean);
+    quantity_if_given(out, "priorStandardDeviation", requirement.prior_standard_deviation);
     out.end();
 }
 

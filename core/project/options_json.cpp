@@ -36,6 +36,7 @@ public:
         if (auto flag = reader_.flag("secondOrder")) options.second_order = *flag;
         count("oneAtATimeTrials", options.one_at_a_time_trials);
         count("contributorTrials", options.contributor_trials);
+        count("sobolTrials", options.sobol_trials);
         std::uint64_t digits = static_cast<std::uint64_t>(options.significant_digits);
         count("significantDigits", digits);
         options.significant_digits = static_cast<int>(std::min<std::uint64_t>(digits, 100));
@@ -143,6 +144,7 @@ void write_options(JsonWriter& out, const EvaluationOptions& options) {
     write_changed(out, "oneAtATimeTrials", options.one_at_a_time_trials, defaults.one_at_a_time_trials,
                   count);
     write_changed(out, "contributorTrials", options.contributor_trials, defaults.contributor_trials, count);
+    write_changed(out, "sobolTrials", options.sobol_trials, defaults.sobol_trials, count);
     write_changed(out, "significantDigits", options.significant_digits, defaults.significant_digits,
                   [&](int value) { out.integer(static_cast<std::uint64_t>(value)); });
     write_changed(out, "tolerance", options.tolerance, defaults.tolerance,

@@ -55,6 +55,11 @@ struct CorrelationEdit {
 struct Requirement {
     std::string group, symbol;
     std::optional<Quantity> target_uncertainty = {};  ///< U must not exceed this
+    // Conformity with a tolerance (JCGM 106, ISO 14253-1).
+    std::optional<Quantity> lower_limit = {}, upper_limit = {};
+    double guard_factor = 1.0;  ///< guard bands of this times U inside the tolerance; 0: simple acceptance
+    /// What is known before the measurement: normal; for the global risks of a decision rule.
+    std::optional<Quantity> prior_mean = {}, prior_standard_deviation = {};
     bool operator==(const Requirement&) const = default;
 };
 

@@ -61,9 +61,21 @@ private:
     }
 
     SetupValue text(const Json& value) {
+        if (field_.several_lines && value.is_array()) return lines(value);
         if (!value.is_string())
             return refuse(title() + " must be a text in quotes, not " + json_words(value));
         return value.get<std::string>();
+    }
+
+    SetupValue lines(const Json& list) {
+        std::string text;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (!list[i].is_string() || list[i].get<std::string>().find('\n') != std::string::npos)
+                return refuse("the lines of " + title() + " must be texts in quotes, each one line",
+                              "/" + std::to_string(i));
+            text += (i == 0 ? "" : "\n") + list[i].get<std::string>();
+        }
+        return text;
     }
 
     SetupValue flag(const Json& value) {

@@ -93,6 +93,16 @@ void write_pose(JsonWriter& out, const PoseValue& pose) {
     out.end();
 }
 
+void write_lines(JsonWriter& out, const std::string& text) {
+    out.begin_list();
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        out.text(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    out.end();
+}
+
 void write_value(JsonWriter& out, const SetupValue& value, const FieldSpec& field) {
     if (const Quantity* quantity = std::get_if<Quantity>(&value)) {
         if (quantity->unit == Unit{} && field.unit.dimension().is_one())
@@ -102,7 +112,10 @@ void write_value(JsonWriter& out, const SetupValue& value, const FieldSpec& fiel
     } else if (const bool* flag = std::get_if<bool>(&value)) {
         out.boolean(*flag);
     } else if (const std::string* text = std::get_if<std::string>(&value)) {
-        out.text(*text);
+        if (field.several_lines)
+            write_lines(out, *text);
+        else
+            out.text(*text);
     } else if (const SetupTable* table = std::get_if<SetupTable>(&value)) {
         write_table(out, *table, field);
     } else if (const PoseValue* pose = std::get_if<PoseValue>(&value)) {

@@ -11,6 +11,7 @@
 #include "core/project/project_file.h"
 #include "core/project/references.h"
 #include "core/project/registered.h"
+#include "core/project/requirements.h"
 #include "core/project/study_target.h"
 #include "core/propagation/engine.h"
 #include "core/propagation/forecast.h"
@@ -110,24 +111,6 @@ void check_options(const EvaluationOptions& options, Problems& problems) {
     }
 }
 
-void check_requirement(const Requirement& requirement, const std::vector<OutputQuantity>& outputs,
-                       const std::string& path, Problems& problems) {
-    const auto output = std::find_if(outputs.begin(), outputs.end(), [&](const OutputQuantity& candidate) {
-        return candidate.group == requirement.group && candidate.symbol == requirement.symbol;
-    });
-    if (output == outputs.end()) {
-        const std::string where = requirement.group.empty() ? "" : " in " + quoted(requirement.group);
-        return problems.error(path, "the model has no output quantity " + quoted(requirement.symbol) + where);
-    }
-    if (!requirement.target_uncertainty) return;
-    const std::string title = "target uncertainty of " + requirement.symbol;
-    const std::string objection = unit_objection(title, *requirement.target_uncertainty, output->unit);
-    if (!objection.empty())
-        problems.error(path + "/targetUncertainty", objection);
-    else if (!(requirement.target_uncertainty->value > 0))
-        problems.error(path + "/targetUncertainty", "the " + title + " must be greater than zero");
-}
-
 // The model of an analysis; null after an error. Paths are relative to the set-up.
 std::shared_ptr<const MeasurementModel> make_model(const Project& project, const AnalysisEntry& entry,
                                                    const ModelDescriptor& descriptor,
@@ -184,9 +167,7 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
     if (!made.model) return nullptr;
     prepared->model = std::move(made.model);
     prepared->inputs = std::move(made.inputs);
-    for (std::size_t i = 0; i < entry.requirements.size(); ++i)
-        check_requirement(entry.requirements[i], prepared->model->outputs(),
-                          "/requirements/" + std::to_string(i), problems);
+    prepared->requirements = read_requirements(entry, prepared->model->outputs(), problems);
     if (problems.has_errors()) return nullptr;
     prepared->forecast = forecast_trials(*prepared->model, prepared->inputs, entry.options, problems);
     prepared->id = entry.id;
@@ -283,6 +264,9 @@ void check_project(const Project& project, Problems& problems) {
 Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control) {
     auto result = evaluate(*analysis.model, analysis.inputs, analysis.options, control);
     if (!result) return result;
+    auto requirements = check_requirements(*analysis.model, *result, analysis.requirements, control);
+    if (!requirements) return fail(requirements.error());
+    result->requirements = std::move(*requirements);
     result->provenance.project_fingerprint = analysis.fingerprint;
     result->provenance.covaria_version = COVARIA_VERSION;
     result->provenance.seed = analysis.options.seed;

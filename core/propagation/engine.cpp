@@ -11,6 +11,7 @@
 #include "core/propagation/evaluation.h"
 #include "core/propagation/monte_carlo.h"
 #include "core/propagation/second_order.h"
+#include "core/propagation/sobol.h"
 #include "core/propagation/validation.h"
 
 namespace covaria::detail {
@@ -94,6 +95,13 @@ Result<void> Evaluation::add_contributions() {
                                         options_.one_at_a_time_trials);
             !ok)
             return fail(ok.error());
+    if (options_.sobol_trials > 0) {
+        const auto factors = sobol_factors(inputs_, law_, correlations_);
+        auto indices = sobol_indices(context(), inputs_, correlations_, factors, options_.sobol_trials);
+        if (!indices) return fail(indices.error());
+        result_.sobol = std::move(*indices);
+        result_.sobol_trials = options_.sobol_trials;
+    }
     result_.contributors = contributors_of(inputs_, law_, correlations_);
     if (options_.contributor_trials == 0 || result_.contributors.empty()) return {};
     result_.contributor_trials = options_.contributor_trials;
@@ -250,6 +258,7 @@ Result<UncertaintyResult> evaluate_first_order(const MeasurementModel& model, co
     first_order.method = Method::first_order;
     first_order.one_at_a_time_trials = 0;
     first_order.contributor_trials = 0;
+    first_order.sobol_trials = 0;
     return detail::evaluate_with(model, inputs, first_order, {}, {});
 }
 

@@ -40,6 +40,8 @@ void EvaluationOptions::check(Problems& problems) const {
         problems.error("/one_at_a_time_trials", "one-at-a-time Monte Carlo needs at least two trials");
     if (contributor_trials == 1)
         problems.error("/contributor_trials", "Monte Carlo without a contributor needs at least two trials");
+    if (sobol_trials > 0 && sobol_trials < 100)
+        problems.error("/sobol_trials", "Sobol indices need at least 100 trials");
     check_adaptive(*this, problems);
 }
 

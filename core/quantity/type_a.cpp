@@ -37,6 +37,20 @@ Result<TypeA> type_a_evaluation(std::span<const double> observations) {
     return result;
 }
 
+Result<PooledDeviation> pooled_deviation(std::span<const std::vector<double>> series) {
+    if (series.empty()) return fail(ErrorCode::bad_input, "there is no series to be pooled.");
+    PooledDeviation pooled;
+    double squares = 0.0;
+    for (const std::vector<double>& observations : series) {
+        const auto one = type_a_evaluation(observations);
+        if (!one) return fail(one.error());
+        squares += one->degrees_of_freedom * one->standard_deviation * one->standard_deviation;
+        pooled.degrees_of_freedom += one->degrees_of_freedom;
+    }
+    pooled.standard_deviation = std::sqrt(squares / pooled.degrees_of_freedom);
+    return pooled;
+}
+
 Result<double> covariance_of_means(std::span<const double> x, std::span<const double> y) {
     if (x.size() != y.size())
         return fail(ErrorCode::bad_input,

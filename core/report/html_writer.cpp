@@ -60,7 +60,9 @@ struct HtmlWriter {
     }
     void operator()(const EquationBlock& equation) {
         out += element("p",
-                       element("span", equation_to_html(equation.text), "formula") +
+                       element("span",
+                               equation.mathml.empty() ? equation_to_html(equation.text) : equation.mathml,
+                               "formula") +
                            element("span", escape_html(equation.source), "source"),
                        "equation") +
                "\n";

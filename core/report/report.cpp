@@ -45,6 +45,7 @@ void add_analysis(Blocks& blocks, const ReportSource& source, const EvaluatedAna
     add_assets(blocks, source, evaluated, shown_assets);
     add_budgets(blocks, evaluated);
     add_results(blocks, source, evaluated);
+    add_sobol(blocks, evaluated);
     add_contributors(blocks, evaluated);
     add_model_evaluation(blocks, evaluated);
     add_comparison(blocks, evaluated);

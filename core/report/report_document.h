@@ -29,6 +29,7 @@ struct FactsBlock {
 struct EquationBlock {
     std::string text;
     std::string source;
+    std::string mathml = {};  ///< for writers that can set it
 };
 
 /// How the cells of a column are set.

@@ -30,6 +30,10 @@ void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
                 std::set<std::string>& shown);
 void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
+/// Target uncertainties, conformity; nothing without requirements.
+void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
+/// Nothing where they were not asked for.
+void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// What remains with everything of one contributor held, and what it gives alone; nothing with fewer than two.
 void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// What the model says about its set-up beside the outputs.

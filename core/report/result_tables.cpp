@@ -256,6 +256,47 @@ DataTable contributors_table(const UncertaintyResult& result) {
     return table;
 }
 
+DataTable sobol_table(const UncertaintyResult& result) {
+    DataTable table = table_with(
+        "sobol", "Sobol indices",
+        {"group", "symbol", "component", "first", "first_standard_error", "total", "total_standard_error"});
+    for (std::size_t j = 0; j < result.sobol.size(); ++j)
+        for (const SobolIndex& s : result.sobol[j])
+            table.rows.push_back({result.outputs[j].quantity.group, result.outputs[j].quantity.symbol, s.name,
+                                  s.first, s.first_standard_error, s.total, s.total_standard_error});
+    return table;
+}
+
+DataTable requirements_table(const UncertaintyResult& result) {
+    DataTable table = table_with("requirements", "Requirements",
+                                 {"group", "symbol", "unit", "U", "target", "target_met", "lower_limit",
+                                  "upper_limit", "guard_band", "decision", "p_conforming_normal",
+                                  "p_conforming_trials", "global_consumer_risk", "global_producer_risk"});
+    for (const RequirementResult& r : result.requirements) {
+        const OutputResult& output = result.outputs[r.output];
+        const OutputQuantity& q = output.quantity;
+        const bool limited = r.lower_limit || r.upper_limit;
+        const auto value = [&](const std::optional<double>& si) {
+            return si ? TableCell(value_in(q.unit, *si)) : TableCell{};
+        };
+        const auto number = [](bool known, double x) { return known ? TableCell(x) : TableCell{}; };
+        table.rows.push_back(
+            {q.group, q.symbol, q.unit.text(), interval_in(q.unit, output.expanded_uncertainty),
+             r.target_uncertainty ? TableCell(interval_in(q.unit, *r.target_uncertainty)) : TableCell{},
+             r.target_uncertainty ? TableCell(std::string(r.meets_target ? "yes" : "no")) : TableCell{},
+             value(r.lower_limit), value(r.upper_limit),
+             limited ? TableCell(interval_in(q.unit, r.guard_band)) : TableCell{},
+             limited ? TableCell(std::string(r.decision == RequirementResult::Decision::accept ? "accept"
+                                                                                               : "reject"))
+                     : TableCell{},
+             number(limited, r.conformance_normal),
+             number(r.conformance_monte_carlo.has_value(), r.conformance_monte_carlo.value_or(0.0)),
+             number(r.global_risks.has_value(), r.global_risks ? r.global_risks->consumer : 0.0),
+             number(r.global_risks.has_value(), r.global_risks ? r.global_risks->producer : 0.0)});
+    }
+    return table;
+}
+
 }  // namespace
 
 std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated) {
@@ -271,6 +312,8 @@ std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated) {
         tables.push_back(histograms_table(result));
         tables.push_back(convergence_table(result));
     }
+    if (!result.sobol.empty()) tables.push_back(sobol_table(result));
+    if (!result.requirements.empty()) tables.push_back(requirements_table(result));
     if (!result.contributors.empty()) tables.push_back(contributors_table(result));
     if (evaluated.analysis && evaluated.analysis->model)
         for (DataTable& table : evaluated.analysis->model->evaluation()) tables.push_back(std::move(table));

@@ -150,6 +150,53 @@ Json contributors_json(const UncertaintyResult& result) {
     return list;
 }
 
+/// Per output: indices by falling total.
+Json sobol_json(const UncertaintyResult& result) {
+    Json list = Json::array();
+    for (std::size_t j = 0; j < result.sobol.size(); ++j) {
+        Json indices = Json::array();
+        for (const SobolIndex& s : result.sobol[j])
+            indices.push_back({{"component", s.name},
+                               {"first", number(s.first)},
+                               {"firstStandardError", number(s.first_standard_error)},
+                               {"total", number(s.total)},
+                               {"totalStandardError", number(s.total_standard_error)}});
+        list.push_back({{"symbol", result.outputs[j].quantity.symbol},
+                        {"group", result.outputs[j].quantity.group},
+                        {"trials", result.sobol_trials},
+                        {"indices", std::move(indices)}});
+    }
+    return list;
+}
+
+Json requirement_json(const UncertaintyResult& result, const RequirementResult& r) {
+    const OutputQuantity& q = result.outputs[r.output].quantity;
+    Json json = {{"symbol", q.symbol}, {"group", q.group}, {"unit", q.unit.text()}};
+    if (r.target_uncertainty) {
+        json["targetUncertainty"] = number(q.unit.interval_from_si(*r.target_uncertainty));
+        json["targetMet"] = r.meets_target;
+        for (const RequirementResult::Reduction& reduction : r.reductions) {
+            const BudgetComponent& c = result.budget.components[reduction.component];
+            json["reductions"].push_back(
+                {{"component", c.id},
+                 {"unit", c.unit.text()},
+                 {"now", number(c.unit.interval_from_si(reduction.now))},
+                 {"needed",
+                  reduction.needed ? number(c.unit.interval_from_si(*reduction.needed)) : Json(nullptr)}});
+        }
+    }
+    if (!r.lower_limit && !r.upper_limit) return json;
+    json["decision"] = r.decision == RequirementResult::Decision::accept ? "accept" : "reject";
+    json["guardBand"] = number(q.unit.interval_from_si(r.guard_band));
+    json["conformance"] = {
+        {"normal", number(r.conformance_normal)},
+        {"monteCarlo", r.conformance_monte_carlo ? number(*r.conformance_monte_carlo) : Json(nullptr)}};
+    if (r.global_risks)
+        json["globalRisks"] = {{"consumer", number(r.global_risks->consumer)},
+                               {"producer", number(r.global_risks->producer)}};
+    return json;
+}
+
 Json analysis_json(const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     Json outputs = Json::array();
@@ -164,6 +211,9 @@ Json analysis_json(const EvaluatedAnalysis& evaluated) {
                  {"outputs", std::move(outputs)},
                  {"covariance", covariance_json(result)}};
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
+    if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
+    for (const RequirementResult& r : result.requirements)
+        json["requirements"].push_back(requirement_json(result, r));
     for (const auto& study : evaluated.studies) json["studies"].push_back(study_json(*study));
     return json;
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/base/symbol.h"
+#include "core/report/number_format.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
 
@@ -60,8 +61,10 @@ public:
         table_.text("Symbol", true);
         table_.text("Component");
         table_.text("Unit");
+        table_.symbol("x_i", 6);
         table_.symbol("u(x_i)", 3);
         table_.text("Distribution");
+        table_.text("Type");
         table_.symbol("nu_i", 3);
         table_.symbol("c_i", 3);
         table_.number("|cᵢ|·u(xᵢ) in " + unit, 2);
@@ -71,6 +74,7 @@ public:
         for (std::size_t i = 0; i < shown; ++i) add(rows_[i]);
         if (shown < rows_.size()) add_rest(shown);
         add_total();
+        table_.note(result_line());
         return table_.take();
     }
 
@@ -86,8 +90,12 @@ private:
         const Unit& unit = output_.quantity.unit;
         TableCell alone;
         if (row.one_at_a_time) alone = interval_in(unit, *row.one_at_a_time);
+        // The estimate of a component that several quantities share would be that of one of them.
+        const bool shared = c.quantity.find(',') != std::string::npos;
         push({quantity_symbols(c.quantity), component_text(c), unit_text(c.unit),
-              interval_in(c.unit, c.standard_uncertainty), c.distribution, c.degrees_of_freedom,
+              shared ? TableCell{} : TableCell(value_in(c.unit, c.estimate)),
+              interval_in(c.unit, c.standard_uncertainty), c.distribution,
+              std::string(c.type == EvaluationType::type_a ? "A" : "B"), c.degrees_of_freedom,
               shown_sensitivity(row, c.unit, unit), interval_in(unit, row.contribution)},
              alone, row.share);
     }
@@ -99,7 +107,7 @@ private:
             share += rows_[i].share;
         }
         push({TableCell{}, std::to_string(rows_.size() - first) + " further components", TableCell{},
-              TableCell{}, TableCell{}, TableCell{}, TableCell{},
+              TableCell{}, TableCell{}, TableCell{}, TableCell{}, TableCell{}, TableCell{},
               interval_in(output_.quantity.unit, std::sqrt(square))},
              TableCell{}, share);
     }
@@ -110,8 +118,26 @@ private:
         double share = 0.0;
         for (const BudgetRow& row : rows_) share += row.share;
         push({std::string("u_c"), "combined (law of propagation)", unit_text(unit), TableCell{}, TableCell{},
-              first.effective_degrees_of_freedom, TableCell{}, interval_in(unit, first.standard_uncertainty)},
+              TableCell{}, TableCell{}, first.effective_degrees_of_freedom, TableCell{},
+              interval_in(unit, first.standard_uncertainty)},
              TableCell{}, share);
+    }
+
+    /// y, u_c, nu_eff, k, U, p as EA-4/02 wants them stated, by the law of propagation.
+    std::string result_line() const {
+        const FirstOrderOutput& first = output_.first_order;
+        const Unit& unit = output_.quantity.unit;
+        const double U = unit.interval_from_si(first.expanded_uncertainty);
+        const std::string symbol = unit == Unit{} ? "" : "\u00a0" + unit.display();
+        std::string line =
+            output_label(output_.quantity) + " = (" + format_to_match(unit.from_si(first.estimate), U) +
+            " ± " + format_significant(U, 2) + ")" + symbol +
+            ", u_c = " + format_significant(unit.interval_from_si(first.standard_uncertainty), 2) + symbol;
+        line += ", ν_eff = " + (std::isfinite(first.effective_degrees_of_freedom)
+                                    ? format_significant(first.effective_degrees_of_freedom, 3)
+                                    : std::string("∞"));
+        return line + ", k = " + format_decimals(first.coverage_factor, 2) +
+               ", p = " + percent_text(result_.coverage_probability) + " (law of propagation).";
     }
 
     const UncertaintyResult& result_;

@@ -1,6 +1,7 @@
 // Distributions as charts, and the picture of the set-up with its uncertainty.
 #include <algorithm>
 
+#include "core/model/has_layout.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
 
@@ -51,6 +52,7 @@ void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
 
 void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
+    if (evaluated.analysis->model && !has_layout(*evaluated.analysis->model, result.inputs)) return;
     const std::vector<std::string> shown = groups_in_full(result);
     const std::string group = shown.empty() ? "" : shown.front();
     blocks.push_back(HeadingBlock{2, "Set-up in space"});

@@ -10,7 +10,7 @@ void add_model(Blocks& blocks, const ModelDescriptor& model) {
     blocks.push_back(HeadingBlock{2, model.title});
     if (!model.summary.empty()) blocks.push_back(ParagraphBlock{model.summary});
     for (const ModelEquation& equation : model.equations)
-        blocks.push_back(EquationBlock{equation.text, equation.source});
+        blocks.push_back(EquationBlock{equation.text, equation.source, equation.mathml});
     if (model.references.empty()) return;
     ListBlock references;
     for (const Reference& reference : model.references) references.items.push_back(reference.text);

@@ -1,4 +1,4 @@
-// Results: y, u, nu_eff, k, U and coverage intervals; requirements; the matrix of U over groups.
+// Results: y, u, nu_eff, k, U and coverage intervals; the matrix of U over groups.
 #include <algorithm>
 #include <cmath>
 
@@ -66,31 +66,6 @@ std::vector<TableCell> result_row(const OutputResult& output, bool intervals) {
          {trials.symmetric.low, trials.symmetric.high, trials.shortest.low, trials.shortest.high})
         row.emplace_back(value_in(unit, end));
     return row;
-}
-
-void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
-    const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
-    if (!entry || entry->requirements.empty()) return;
-    TableBuilder table("requirements-" + evaluated.analysis->id, "Target uncertainties");
-    table.text("Group");
-    table.text("Quantity", true);
-    table.text("Unit");
-    table.number("U", 2);
-    table.number("Target");
-    table.text("Verdict");
-    for (const Requirement& requirement : entry->requirements)
-        for (const OutputResult& output : evaluated.result->outputs) {
-            const OutputQuantity& quantity = output.quantity;
-            if (quantity.group != requirement.group || quantity.symbol != requirement.symbol) continue;
-            if (!requirement.target_uncertainty) continue;
-            const Quantity& typed = *requirement.target_uncertainty;
-            const double target = typed.unit.interval_to_si(typed.value);
-            table.row({quantity.group, quantity.symbol, unit_text(quantity.unit),
-                       interval_in(quantity.unit, output.expanded_uncertainty),
-                       interval_in(quantity.unit, target),
-                       std::string(output.expanded_uncertainty <= target ? "met" : "not met")});
-        }
-    blocks.push_back(table.take());
 }
 
 void add_run_words(Blocks& blocks, const UncertaintyResult& result) {

@@ -107,7 +107,7 @@ void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& se
         tables.clear();
     };
     for (const FieldSpec& field : schema.fields()) {
-        if (!is_shown(schema, field, setup)) continue;
+        if (!is_shown(schema, field, setup) || field.several_lines) continue;  // the model sets its equations
         if (field.section != section) flush();
         if (field.section != section && !field.section.empty()) heading = field.section;
         section = field.section;
@@ -126,6 +126,9 @@ void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     if (!entry) return;
     blocks.push_back(HeadingBlock{2, "Set-up"});
     add_paragraphs(blocks, entry->notes);
+    if (evaluated.analysis->model)
+        for (const ModelEquation& equation : evaluated.analysis->model->formulas())
+            blocks.push_back(EquationBlock{equation.text, equation.source, equation.mathml});
     add_setup_fields(blocks, evaluated.analysis->descriptor->schema, entry->setup, source);
 }
 

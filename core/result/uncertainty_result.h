@@ -133,6 +133,44 @@ struct GroupContribution {
     double share = 0.0;         ///< of the variance, with covariances
 };
 
+/// Shares of the variance by one component, or by several that are not independent of each other (Sobol 1993;
+/// Saltelli et al. 2010; Jansen 1999).
+struct SobolIndex {
+    std::string name;                  ///< ids of the components, joined
+    double first = 0.0;                ///< by itself
+    double total = 0.0;                ///< with all its interactions
+    double first_standard_error = 0.0;
+    double total_standard_error = 0.0;
+};
+
+/// How the result stands to a requirement of the analysis.
+struct RequirementResult {
+    std::size_t output = 0;
+    std::optional<double> target_uncertainty = {};
+    bool meets_target = true;
+    /// What the standard uncertainty of one component, alone, must be reduced to so that U meets the target;
+    /// only where the target is not met. Empty u: not attainable by this component alone.
+    struct Reduction {
+        std::size_t component = 0;
+        double now = 0.0;
+        std::optional<double> needed = {};
+    };
+    std::vector<Reduction> reductions = {};
+
+    std::optional<double> lower_limit = {}, upper_limit = {};
+    double guard_band = 0.0;  ///< w = guard factor * U
+    /// Of the value that the result line states.
+    enum class Decision { none, accept, reject } decision = Decision::none;
+    double conformance_normal = 0.0;  ///< probability of conformance p_c from y and u (JCGM 106 7)
+    std::optional<double> conformance_monte_carlo = {};  ///< share of the trials inside the tolerance
+    std::optional<double> capability_index = {};         ///< C_m = T/(4u) (JCGM 106 7.6)
+    struct GlobalRisks {
+        double consumer = 0.0;  ///< accepted and not conforming
+        double producer = 0.0;  ///< rejected and conforming
+    };
+    std::optional<GlobalRisks> global_risks = {};
+};
+
 /// Joint coverage region of outputs of one group (JCGM 102 6.5, 7.7).
 struct CoverageRegion {
     std::string group;
@@ -167,6 +205,9 @@ struct UncertaintyResult {
     std::vector<ContributorResult> contributors;  ///< empty with fewer than two
     std::uint64_t contributor_trials = 0;         ///< of their Monte Carlo part
     std::vector<CoverageRegion> regions;
+    std::vector<std::vector<SobolIndex>> sobol;  ///< [output][...], by falling total index; empty unless asked for
+    std::uint64_t sobol_trials = 0;
+    std::vector<RequirementResult> requirements;  ///< filled by the caller that knows the project
     double coverage_probability = 0.95;
 
     std::uint64_t trials = 0;         ///< 0 = first order only

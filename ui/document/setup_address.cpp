@@ -66,6 +66,14 @@ const SetupSchema* find_schema(const Project& project, const SetupAddress& addre
     return model ? &model->schema : nullptr;
 }
 
+std::optional<Setup> completed_setup(const Project& project, const SetupAddress& address) {
+    const AnalysisEntry* entry =
+        address.owner == SetupOwner::analysis ? find_by_id(project.analyses, address.id) : nullptr;
+    const ModelDescriptor* model = entry ? find_model(entry->model) : nullptr;
+    if (!model || !model->completed) return std::nullopt;
+    return model->completed(entry->setup);
+}
+
 std::string entry_path(const Project& project, const SetupAddress& address) {
     if (address.owner == SetupOwner::asset) {
         const AssetEntry* entry = find_by_id(project.assets, address.id);

@@ -1,6 +1,7 @@
 // Which set-up of the project a form or table edits, and where that is in the file.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/model/setup_schema.h"
@@ -22,6 +23,9 @@ const Setup* find_setup(const Project& project, const SetupAddress& address);
 Setup* find_setup(Project& project, const SetupAddress& address);
 /// Null when the entry is gone or its kind is not registered.
 const SetupSchema* find_schema(const Project& project, const SetupAddress& address);
+
+/// The set-up with what it implies added (rows for names in equations); empty when its model adds nothing.
+std::optional<Setup> completed_setup(const Project& project, const SetupAddress& address);
 
 /// JSON pointer of the entry ("/assets/3"); empty when it is gone.
 std::string entry_path(const Project& project, const SetupAddress& address);

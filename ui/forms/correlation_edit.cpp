@@ -71,7 +71,9 @@ void CorrelationEdit::refresh_state() {
     else if (model_->rowCount() == 0)
         state_->setText(tr("All components are uncorrelated. Add those that are correlated to the matrix."));
     else
-        state_->setText(tr("The coefficients are possible together (positive semi-definite)."));
+        state_->setText(
+            tr("The coefficients are possible together (positive semi-definite). Monte Carlo draws them with "
+               "a Gaussian copula: exact for normal distributions, nearly so for others."));
     mark(*view_, complaint, {});
 }
 

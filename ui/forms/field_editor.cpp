@@ -3,6 +3,7 @@
 
 #include "ui/document/quantity_text.h"
 #include "ui/document/strings.h"
+#include "ui/forms/lines_editor.h"
 #include "ui/forms/pose_editor.h"
 #include "ui/forms/simple_editors.h"
 #include "ui/forms/table_editor.h"
@@ -21,6 +22,7 @@ FieldEditor* make_field_editor(const FieldSpec& field, const FieldContext& conte
         case FieldKind::choice:
             return new ListEditor(field, parent);
         case FieldKind::text:
+            if (field.several_lines) return new LinesEditor(field, context, parent);
             return new TextEditor(field, parent);
         case FieldKind::flag:
             return new FlagEditor(field, parent);

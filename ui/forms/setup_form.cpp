@@ -107,10 +107,14 @@ void SetupForm::refresh_problems() {
     for (const Row& row : rows_) {
         const std::string path = prefix + row.field->key;
         QStringList messages;
+        std::vector<std::string> places;
         for (const Problem& problem : document_.problems().items())
-            if (problem.path == path || problem.path.starts_with(path + '/'))
+            if (problem.path == path || problem.path.starts_with(path + '/')) {
                 messages << to_qt(problem.message);
+                places.push_back(problem.path.substr(path.size()));
+            }
         row.editor->set_complaint(messages.join('\n'));
+        row.editor->set_problem_places(places);
     }
 }
 

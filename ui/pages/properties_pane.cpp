@@ -9,6 +9,7 @@
 
 #include "ui/document/strings.h"
 #include "ui/forms/options_form.h"
+#include "ui/forms/requirements_form.h"
 #include "ui/forms/setup_form.h"
 #include "ui/forms/studies_form.h"
 #include "ui/pages/asset_evaluation.h"
@@ -49,6 +50,7 @@ void PropertiesPane::rebuild() {
     inputs_ = nullptr;
     options_ = nullptr;
     studies_ = nullptr;
+    requirements_ = nullptr;
     tabs_ = new QTabWidget(this);
     tabs_->setDocumentMode(true);
     static_cast<QVBoxLayout*>(layout())->insertWidget(0, tabs_, 1);
@@ -92,6 +94,8 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     tabs_->addTab(scrolled(options_), tr("Evaluation"));
     studies_ = new StudiesForm(document_, runner_, selection_, entry.id);
     tabs_->addTab(scrolled(studies_), tr("Studies"));
+    requirements_ = new RequirementsForm(document_, runner_, entry.id);
+    tabs_->addTab(scrolled(requirements_), tr("Requirements"));
 }
 
 void PropertiesPane::show_forecast(const QString& analysis) {
@@ -125,6 +129,7 @@ void PropertiesPane::show_studies() {
 void PropertiesPane::focus_field(const QString& path) {
     const std::string field = to_std(path);
     if (studies_ && studies_->focus_field(field)) return tabs_->setCurrentIndex(3);
+    if (requirements_ && requirements_->focus_field(field)) return tabs_->setCurrentIndex(4);
     if (setup_ && setup_->focus_field(field))
         tabs_->setCurrentIndex(0);
     else if (options_ && options_->focus_field(field))

@@ -16,6 +16,7 @@ namespace covaria::ui {
 
 class InputsPage;
 class OptionsForm;
+class RequirementsForm;
 class StudiesForm;
 class SetupForm;
 
@@ -49,6 +50,7 @@ private:
     InputsPage* inputs_ = nullptr;
     OptionsForm* options_ = nullptr;
     StudiesForm* studies_ = nullptr;
+    RequirementsForm* requirements_ = nullptr;
     bool following_ = false;  ///< the selection's field is being set or followed
 };
 

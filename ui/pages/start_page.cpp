@@ -93,9 +93,9 @@ QPushButton* action_button(const QString& picture, const QString& text) {
 
 }  // namespace
 
-std::vector<Example> shipped_examples() {
+std::vector<Example> shipped_examples(const QString& subfolder) {
     std::vector<Example> examples;
-    const QDir folder(from_path(data_directory() / "projects"));
+    const QDir folder(from_path(data_directory() / "projects") + QLatin1Char('/') + subfolder);
     for (const QFileInfo& info :
          folder.entryInfoList({QStringLiteral("*.covaria")}, QDir::Files, QDir::Name)) {
         const LoadedProject loaded = load_project(to_path(info.absoluteFilePath()));
@@ -173,7 +173,33 @@ QWidget* StartPage::make_examples() {
     }
     column->addLayout(examples_);
     place_cards(3);
+    column->addSpacing(20);
+    add_worked_examples(*column);
     return box;
+}
+
+/// The standards' own examples, as plain lines.
+void StartPage::add_worked_examples(QVBoxLayout& column) {
+    const std::vector<Example> examples = shipped_examples(QStringLiteral("gum"));
+    if (examples.empty()) return;
+    column.addWidget(heading(tr("Worked examples of the GUM and its supplements")));
+    auto* lines = new QGridLayout;
+    lines->setHorizontalSpacing(gap);
+    lines->setVerticalSpacing(0);
+    const int rows = (int(examples.size()) + 1) / 2;
+    for (int i = 0; i < int(examples.size()); ++i) {
+        const Example& example = examples[std::size_t(i)];
+        auto* button = new QToolButton;
+        button->setText(example.title);
+        button->setToolTip(example.summary);
+        button->setAutoRaise(true);
+        button->setCursor(Qt::PointingHandCursor);
+        connect(button, &QToolButton::clicked, this,
+                [this, file = example.file] { emit example_wanted(file); });
+        lines->addWidget(button, i % rows, i / rows, Qt::AlignLeft);
+    }
+    lines->setColumnStretch(2, 1);
+    column.addLayout(lines);
 }
 
 void StartPage::place_cards(int in_a_row) {

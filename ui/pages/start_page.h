@@ -30,6 +30,7 @@ protected:
 private:
     QWidget* make_actions();
     QWidget* make_examples();
+    void add_worked_examples(QVBoxLayout& column);
     void place_cards(int in_a_row);
 
     QVBoxLayout* recent_ = nullptr;
@@ -42,6 +43,7 @@ private:
 struct Example {
     QString file, title, summary, picture;
 };
-std::vector<Example> shipped_examples();
+/// Of the folder of examples, or of one in it.
+std::vector<Example> shipped_examples(const QString& subfolder = {});
 
 }  // namespace covaria::ui

@@ -6,6 +6,7 @@
 #include "core/report/table_text.h"
 #include "ui/print/rich_text.h"
 #include "ui/print/table_layout.h"
+#include "ui/theme/formula_picture.h"
 
 namespace covaria::ui {
 namespace {
@@ -100,6 +101,7 @@ public:
         RichText source(style_, TextRole::note, escaped(equation.source), Qt::AlignRight);
         const double source_width = std::min(source.natural_width(), 0.34 * width_);
         source.set_width(source_width);
+        if (add_formula(equation, source, source_width)) return;
         RichText text(style_, TextRole::body, QString::fromStdString(equation_to_html(equation.text)));
         text.set_width(width_ - indent - gap - source_width);
         const double drop = text.first_baseline() - source.first_baseline();
@@ -124,6 +126,25 @@ public:
     std::vector<FlowItem> items;
 
 private:
+    /// As mathematics, if there is such a form and it is not too wide.
+    bool add_formula(const EquationBlock& equation, const RichText& source, double source_width) {
+        if (equation.mathml.empty()) return false;
+        const double indent = style_.mm(6.0), room = width_ - indent - style_.mm(5.0) - source_width;
+        const FormulaPicture formula(QString::fromStdString(equation.mathml), style_.font(TextRole::body),
+                                     style_.device());
+        if (formula.is_empty() || formula.width() > room) return false;
+        const double drop = std::max(0.0, formula.baseline() - source.first_baseline());
+        items.push_back({std::max(formula.height(), source.height() + drop),
+                         style_.mm(1.8),
+                         false,
+                         [formula, source, drop, indent, x = width_ - source_width](QPainter& p, QPointF at) {
+                             formula.paint(p, at + QPointF(indent, 0.0), PageStyle::ink());
+                             source.paint(p, at + QPointF(x, drop), PageStyle::quiet());
+                         },
+                         {}});
+        return true;
+    }
+
     void add_text(TextRole role, const QString& html, double indent, const QColor& color) {
         RichText text(style_, role, html);
         text.set_width(width_ - indent);

@@ -32,6 +32,7 @@ PreparedAnalysis preview_of(const PreparedAnalysis& analysis) {
     preview.options.trials = preview_trials;
     preview.options.one_at_a_time_trials = 0;
     preview.options.contributor_trials = 0;
+    preview.options.sobol_trials = 0;
     return preview;
 }
 

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/model/has_layout.h"
 #include "ui/document/strings.h"
 #include "ui/theme/icons.h"
 #include "viz/scene/analysis_scene.h"
@@ -38,12 +39,15 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     column->setSpacing(0);
     toolbar_ = new QToolBar(this);
     view_ = new SceneView(this);
+    equations_ = new EquationsView(this);
     picked_ = new QLabel(this);
     picked_->setContentsMargins(8, 3, 8, 3);
     picked_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     picked_->hide();
     column->addWidget(toolbar_);
     column->addWidget(view_, 1);
+    column->addWidget(equations_, 1);
+    equations_->hide();
     column->addWidget(picked_);
     make_toolbar();
     view_->set_empty_text(tr("Select an analysis in the project tree to see its layout here."));
@@ -190,12 +194,22 @@ void ScenePanel::build_scene() {
     refresh_due_ = false;
     const AnalysisStatus& status = runner_.status(analysis_);
     if (!status.prepared) {
+        show_in_space(true);
         shown_number_ = ++number_;
         view_->set_empty_text(analysis_.isEmpty()
                                   ? tr("Select an analysis in the project tree to see its layout here.")
                                   : tr("The analysis has problems; they are listed below."));
         view_->show_scene(nullptr);
         return;
+    }
+    const bool in_space = has_layout(*status.prepared->model, status.prepared->inputs);
+    show_in_space(in_space);
+    if (!in_space) {
+        shown_number_ = ++number_;
+        view_->show_scene(nullptr);
+        std::vector<ModelEquation> equations = status.prepared->model->formulas();
+        if (equations.empty()) equations = status.prepared->descriptor->equations;
+        return equations_->show_equations(to_qt(status.prepared->name), std::move(equations));
     }
     const ResultPointer result = status.is_current() ? status.result : nullptr;
     ++building_;
@@ -209,6 +223,14 @@ void ScenePanel::build_scene() {
             take_scene(number, scene);
         };
     });
+}
+
+/// The scene with its tools; else the equations.
+void ScenePanel::show_in_space(bool in_space) {
+    toolbar_->setVisible(in_space);
+    view_->setVisible(in_space);
+    equations_->setVisible(!in_space);
+    if (!in_space) picked_->hide();
 }
 
 void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene) {

@@ -9,6 +9,7 @@
 #include "ui/document/setup_address.h"
 #include "ui/run/analysis_runner.h"
 #include "ui/run/job_queue.h"
+#include "ui/scene_view/equations_view.h"
 #include "ui/scene_view/scene_view.h"
 #include "viz/scene/build_scene.h"
 #include "viz/scene/study_scene.h"
@@ -58,6 +59,7 @@ private:
     void make_layers_menu();
     void refresh();
     void build_scene();
+    void show_in_space(bool in_space);
     void refresh_groups();
     void take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene);
     void show_item(const QString& id);
@@ -79,6 +81,7 @@ private:
     QComboBox* magnification_ = nullptr;
     QComboBox* probability_ = nullptr;
     SceneView* view_ = nullptr;
+    EquationsView* equations_ = nullptr;
     QLabel* picked_ = nullptr;
     std::atomic<quint64> number_ = 0;
     quint64 shown_number_ = 0;

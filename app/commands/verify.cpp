@@ -1,0 +1,95 @@
+// covaria verify: evaluates the shipped examples and holds them against published and reference values.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "app/application.h"
+#include "app/commands/commands.h"
+#include "app/evaluation.h"
+#include "app/exit_status.h"
+#include "app/output_folder.h"
+#include "app/terminal.h"
+#include "core/base/resource_path.h"
+#include "core/report/verification.h"
+#include "ui/export/report_export.h"
+
+namespace covaria {
+namespace {
+
+struct VerifyArguments {
+    std::string out;
+    int threads = 0;
+};
+
+Result<std::vector<VerificationCase>> shipped_cases() {
+    const auto file = data_directory() / "resources" / "verification.json";
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) return fail(ErrorCode::io, "cannot read " + file.string());
+    return read_verification(text.str());
+}
+
+Result<CheckedCase> evaluate_case(const VerificationCase& verification, int threads,
+                                  const std::stop_token& stop) {
+    RunRequest request;
+    request.file = (data_directory() / "projects" / verification.project).string();
+    request.threads = threads;
+    request.studies = false;
+    std::set<std::string> analyses;
+    for (const VerificationCheck& check : verification.checks)
+        if (analyses.insert(check.analysis).second) request.analyses.push_back(check.analysis);
+    auto opened = open_project(request.file);
+    if (!opened) return fail(opened.error());
+    auto evaluated = evaluate_analyses(*opened, request, stop);
+    if (!evaluated) return fail(evaluated.error());
+    return check_case(verification, *evaluated);
+}
+
+Result<bool> verify(const VerifyArguments& arguments, const std::stop_token& stop) {
+    if (!arguments.out.empty())
+        if (auto made = make_output_folder(arguments.out); !made) return fail(made.error());
+    const auto cases = shipped_cases();
+    if (!cases) return fail(cases.error());
+    std::vector<CheckedCase> checked;
+    bool passed = true;
+    for (const VerificationCase& verification : *cases) {
+        auto one = evaluate_case(verification, arguments.threads, stop);
+        if (!one) return fail(one.error());
+        passed = passed && one->passed();
+        checked.push_back(std::move(*one));
+    }
+    std::fputs(verification_text(checked).c_str(), stdout);
+    if (arguments.out.empty()) return passed;
+    const auto application = make_application(Platform::offscreen);
+    ui::ReportTarget target;
+    target.folder = arguments.out;
+    target.name = "verification";
+    if (auto written = ui::export_report(verification_report(checked), target, {}, stop); !written)
+        return fail(written.error());
+    return passed;
+}
+
+}  // namespace
+
+Command verify_command(CLI::App& app) {
+    auto arguments = std::make_shared<VerifyArguments>();
+    CLI::App* command = app.add_subcommand(
+        "verify", "Evaluate the shipped examples; compare them with published and reference values");
+    command->add_option("--out", arguments->out, "folder for the table as PDF, HTML and Markdown")
+        ->type_name("DIR");
+    command->add_option("--threads", arguments->threads, "number of threads (results do not depend on it)")
+        ->type_name("T")
+        ->check(CLI::Range(0, 1024));
+    return {command, [arguments](const std::stop_token& stop) {
+                const auto passed = verify(*arguments, stop);
+                if (passed) return int(*passed ? exit_success : exit_bad_input);
+                print_error(passed.error());
+                return exit_status_of(passed.error());
+            }};
+}
+
+}  // namespace covaria

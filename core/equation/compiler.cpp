@@ -1,0 +1,264 @@
+// From statements to a program: order, names, dimensions.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/equation/derivative.h"
+#include "core/equation/emitter.h"
+
+namespace covaria::equation {
+
+namespace {
+
+constexpr std::size_t most_problems = 20;
+
+/// Statements so that each comes after those it refers to; a circle is reported.
+class StatementOrder {
+public:
+    StatementOrder(const ParsedText& parsed, TextProblems& problems) : parsed_(parsed), problems_(problems) {
+        for (std::size_t s = 0; s < parsed.statements.size(); ++s)
+            for (const Definition& d : parsed.statements[s].defined) owner_[d.name] = s;
+        state_.assign(parsed.statements.size(), State::unseen);
+    }
+
+    std::vector<std::size_t> run() {
+        for (std::size_t s = 0; s < parsed_.statements.size(); ++s)
+            if (state_[s] == State::unseen) visit(s);
+        return std::move(order_);
+    }
+
+private:
+    enum class State { unseen, open, done };
+    struct Open {
+        std::size_t statement;
+        std::size_t next_node;
+    };
+
+    void enter(std::size_t s) {
+        state_[s] = State::open;
+        open_.push_back({s, parsed_.statements[s].first_node});
+    }
+
+    // With a stack of its own: chains of definitions may be long.
+    void visit(std::size_t s) {
+        enter(s);
+        while (!open_.empty()) {
+            Open& top = open_.back();
+            const Statement& statement = parsed_.statements[top.statement];
+            if (top.next_node == statement.last_node) {
+                state_[top.statement] = State::done;
+                order_.push_back(top.statement);
+                open_.pop_back();
+                continue;
+            }
+            const std::size_t at = top.next_node++;
+            follow(parsed_.nodes[at], top.statement, at >= statement.first_of_equations);
+        }
+    }
+
+    void follow(const Node& node, std::size_t user, bool in_equations) {
+        if (node.operation != Operation::symbol) return;
+        const auto owner = owner_.find(node.text);
+        if (owner == owner_.end() || state_[owner->second] == State::done) return;
+        if (owner->second == user && parsed_.statements[user].is_system() && in_equations) return;
+        if (state_[owner->second] == State::unseen) return enter(owner->second);
+        problems_.push_back(
+            {node.place,
+             "'" + node.text +
+                 "' is defined by itself here, directly or through other definitions; an equation that "
+                 "is to be solved is written 'solve " +
+                 node.text + " = 1: ... = ...', with a starting value"});
+    }
+
+    const ParsedText& parsed_;
+    TextProblems& problems_;
+    std::map<std::string, std::size_t, std::less<>> owner_;
+    std::vector<State> state_;
+    std::vector<Open> open_;
+    std::vector<std::size_t> order_;
+};
+
+class Compiler {
+public:
+    Compiler(const ParsedText& parsed, std::span<const KnownSymbol> symbols, TextProblems& problems)
+        : parsed_(parsed), symbols_(symbols), problems_(problems), emitter_(compiled_.program) {
+        for (std::size_t i = 0; i < symbols.size(); ++i) quantity_[symbols[i].name] = i;
+    }
+
+    Compiled run(std::span<const WantedOutput> outputs) {
+        const std::vector<std::size_t> order = StatementOrder(parsed_, problems_).run();
+        if (!problems_.empty()) return {};
+        registers_.assign(parsed_.nodes.size(), -1);
+        for (const std::size_t s : order) {
+            if (parsed_.statements[s].is_system())
+                system(parsed_.statements[s]);
+            else
+                definition(parsed_.statements[s]);
+        }
+        emitter_.finish();
+        if (problems_.empty())
+            for (const WantedOutput& output : outputs) add_output(output);
+        return std::move(compiled_);
+    }
+
+private:
+    void refuse(const Place& place, std::string message) {
+        if (problems_.size() < most_problems) problems_.push_back({place, std::move(message)});
+    }
+    int& at(int node) { return registers_[static_cast<std::size_t>(node)]; }
+
+    void nodes(std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) registers_[i] = node(parsed_.nodes[i]);
+    }
+
+    void definition(const Statement& s) {
+        nodes(s.first_node, s.last_node);
+        const Definition& d = s.defined.front();
+        if (emitter_.kind(at(d.root)).condition)
+            refuse(d.place, "'" + d.name + "' would be a condition: a definition must give a number");
+        defined_[d.name] = at(d.root);
+    }
+
+    void system(const Statement& s) {
+        NewtonSystem made;
+        nodes(s.first_node, s.first_of_equations);
+        for (const Definition& d : s.defined) {
+            Kind kind = emitter_.kind(at(d.root));
+            kind.any = false;
+            made.starts.push_back(at(d.root));
+            made.unknowns.push_back(emitter_.unknown(kind));
+            defined_[d.name] = made.unknowns.back();
+        }
+        emitter_.begin_system();
+        const std::size_t first = compiled_.program.instructions.size();
+        nodes(s.first_of_equations, s.last_node);
+        for (const Residual& r : s.equations) made.residuals.push_back(residual(r));
+        const auto& all = compiled_.program.instructions;
+        const std::vector<Instruction> own(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
+        made.jacobian = emit_jacobian(emitter_, own, made.residuals, made.unknowns);
+        check_jacobian(s, made);
+        emitter_.end_system(std::move(made));
+    }
+
+    int residual(const Residual& r) {
+        emitter_.set_place(r.place);
+        const Operand left = operand(r.left), right = operand(r.right);
+        const KindOfResult result = kind_of(Operation::subtract, left, right, {});
+        if (!result.objection.empty())
+            refuse(r.place, left.text + " is " + kind_words(left.kind) + ", " + right.text + " is " +
+                                kind_words(right.kind) + ": they cannot be equal");
+        return emitter_.operation(Operation::subtract, at(r.left), at(r.right), -1, result.kind);
+    }
+
+    void check_jacobian(const Statement& s, const NewtonSystem& made) {
+        const std::size_t n = made.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            bool occurs = false;
+            for (std::size_t r = 0; r < n; ++r) occurs = occurs || made.jacobian[r * n + k] >= 0;
+            if (!occurs)
+                refuse(s.defined[k].place,
+                       "the equations do not depend on the unknown '" + s.defined[k].name + "'");
+        }
+        for (std::size_t r = 0; r < n; ++r) {
+            bool depends = false;
+            for (std::size_t k = 0; k < n; ++k) depends = depends || made.jacobian[r * n + k] >= 0;
+            if (!depends) refuse(s.equations[r].place, "this equation does not depend on any unknown");
+        }
+    }
+
+    Operand operand(int index) {
+        if (index < 0) return {};
+        const Node& node = parsed_.nodes[static_cast<std::size_t>(index)];
+        return {emitter_.kind(at(index)), emitter_.value(at(index)), text_of(node)};
+    }
+
+    static std::string text_of(const Node& node) {
+        if (node.operation == Operation::symbol) return "'" + node.text + "'";
+        if (node.operation == Operation::constant && !(node.unit == Unit{}))
+            return node.text + " " + node.unit.text();
+        if (node.operation == Operation::constant) return node.text;
+        return "the expression in columns " + std::to_string(node.place.column) + "-" +
+               std::to_string(node.place.column + std::max<std::size_t>(node.place.length, 1) - 1);
+    }
+
+    int node(const Node& node) {
+        if (node.operation == Operation::constant) return constant(node);
+        if (node.operation == Operation::symbol) return symbol(node);
+        KindOfResult result =
+            kind_of(node.operation, operand(node.a), operand(node.b), operand(node.c));
+        if (!result.objection.empty()) {
+            refuse(node.sign, result.objection);
+            result.kind = is_condition(node.operation) ? Kind::of_condition() : any_kind();
+        }
+        emitter_.set_place(node.place);
+        const auto reg = [&](int i) { return i < 0 ? -1 : at(i); };
+        const int made =
+            node.operation == Operation::power
+                ? emitter_.power(at(node.a), at(node.b), result.kind)
+                : emitter_.operation(node.operation, reg(node.a), reg(node.b), reg(node.c), result.kind);
+        if (const auto value = emitter_.value(made); value && !std::isfinite(*value))
+            refuse(node.sign, "this constant has no value (division by zero, or root of a negative number)");
+        return made;
+    }
+
+    int constant(const Node& node) {
+        Kind kind = Kind::of(node.unit);
+        kind.any = node.value == 0.0 && node.unit == Unit{};
+        return emitter_.constant(node.value, kind);
+    }
+
+    int symbol(const Node& node) {
+        if (const auto defined = defined_.find(node.text); defined != defined_.end()) return defined->second;
+        if (const auto known = quantity_.find(node.text); known != quantity_.end())
+            return emitter_.input(known->second, Kind::of(symbols_[known->second].unit));
+        if (unknown_.insert(node.text).second) refuse(node.place, unknown_symbol(node.text));
+        return emitter_.unknown(any_kind());
+    }
+
+    /// Of what has been reported already: no further complaint follows from it.
+    static Kind any_kind() {
+        Kind any;
+        any.any = true;
+        return any;
+    }
+
+    static std::string unknown_symbol(const std::string& name) {
+        return "'" + name +
+               "' is neither defined nor one of the quantities: give it a row in the table of quantities";
+    }
+
+    void add_output(const WantedOutput& wanted) {
+        const auto defined = defined_.find(wanted.name);
+        if (defined == defined_.end()) return refuse({}, "no equation defines '" + wanted.name + "'");
+        const Kind& kind = emitter_.kind(defined->second);
+        const Place place = parsed_.find(wanted.name)->place;
+        const std::string coherent = coherent_unit(kind);
+        if (wanted.unit && !kind.same_dimension(Kind::of(*wanted.unit)))
+            refuse(place, "'" + wanted.name + "' is to be given in " + wanted.unit->text() + ", but is " +
+                              kind_words(kind));
+        if (!wanted.unit && coherent.empty())
+            refuse(place, "'" + wanted.name + "' is " + kind_words(kind) + ", which has no unit of its own");
+        compiled_.program.outputs.push_back(defined->second);
+        compiled_.output_units.push_back(wanted.unit ? *wanted.unit : Unit::parse(coherent).value_or(Unit{}));
+    }
+
+    const ParsedText& parsed_;
+    std::span<const KnownSymbol> symbols_;
+    TextProblems& problems_;
+    Compiled compiled_;
+    Emitter emitter_;
+    std::map<std::string, std::size_t, std::less<>> quantity_;
+    std::map<std::string, int, std::less<>> defined_;
+    std::set<std::string> unknown_;
+    std::vector<int> registers_;  ///< of the nodes
+};
+
+}  // namespace
+
+Compiled compile(const ParsedText& parsed, std::span<const KnownSymbol> symbols,
+                 std::span<const WantedOutput> outputs, TextProblems& problems) {
+    return Compiler(parsed, symbols, problems).run(outputs);
+}
+
+}  // namespace covaria::equation

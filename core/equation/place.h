@@ -1,0 +1,29 @@
+// Places in the text of equations, and what is wrong there.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace covaria::equation {
+
+/// A part of one line. Columns count characters, not bytes.
+struct Place {
+    std::size_t line = 1;    ///< from 1
+    std::size_t column = 1;  ///< from 1
+    std::size_t length = 1;  ///< characters; 0 = behind the last one
+};
+
+/// From the begin of `first` to the end of `last`, if both are on one line; else `first`.
+Place joined(const Place& first, const Place& last);
+
+struct TextProblem {
+    Place place;
+    std::string message;  ///< without the place
+};
+using TextProblems = std::vector<TextProblem>;
+
+/// "line 2, columns 14-16: ".
+std::string place_words(const Place& place);
+
+}  // namespace covaria::equation

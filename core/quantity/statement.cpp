@@ -1,0 +1,168 @@
+// The kinds of statements, one function each.
+#include "core/quantity/statement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/special_quantiles.h"
+
+namespace covaria {
+
+namespace {
+
+using Made = Result<StatedComponent>;
+
+tl::unexpected<Error> refused(std::string message) {
+    return fail(ErrorCode::bad_input, std::move(message));
+}
+
+double degrees_of(const Statement& s) {
+    if (s.degrees_of_freedom) return *s.degrees_of_freedom;
+    if (s.relative_uncertainty_of_u && *s.relative_uncertainty_of_u > 0.0)
+        return 0.5 / (*s.relative_uncertainty_of_u * *s.relative_uncertainty_of_u);
+    return infinity;
+}
+
+Made of_distribution(const Statement& s, DistributionParameters parameters) {
+    return Distribution::make(std::move(parameters)).map([&](const Distribution& d) {
+        return StatedComponent{d, degrees_of(s), std::nullopt, {}};
+    });
+}
+
+/// Student t where the degrees of freedom are finite (JCGM 101 6.4.9), else normal.
+Made of_standard_uncertainty(const Statement& s, double u) {
+    const double nu = degrees_of(s);
+    if (std::isinf(nu)) return of_distribution(s, Normal{0.0, u});
+    return of_distribution(s, StudentT{0.0, u, nu});
+}
+
+Made certificate_with_k(const Statement& s) {
+    if (!(*s.b > 0.0)) return refused("the coverage factor k must be greater than zero");
+    return of_standard_uncertainty(s, *s.a / *s.b);
+}
+
+Made certificate_with_p(const Statement& s) {
+    const double p = *s.b / 100.0;
+    if (!(p > 0.0 && p < 1.0)) return refused("the coverage probability must lie between 0 and 100 %");
+    const double nu = degrees_of(s);
+    const double q = 0.5 * (1.0 + p);
+    return of_standard_uncertainty(s, *s.a / t_quantile(q, nu));
+}
+
+Made rectangular_limits(const Statement& s) {
+    if (s.estimate)
+        return refused("the limits give the estimate: leave the value empty, or state a half-width");
+    const double middle = 0.5 * (*s.a + *s.b), half = 0.5 * (*s.b - *s.a);
+    if (half < 0.0) return refused("the lower limit is above the upper limit");
+    Made made = of_distribution(s, Rectangular{-half, half});
+    if (made) made->estimate = middle;
+    return made;
+}
+
+Made maximum_permissible_error(const Statement& s) {
+    const double relative = s.b.value_or(0.0) / 100.0;
+    if (relative != 0.0 && !s.estimate)
+        return refused("a relative part of the permissible error needs the value of the quantity");
+    const double half = *s.a + std::abs(relative * s.estimate.value_or(0.0));
+    return of_distribution(s, Rectangular{-half, half});
+}
+
+Made exponential(const Statement& s) {
+    if (!s.estimate || !(*s.estimate > 0.0))
+        return refused("an exponential distribution needs an estimate greater than zero");
+    return of_distribution(s, Exponential{*s.estimate}).map([&](StatedComponent c) {
+        c.distribution = c.distribution.shifted(-*s.estimate);
+        return c;
+    });
+}
+
+Made counts(const Statement& s) {
+    if (!(*s.a >= 0.0) || *s.a != std::round(*s.a)) return refused("the number of counts must be whole");
+    if (s.estimate) return refused("the counts give the estimate: leave the value empty");
+    const double shape = *s.a + 1.0;
+    return of_distribution(s, Gamma{shape, 1.0}).map([&](StatedComponent c) {
+        c.distribution = c.distribution.shifted(-shape);
+        c.estimate = shape;
+        return c;
+    });
+}
+
+Made make(const Statement& s) {
+    const double a = s.a.value_or(0.0), b = s.b.value_or(0.0);
+    if (s.kind == "standard") return of_standard_uncertainty(s, a);
+    if (s.kind == "certificate-k") return certificate_with_k(s);
+    if (s.kind == "certificate-p") return certificate_with_p(s);
+    if (s.kind == "limits") return rectangular_limits(s);
+    if (s.kind == "resolution") return of_distribution(s, Rectangular{-0.5 * a, 0.5 * a});
+    if (s.kind == "mpe") return maximum_permissible_error(s);
+    if (s.kind == "rectangular") return of_distribution(s, Rectangular{-a, a});
+    if (s.kind == "curvilinear-trapezoid") return of_distribution(s, CurvilinearTrapezoid{-a, a, b});
+    if (s.kind == "trapezoidal") return of_distribution(s, Trapezoidal{-a, a, b});
+    if (s.kind == "triangular") return of_distribution(s, Triangular{-a, a});
+    if (s.kind == "arcsine") return of_distribution(s, Arcsine{-a, a});
+    if (s.kind == "exponential") return exponential(s);
+    return counts(s);
+}
+
+std::string figure_problem(std::string_view name, const std::optional<double>& figure,
+                           std::string_view meaning, bool optional) {
+    const std::string column = "'" + std::string(name) + "'";
+    if (meaning.empty()) return figure ? column + " is not used by this statement: leave it empty" : "";
+    if (!figure) return optional ? "" : column + " is missing: " + std::string(meaning);
+    return "";
+}
+
+std::string problem_of(const Statement& s, const StatementKind& kind) {
+    for (const std::string& problem :
+         {figure_problem("a", s.a, kind.a, false), figure_problem("b", s.b, kind.b, kind.b_optional)})
+        if (!problem.empty()) return problem;
+    if (s.a && kind.key != "limits" && *s.a < 0.0) return "'a' must not be negative";
+    if (s.degrees_of_freedom && s.relative_uncertainty_of_u)
+        return "give the degrees of freedom or the relative uncertainty of u, not both";
+    if (s.degrees_of_freedom && !(*s.degrees_of_freedom > 0.0))
+        return "the degrees of freedom must be greater than zero";
+    if (s.relative_uncertainty_of_u && !(*s.relative_uncertainty_of_u >= 0.0))
+        return "the relative uncertainty of u must not be negative";
+    return "";
+}
+
+}  // namespace
+
+const std::vector<StatementKind>& statement_kinds() {
+    static const std::vector<StatementKind> kinds{
+        {"standard", "standard uncertainty", "standard uncertainty u", ""},
+        {"certificate-k", "certificate, U and k", "expanded uncertainty U", "coverage factor k", true, false},
+        {"certificate-p", "certificate, U and p", "expanded uncertainty U", "coverage probability in %", true,
+         false},
+        {"rectangular", "rectangular", "half-width", ""},
+        {"limits", "limits from a to b", "lower limit", "upper limit"},
+        {"curvilinear-trapezoid", "limits inexactly known", "half-width", "inexactness of the limits"},
+        {"trapezoidal", "trapezoidal", "half-width", "ratio of top to base", true, false},
+        {"triangular", "triangular", "half-width", ""},
+        {"arcsine", "arc sine", "half-width", ""},
+        {"resolution", "resolution", "step of the indication", ""},
+        {"mpe", "maximum permissible error", "permissible error", "further part in % of the value", true,
+         false, true},
+        {"exponential", "exponential", "", ""},
+        {"counts", "counts", "number of counts", "", false},
+    };
+    return kinds;
+}
+
+const StatementKind* find_statement(std::string_view key) {
+    const auto& kinds = statement_kinds();
+    const auto found =
+        std::find_if(kinds.begin(), kinds.end(), [&](const StatementKind& k) { return k.key == key; });
+    return found == kinds.end() ? nullptr : &*found;
+}
+
+Result<StatedComponent> stated_component(const Statement& statement) {
+    const StatementKind* kind = find_statement(statement.kind);
+    if (!kind) return refused("there is no statement '" + statement.kind + "'");
+    if (const std::string problem = problem_of(statement, *kind); !problem.empty()) return refused(problem);
+    Made made = make(statement);
+    if (made) made->words = std::string(kind->title);
+    return made;
+}
+
+}  // namespace covaria

@@ -1,0 +1,46 @@
+// How metrologists state what they know about a quantity (certificate, limits, resolution, MPE ...), turned
+// into a component of uncertainty (JCGM 100 4.3, JCGM 101 6.4).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/quantity/distribution.h"
+
+namespace covaria {
+
+/// One statement with its figures, SI (intervals).
+struct Statement {
+    std::string kind;  ///< key of `statement_kinds()`
+    std::optional<double> a = {}, b = {};
+    std::optional<double> degrees_of_freedom = {};
+    std::optional<double> relative_uncertainty_of_u = {};  ///< du/u: nu = (du/u)^-2 / 2 (JCGM 100 G.3)
+    std::optional<double> estimate = {};                   ///< of the quantity
+};
+
+struct StatementKind {
+    std::string_view key;
+    std::string_view title;
+    std::string_view a;  ///< what the figure a is; empty: not used
+    std::string_view b;
+    bool a_has_unit = true;
+    bool b_has_unit = true;
+    bool b_optional = false;
+};
+/// All kinds that are about figures; those about observations are not among them.
+const std::vector<StatementKind>& statement_kinds();
+const StatementKind* find_statement(std::string_view key);
+
+struct StatedComponent {
+    Distribution distribution;  ///< of the deviation from the estimate: mean zero but for counts and limits
+    double degrees_of_freedom = infinity;
+    std::optional<double> estimate = {};  ///< where the statement itself gives one (limits, counts)
+    std::string words;                    ///< "certificate, U with k": where the figure comes from
+};
+
+/// Errors: a figure that is missing, superfluous or out of range; the message names the figure.
+Result<StatedComponent> stated_component(const Statement& statement);
+
+}  // namespace covaria

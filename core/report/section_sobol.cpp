@@ -1,0 +1,66 @@
+// Sobol indices beside the shares of the first order.
+#include <algorithm>
+#include <map>
+
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+namespace {
+
+constexpr std::size_t most_rows = 16;
+
+/// Share of the law of propagation of all components of the factor, where its name lists them all.
+TableCell first_order_share(const UncertaintyResult& result, std::size_t output, const SobolIndex& index) {
+    if (index.name.find(" more") != std::string::npos || index.name.find(" together") != std::string::npos)
+        return {};
+    double share = 0.0;
+    for (const BudgetRow& row : result.budget.rows[output]) {
+        const std::string& id = result.budget.components[row.component].id;
+        const std::string padded = ", " + index.name + ", ";
+        if (padded.find(", " + id + ", ") != std::string::npos) share += row.share;
+    }
+    return 100.0 * share;
+}
+
+TableBlock sobol_table(const EvaluatedAnalysis& evaluated, std::size_t output) {
+    const UncertaintyResult& result = *evaluated.result;
+    const OutputQuantity& quantity = result.outputs[output].quantity;
+    TableBuilder table(
+        "sobol-" + evaluated.analysis->id + "-" + file_name_part(quantity.symbol + " " + quantity.group),
+        "Sobol indices of " + output_label(quantity) + " in %");
+    table.text("Component");
+    table.fixed("first order of the law of propagation", 1);
+    table.fixed("S", 1);
+    table.fixed("standard error of S", 1);
+    table.fixed("S total", 1);
+    table.fixed("standard error of S total", 1);
+    const std::vector<SobolIndex>& indices = result.sobol[output];
+    for (std::size_t i = 0; i < std::min(indices.size(), most_rows); ++i) {
+        const SobolIndex& s = indices[i];
+        table.row({s.name, first_order_share(result, output, s), 100.0 * s.first,
+                   100.0 * s.first_standard_error, 100.0 * s.total, 100.0 * s.total_standard_error});
+    }
+    if (indices.size() > most_rows)
+        table.note(std::to_string(indices.size() - most_rows) +
+                   " components with smaller indices are left out.");
+    return table.take();
+}
+
+}  // namespace
+
+void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    if (result.sobol.empty()) return;
+    blocks.push_back(HeadingBlock{2, "Sobol indices"});
+    blocks.push_back(ParagraphBlock{
+        "S is the share of the variance that a component causes by itself, S total the share with all its "
+        "interactions with others: where both agree and the shares sum to 100 %, the measurement model is "
+        "additive. "
+        "Components that are correlated have indices together. By Monte Carlo with " +
+        count_text(result.sobol_trials) + " pairs of trials."});
+    for (const std::string& group : groups_in_full(result))
+        for (const std::size_t output : measurands_of(result, group))
+            blocks.push_back(sobol_table(evaluated, output));
+}
+
+}  // namespace covaria::report_parts

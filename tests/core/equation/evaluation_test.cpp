@@ -1,0 +1,96 @@
+// Compiled equations over the three number types.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/equation/evaluate.h"
+
+namespace covaria::equation {
+namespace {
+
+Program compiled(const std::string& text, const std::vector<std::string>& names) {
+    TextProblems problems;
+    const ParsedText parsed = parse(text, problems);
+    std::vector<KnownSymbol> symbols;
+    for (const std::string& name : names) symbols.push_back({name, Unit{}});
+    const std::vector<WantedOutput> wanted{{"y", std::nullopt}};
+    Compiled result = compile(parsed, symbols, wanted, problems);
+    for (const TextProblem& p : problems) ADD_FAILURE() << text << ": " << place_words(p.place) << p.message;
+    return result.program;
+}
+
+template <class Real>
+Real value(const Program& program, const std::vector<Real>& x) {
+    std::vector<Real> registers(program.registers);
+    put_constants(program, registers.data(), 1);
+    for (const auto& input : program.inputs) registers[std::size_t(input.at)] = x[input.quantity];
+    run(program, registers.data(), 1);
+    return registers[std::size_t(program.outputs[0])];
+}
+
+const std::vector<std::string> expressions{
+    "y = sqrt(a)*cbrt(b) + exp(-a)*log(b) + log10(a + b)*log2(b)",
+    "y = sin(a)*cos(b) + tan(a*b/4) + asin(a/3) + acos(b/4) + atan(a - b)",
+    "y = sinh(a) + cosh(b) + tanh(a*b) + asinh(a) + acosh(1 + b) + atanh(a/3)",
+    "y = a^3 - b^-2 + a^b + pow(a, 1.7) + abs(a - b) + hypot(a, b)",
+    "y = atan2(a - 2*b, b - a) + min(a, b)*max(a, 0.5) + if(a < b, a*a, b) + sign(b)*a",
+    "solve y = 1: y^3 + a*y = b",
+    "solve p = 0.4, q = 3: p*q = a + exp(b/9) and p^2 + q = a*b + 3\ny = p/q",
+    "solve p = a, q = b, r = 1: p + 0.1*q^2 = a and sin(p*r)/9 + q = b and r*exp(q/9) = 2\ny = p + q*r^2"};
+
+TEST(Evaluation, VectorsOfTrialsEqualSingleTrials) {
+    for (const std::string& text : expressions) {
+        const Program program = compiled(text, {"a", "b"});
+        double a[] = {0.4, 1.1, 1.3, 0.9}, b[] = {1.2, 0.7, 1.9, 2.3};
+        const Batch y = value<Batch>(program, {Batch::load_unaligned(a), Batch::load_unaligned(b)});
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            const double single = value<double>(program, {a[lane], b[lane]});
+            EXPECT_TRUE(std::isfinite(single)) << text << " at " << a[lane] << ", " << b[lane];
+            EXPECT_NEAR(y.get(lane), single, 1e-13 * std::max(1.0, std::abs(single))) << text;
+        }
+    }
+}
+
+TEST(Evaluation, DerivativesEqualDifferences) {
+    for (const std::string& text : expressions) {
+        const Program program = compiled(text, {"a", "b"});
+        const double a = 1.1, b = 1.7, h = 1e-5;
+        const Dual y = value<Dual>(program, {Dual::variable(a, 0), Dual::variable(b, 1)});
+        const auto f = [&](double da, double db) { return value<double>(program, {a + da, b + db}); };
+        const auto difference = [&](double da, double db) {
+            return (8 * (f(da, db) - f(-da, -db)) - (f(2 * da, 2 * db) - f(-2 * da, -2 * db))) / (12 * h);
+        };
+        EXPECT_NEAR(y.value(), f(0, 0), 1e-13 * std::max(1.0, std::abs(y.value()))) << text;
+        EXPECT_NEAR(y.partials()[0], difference(h, 0), 1e-8 * std::max(1.0, std::abs(y.partials()[0])))
+            << text;
+        EXPECT_NEAR(y.partials()[1], difference(0, h), 1e-8 * std::max(1.0, std::abs(y.partials()[1])))
+            << text;
+    }
+}
+
+TEST(Evaluation, ImplicitDerivativesAreExact) {
+    const Program program = compiled("solve y = 1: y^2 = a", {"a"});
+    const Dual y = value<Dual>(program, {Dual::variable(2.0, 0)});
+    EXPECT_NEAR(y.partials()[0], 0.5 / std::sqrt(2.0), 1e-15);
+}
+
+// One lane without a solution neither stops nor changes the others.
+TEST(Evaluation, LanesDoNotInfluenceEachOther) {
+    const Program program = compiled("solve y = 1: y^2 = a", {"a"});
+    double a[] = {4.0, -1.0, 2.0, 1e-300};
+    const Batch y = value<Batch>(program, {Batch::load_unaligned(a)});
+    EXPECT_EQ(y.get(0), value<double>(program, {4.0}));
+    EXPECT_TRUE(std::isnan(y.get(1)));
+    EXPECT_EQ(y.get(2), value<double>(program, {2.0}));
+    EXPECT_TRUE(std::isnan(value<double>(program, {-1.0})));
+}
+
+TEST(Evaluation, WhatOccursTwiceIsComputedOnce) {
+    const Program program = compiled("y = sin(a)*sin(a) + sin(a)", {"a"});
+    EXPECT_EQ(program.instructions.size(), 3u);
+    const Program constants = compiled("y = a*(2*3 + sqrt(16))", {"a"});
+    EXPECT_EQ(constants.instructions.size(), 1u);
+}
+
+}  // namespace
+}  // namespace covaria::equation

@@ -1,0 +1,95 @@
+// Sobol indices against exact ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/propagation/engine.h"
+#include "test_models.h"
+
+namespace covaria::test {
+namespace {
+
+EvaluationOptions sobol(std::uint64_t trials) {
+    EvaluationOptions options;
+    options.trials = 10'000;
+    options.sobol_trials = trials;
+    return options;
+}
+
+const SobolIndex& index_of(const UncertaintyResult& result, const std::string& name) {
+    for (const SobolIndex& s : result.sobol.at(0))
+        if (s.name == name) return s;
+    throw std::runtime_error("no index of " + name);
+}
+
+void expect_index(const SobolIndex& s, double first, double total) {
+    EXPECT_NEAR(s.first, first, 4 * s.first_standard_error + 1e-12) << s.name;
+    EXPECT_NEAR(s.total, total, 4 * s.total_standard_error + 1e-12) << s.name;
+    EXPECT_LT(s.first_standard_error, 0.02);
+    EXPECT_LT(s.total_standard_error, 0.02);
+}
+
+// I. M. Sobol, T. Homma, A. Saltelli: y = sin x1 + a sin^2 x2 + b x3^4 sin x1, x rectangular in [-pi, pi].
+TEST(Sobol, IshigamiFunction) {
+    constexpr double a = 7, b = 0.1, pi = std::numbers::pi;
+    InputSet inputs;
+    for (const char* name : {"x1", "x2", "x3"})
+        add_quantity(inputs, name, Distribution::of(Rectangular{-pi, pi}), infinity);
+    const FunctionModel model(
+        inputs, outputs_named({"y"}),
+        [](std::span<const double> x, std::span<double> y) {
+            y[0] = std::sin(x[0]) + a * std::pow(std::sin(x[1]), 2) + b * std::pow(x[2], 4) * std::sin(x[0]);
+            return true;
+        },
+        [](std::span<const double>, Eigen::MatrixXd& j) {
+            j << 1, 0, 0;
+            return true;
+        });
+    const double v1 = 0.5 * std::pow(1 + b * std::pow(pi, 4) / 5, 2), v2 = a * a / 8;
+    const double v13 = b * b * std::pow(pi, 8) * (1.0 / 18 - 1.0 / 50), v = v1 + v2 + v13;
+    const auto result = evaluate(model, inputs, sobol(200'000));
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(result->sobol_trials, 200'000u);
+    ASSERT_EQ(result->sobol.at(0).size(), 3u);
+    expect_index(index_of(*result, result->inputs.components[0].id), v1 / v, (v1 + v13) / v);
+    expect_index(index_of(*result, result->inputs.components[1].id), v2 / v, v2 / v);
+    expect_index(index_of(*result, result->inputs.components[2].id), 0, v13 / v);
+}
+
+// Correlated components have an index together; in a sum, first and total agree.
+TEST(Sobol, CorrelatedComponentsAreOneFactor) {
+    InputSet inputs;
+    for (const char* name : {"a", "b", "c"}) add_quantity(inputs, name, Distribution::normal(1), infinity);
+    inputs.correlations.push_back({0, 1, 0.5});
+    const auto result = evaluate(sum_model(inputs), inputs, sobol(100'000));
+    ASSERT_TRUE(result);
+    ASSERT_EQ(result->sobol.at(0).size(), 2u);
+    const std::string joint = inputs.components[0].id + ", " + inputs.components[1].id;
+    expect_index(index_of(*result, joint), 0.75, 0.75);
+    expect_index(index_of(*result, inputs.components[2].id), 0.25, 0.25);
+}
+
+TEST(Sobol, SameBitsForAnyNumberOfThreads) {
+    InputSet inputs;
+    for (const char* name : {"a", "b", "c"}) add_quantity(inputs, name, Distribution::normal(1), infinity);
+    RunControl one, two;
+    one.threads = 1;
+    two.threads = 2;
+    const auto first = evaluate(sum_model(inputs), inputs, sobol(5'500), one);
+    const auto second = evaluate(sum_model(inputs), inputs, sobol(5'500), two);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(first->sobol[0][i].first, second->sobol[0][i].first);
+        EXPECT_EQ(first->sobol[0][i].total, second->sobol[0][i].total);
+    }
+}
+
+TEST(Sobol, IsLeftOutUnlessAskedFor) {
+    InputSet inputs;
+    add_quantity(inputs, "a", Distribution::normal(1), infinity);
+    EXPECT_TRUE(evaluate(sum_model(inputs), inputs, sobol(0))->sobol.empty());
+    EXPECT_FALSE(evaluate(sum_model(inputs), inputs, sobol(50)));
+}
+
+}  // namespace
+}  // namespace covaria::test

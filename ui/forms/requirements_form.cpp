@@ -1,0 +1,278 @@
+#include "ui/forms/requirements_form.h"
+
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/base/symbol.h"
+#include "core/report/number_format.h"
+#include "ui/document/setup_address.h"
+#include "ui/document/strings.h"
+#include "ui/models/number_words.h"
+
+namespace covaria::ui {
+
+namespace {
+
+constexpr std::size_t most_reductions = 8;
+
+bool is_of(const Requirement& r, const OutputQuantity& output) {
+    return r.symbol == output.symbol && r.group == output.group;
+}
+
+bool is_empty(const Requirement& r) {
+    Requirement bare;
+    bare.symbol = r.symbol;
+    bare.group = r.group;
+    return r == bare;
+}
+
+Unit interval_unit(const Unit& unit) {
+    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
+}
+
+QString number(const Unit& unit, double si, int digits = 3) {
+    return localized(format_significant(unit.interval_from_si(si), digits)) + QChar(0xa0) +
+           to_qt(unit.display());
+}
+
+QString percent(double p) {
+    return localized(format_significant(100.0 * p, p > 0.9 ? 4 : 2)) + QStringLiteral("\u00a0%");
+}
+
+QString target_words(const UncertaintyResult& result, const RequirementResult& r) {
+    const OutputResult& output = result.outputs[r.output];
+    const Unit& unit = output.quantity.unit;
+    QString text = RequirementsForm::tr("U = %1: the target is %2.")
+                       .arg(number(unit, output.expanded_uncertainty),
+                            r.meets_target ? RequirementsForm::tr("met") : RequirementsForm::tr("not met"));
+    if (r.reductions.empty()) return text;
+    text += RequirementsForm::tr("<br>It would be met with one of these alone:");
+    QString list;
+    std::size_t shown = 0;
+    for (const auto& reduction : r.reductions) {
+        if (!reduction.needed || ++shown > most_reductions) continue;
+        const BudgetComponent& c = result.budget.components[reduction.component];
+        list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3</li>")
+                    .arg(to_qt(c.name).toHtmlEscaped(), number(interval_unit(c.unit), reduction.now),
+                         number(interval_unit(c.unit), *reduction.needed));
+    }
+    if (list.isEmpty())
+        return text + RequirementsForm::tr(" none; several components must be reduced together.");
+    return text + QStringLiteral("<ul>") + list + QStringLiteral("</ul>");
+}
+
+QString conformity_words(const UncertaintyResult& result, const RequirementResult& r) {
+    const Unit& unit = result.outputs[r.output].quantity.unit;
+    const bool accepted = r.decision == RequirementResult::Decision::accept;
+    const double conforming = r.conformance_monte_carlo.value_or(r.conformance_normal);
+    QString text =
+        RequirementsForm::tr("Guard band %1: the result is <b>%2</b>. Probability of conformance %3 %4.")
+            .arg(number(unit, r.guard_band),
+                 accepted ? RequirementsForm::tr("accepted") : RequirementsForm::tr("rejected"),
+                 percent(conforming),
+                 r.conformance_monte_carlo ? RequirementsForm::tr("(trials)")
+                                           : RequirementsForm::tr("(normal)"));
+    if (r.global_risks)
+        text += RequirementsForm::tr("<br>Global risks of the rule: consumer's %1, producer's %2.")
+                    .arg(percent(r.global_risks->consumer), percent(r.global_risks->producer));
+    return text;
+}
+
+}  // namespace
+
+RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, std::string analysis,
+                                   QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      runner_(runner),
+      analysis_(std::move(analysis)),
+      layout_(new QFormLayout(this)),
+      outputs_(new QComboBox(this)),
+      verdict_(new QLabel(this)) {
+    outputs_->setAccessibleName(tr("Result"));
+    outputs_->setObjectName("requirement_of");
+    layout_->addRow(tr("Result"), outputs_);
+    add_row("targetUncertainty", tr("Target uncertainty"),
+            tr("The expanded uncertainty U must not exceed this."), &Requirement::target_uncertainty, true);
+    add_row("lowerLimit", tr("Lower limit"), tr("Of the tolerance; empty: none."), &Requirement::lower_limit,
+            false);
+    add_row("upperLimit", tr("Upper limit"), tr("Of the tolerance; empty: none."), &Requirement::upper_limit,
+            false);
+    add_guard_factor();
+    add_row("priorMean", tr("Prior mean"),
+            tr("What is known of such quantities before the measurement, as a normal distribution (the "
+               "production "
+               "process): for the global risks of JCGM 106."),
+            &Requirement::prior_mean, false);
+    add_row("priorStandardDeviation", tr("Prior standard deviation"), tr("Of the production process."),
+            &Requirement::prior_standard_deviation, true);
+    verdict_->setWordWrap(true);
+    verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    verdict_->setContentsMargins(0, 10, 0, 0);
+    layout_->addRow(verdict_);
+    connect(outputs_, &QComboBox::currentIndexChanged, this, [this] {
+        refresh_values();
+        refresh_problems();
+        refresh_verdict();
+    });
+    connect(&document_, &Document::project_changed, this, &RequirementsForm::refresh);
+    connect(&document_, &Document::problems_changed, this, &RequirementsForm::refresh_problems);
+    const auto follow = [this](const QString& id) {
+        if (to_std(id) == analysis_) refresh();
+    };
+    connect(&runner_, &AnalysisRunner::result_changed, this, follow);
+    connect(&runner_, &AnalysisRunner::state_changed, this, follow);
+    refresh();
+}
+
+void RequirementsForm::add_row(const char* key, const QString& title, const QString& help, Member member,
+                               bool is_interval) {
+    auto* edit = new QuantityEdit(this);
+    edit->setObjectName(key);
+    edit->setAccessibleName(title);
+    edit->set_help(help);
+    layout_->addRow(title, edit);
+    rows_.push_back({key, edit, member, is_interval});
+    connect(edit, &QuantityEdit::quantity_edited, this,
+            [this, key, member](const std::optional<Quantity>& value) {
+                change(key, [&](Requirement& r) { r.*member = value; });
+            });
+}
+
+void RequirementsForm::add_guard_factor() {
+    auto* edit = new QuantityEdit(this);
+    edit->setObjectName("guardFactor");
+    edit->setAccessibleName(tr("Guard factor"));
+    edit->set_help(
+        tr("Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is "
+           "simple acceptance, negative values favour the producer."));
+    edit->set_range({-10.0, 10.0});
+    layout_->addRow(tr("Guard factor"), edit);
+    rows_.push_back({"guardFactor", edit, nullptr, false});
+    connect(edit, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& value) {
+        change("guardFactor",
+               [&](Requirement& r) { r.guard_factor = value ? value->si() : Requirement{}.guard_factor; });
+    });
+}
+
+const OutputQuantity* RequirementsForm::output() const {
+    const int i = outputs_->currentIndex();
+    return i < 0 || i >= int(known_.size()) ? nullptr : &known_[std::size_t(i)];
+}
+
+const Requirement* RequirementsForm::requirement() const {
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    if (!entry || !output()) return nullptr;
+    for (const Requirement& r : entry->requirements)
+        if (is_of(r, *output())) return &r;
+    return nullptr;
+}
+
+void RequirementsForm::change(const std::string& key, const std::function<void(Requirement&)>& edit) {
+    const OutputQuantity* of = output();
+    if (!of) return;
+    document_.apply(
+        tr("Change the requirement for %1").arg(to_qt(of->symbol)),
+        [&](Project& project) {
+            AnalysisEntry* entry = find_analysis_entry(project, analysis_);
+            if (!entry) return;
+            auto found = std::find_if(entry->requirements.begin(), entry->requirements.end(),
+                                      [&](const Requirement& r) { return is_of(r, *of); });
+            if (found == entry->requirements.end())
+                found =
+                    entry->requirements.insert(entry->requirements.end(), Requirement{of->group, of->symbol});
+            edit(*found);
+            if (is_empty(*found)) entry->requirements.erase(found);
+        },
+        QStringLiteral("requirement:%1:%2:%3")
+            .arg(to_qt(analysis_), to_qt(of->group + "/" + of->symbol), to_qt(key)));
+}
+
+void RequirementsForm::refresh() {
+    refresh_outputs();
+    refresh_values();
+    refresh_problems();
+    refresh_verdict();
+}
+
+void RequirementsForm::refresh_outputs() {
+    const auto& prepared = runner_.status(to_qt(analysis_)).prepared;
+    if (!prepared) return;
+    std::vector<OutputQuantity> outputs;
+    for (const OutputQuantity& o : prepared->model->outputs())
+        if (o.role == OutputRole::measurand) outputs.push_back(o);
+    const auto same = [](const OutputQuantity& a, const OutputQuantity& b) {
+        return a.symbol == b.symbol && a.group == b.group && a.unit == b.unit;
+    };
+    if (std::equal(outputs.begin(), outputs.end(), known_.begin(), known_.end(), same)) return;
+    const QSignalBlocker quiet(outputs_);
+    const QString before = outputs_->currentText();
+    known_ = std::move(outputs);
+    outputs_->clear();
+    for (const OutputQuantity& o : known_)
+        outputs_->addItem(to_qt(symbol_to_unicode(o.symbol) + (o.group.empty() ? "" : ", " + o.group)));
+    outputs_->setCurrentIndex(std::max(0, outputs_->findText(before)));
+}
+
+void RequirementsForm::refresh_values() {
+    const Requirement* given = requirement();
+    const OutputQuantity* of = output();
+    for (const Row& row : rows_) {
+        row.edit->setEnabled(of != nullptr);
+        if (!of) continue;
+        if (row.member) {
+            row.edit->set_unit(row.is_interval ? interval_unit(of->unit) : of->unit);
+            row.edit->set_quantity(given ? given->*row.member : std::nullopt);
+        } else {
+            row.edit->set_quantity(
+                Quantity{given ? given->guard_factor : Requirement{}.guard_factor, Unit{}});
+        }
+    }
+}
+
+void RequirementsForm::refresh_problems() {
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    const Requirement* given = requirement();
+    const std::string prefix =
+        given && entry ? entry_path(document_.project(), {SetupOwner::analysis, analysis_}) +
+                             "/requirements/" + std::to_string(given - entry->requirements.data()) + "/"
+                       : std::string();
+    for (const Row& row : rows_) {
+        QStringList messages;
+        for (const Problem& problem : document_.problems().items())
+            if (!prefix.empty() && problem.path == prefix + row.key) messages << to_qt(problem.message);
+        row.edit->set_complaint(messages.join('\n'));
+    }
+}
+
+void RequirementsForm::refresh_verdict() {
+    const AnalysisStatus& status = runner_.status(to_qt(analysis_));
+    QStringList words;
+    if (status.result && status.is_current() && output())
+        for (const RequirementResult& r : status.result->requirements) {
+            const OutputQuantity& of = status.result->outputs[r.output].quantity;
+            if (of.symbol != output()->symbol || of.group != output()->group) continue;
+            if (r.target_uncertainty) words << target_words(*status.result, r);
+            if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r);
+        }
+    if (words.isEmpty() && requirement())
+        words << tr("Run the analysis to see whether the requirement is met.");
+    verdict_->setText(words.join(QStringLiteral("<br>")));
+}
+
+bool RequirementsForm::focus_field(const std::string& path) {
+    const std::string prefix =
+        entry_path(document_.project(), {SetupOwner::analysis, analysis_}) + "/requirements/";
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    if (!path.starts_with(prefix) || !entry) return false;
+    const std::size_t index = std::strtoul(path.c_str() + prefix.size(), nullptr, 10);
+    if (index >= entry->requirements.size()) return false;
+    for (std::size_t i = 0; i < known_.size(); ++i)
+        if (is_of(entry->requirements[index], known_[i])) outputs_->setCurrentIndex(int(i));
+    for (const Row& row : rows_)
+        if (path.ends_with("/" + row.key)) row.edit->setFocus(Qt::OtherFocusReason);
+    return true;
+}
+
+}  // namespace covaria::ui

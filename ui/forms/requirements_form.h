@@ -1,0 +1,58 @@
+// The requirements of an analysis, one result at a time: target uncertainty, tolerance, decision rule, prior;
+// and what the present result says about them.
+#pragma once
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "ui/document/document.h"
+#include "ui/forms/quantity_edit.h"
+#include "ui/run/analysis_runner.h"
+
+namespace covaria::ui {
+
+class RequirementsForm : public QWidget {
+    Q_OBJECT
+public:
+    RequirementsForm(Document& document, AnalysisRunner& runner, std::string analysis,
+                     QWidget* parent = nullptr);
+    /// "/analyses/0/requirements/1/lowerLimit". False: not of a requirement.
+    bool focus_field(const std::string& path);
+
+    QComboBox* outputs() const { return outputs_; }
+    QLabel* verdict() const { return verdict_; }
+
+private:
+    using Member = std::optional<Quantity> Requirement::*;
+    struct Row {
+        std::string key;  ///< in files: "lowerLimit"
+        QuantityEdit* edit;
+        Member member;  ///< null for the guard factor
+        bool is_interval;
+    };
+    void add_row(const char* key, const QString& title, const QString& help, Member member, bool is_interval);
+    void add_guard_factor();
+    void refresh();
+    void refresh_outputs();
+    void refresh_values();
+    void refresh_problems();
+    void refresh_verdict();
+    const OutputQuantity* output() const;
+    const Requirement* requirement() const;
+    void change(const std::string& key, const std::function<void(Requirement&)>& edit);
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    std::string analysis_;
+    QFormLayout* layout_;
+    QComboBox* outputs_;
+    QLabel* verdict_;
+    std::vector<Row> rows_;
+    std::vector<OutputQuantity> known_;
+};
+
+}  // namespace covaria::ui

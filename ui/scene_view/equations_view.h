@@ -1,0 +1,29 @@
+// The equations of a model whose quantities are nowhere in space, set as mathematics.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/model/measurement_model.h"
+
+namespace covaria::ui {
+
+class EquationsView : public QWidget {
+    Q_OBJECT
+public:
+    explicit EquationsView(QWidget* parent = nullptr);
+
+    /// `title`: over the equations, the name of the analysis.
+    void show_equations(const QString& title, std::vector<ModelEquation> equations);
+    QSize sizeHint() const override { return {800, 500}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    QString title_;
+    std::vector<ModelEquation> equations_;
+};
+
+}  // namespace covaria::ui
