@@ -90,7 +90,7 @@ void add_points(const Trajectory& t, const std::string& name, Layout& layout) {
     const std::size_t n = t.points.size();
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t i = t.first_input + 3 * k;
-        LayoutPoint point{.name = k == 0 ? name : "", .kind = PointKind::target, .p_W = t.points[k]};
+        LayoutPoint point{.name = k + 1 == n ? name : "", .kind = PointKind::target, .p_W = t.points[k]};
         if (!t.rows.empty()) point.source.path = "/points/rows/" + std::to_string(t.rows[k]);
         if (k + 1 == n) point.inputs = {{i, i + 1, i + 2}};
         layout.points.push_back(std::move(point));

@@ -48,9 +48,9 @@ DataTable identified_table(const SerialRobotSource& nominal, const std::vector<I
     table.title = "Identified parameters beside the nominal ones";
     table.columns = {{.header = "parameter", .is_symbol = true},
                      {.header = "nominal"},
-                     {.header = "identified"},
-                     {.header = "difference"}};
-    if (covariance.size() > 0) table.columns.push_back({.header = "u", .is_symbol = true});
+                     {.header = "identified", .digits = 8},
+                     {.header = "difference", .digits = 4}};
+    if (covariance.size() > 0) table.columns.push_back({.header = "u", .is_symbol = true, .digits = 2});
     for (std::size_t i = 0; i < values.size(); ++i) {
         const JointParameter p = found[i].parameter;
         const double before = nominal.joints()[found[i].joint].values[p];

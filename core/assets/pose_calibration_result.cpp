@@ -41,12 +41,12 @@ DataTable observability_table(const Calibration& c) {
     table.title = "Observability";
     table.columns = {{.header = "quantity"}, {.header = "value", .digits = 3}};
     const double smallest = s.singular_values[s.singular_values.size() - 1];
-    const auto add = [&](const char* name, double value) {
-        table.rows.push_back({std::string(name), value});
+    const auto add = [&](const char* name, TableCell value) {
+        table.rows.push_back({std::string(name), std::move(value)});
     };
-    add("coordinates in the fit", static_cast<double>(c.rows()));
-    add("unknowns (rank)", static_cast<double>(c.unknowns.size()));
-    add("degrees of freedom", static_cast<double>(c.rows() - c.unknowns.size()));
+    add("coordinates in the fit", std::to_string(c.rows()));
+    add("unknowns (rank)", std::to_string(c.unknowns.size()));
+    add("degrees of freedom", std::to_string(c.rows() - c.unknowns.size()));
     add("condition of the fit", s.singular_values[0] / smallest);
     add("smallest singular value", smallest);
     add("residuals over what uncertainties explain", s.scatter);
@@ -80,7 +80,7 @@ DataTable residual_table(const Calibration& c) {
     table.title = "Residuals of the fit, measured less calculated";
     table.columns = {{.header = "pose"}};
     for (const char* axis : {"x", "y", "z"})
-        table.columns.push_back({.header = axis, .unit = um, .is_symbol = true});
+        table.columns.push_back({.header = axis, .unit = um, .is_symbol = true, .digits = 3});
     table.columns.push_back({.header = "largest over its u", .digits = 2});
     table.columns.push_back({.header = "outlier test"});
     const auto m = static_cast<Index>(c.rows_per_pose());
@@ -108,11 +108,11 @@ DataTable check_table(const Calibration& c) {
     DataTable table;
     table.id = "check-poses";
     table.title = "Poses held back from the fit, calculated less measured";
-    table.columns = {{.header = "pose"}, {.header = "nominal, distance", .unit = um}};
+    table.columns = {{.header = "pose"}, {.header = "nominal, distance", .unit = um, .digits = 3}};
     for (const char* axis : {"x", "y", "z"})
-        table.columns.push_back({.header = axis, .unit = um, .is_symbol = true});
-    table.columns.insert(table.columns.end(), {{.header = "distance", .unit = um},
-                                               {.header = "U (k = 2), largest", .unit = um},
+        table.columns.push_back({.header = axis, .unit = um, .is_symbol = true, .digits = 3});
+    table.columns.insert(table.columns.end(), {{.header = "distance", .unit = um, .digits = 3},
+                                               {.header = "U (k = 2), largest", .unit = um, .digits = 2},
                                                {.header = "E_n, largest", .digits = 2}});
     const FitStatistics& s = c.statistics;
     for (std::size_t k = c.fitted_poses; k < c.poses.size(); ++k) {
