@@ -14,7 +14,8 @@ namespace covaria::ui {
 namespace {
 
 constexpr double pixels_per_key = 30.0;
-constexpr double reach_of_pointer = 14.0;  // pixels around a selected item in which it can be grasped
+constexpr qint64 least_pause_between_moves = 25;  // ms
+constexpr double reach_of_pointer = 14.0;         // pixels around a selected item in which it can be grasped
 constexpr double zoom_per_key = 1.15;
 constexpr QSize saved_picture_size(2560, 1600);
 
@@ -181,7 +182,12 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     if (!pressed_at_) return setCursor(movable_at(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     if (!dragged_ && (event->position() - *pressed_at_).manhattanLength() < 4) return;
     dragged_ = true;
-    if (moved_) return move_item_to(event->position());
+    if (moved_) {
+        // A mouse reports more often than results can follow.
+        if (since_move_.isValid() && since_move_.elapsed() < least_pause_between_moves) return;
+        since_move_.start();
+        return move_item_to(event->position());
+    }
     drag_by(event->position() - last_at_);
     last_at_ = event->position();
 }
@@ -225,7 +231,11 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         const QPointF at = event->position() * devicePixelRatioF();
         service_.pick(at.x(), at.y());
     }
-    if (moved_ && dragged_) emit drag_finished();
+    if (moved_ && dragged_) {
+        move_item_to(event->position());
+        emit drag_finished();
+    }
+    since_move_.invalidate();
     moved_.reset();
     pressed_at_.reset();
     button_ = Qt::NoButton;

@@ -1,6 +1,7 @@
 // The 3D view: paints the pictures of a RenderService and turns the mouse and keyboard into camera movements.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QWidget>
 #include <memory>
@@ -83,7 +84,8 @@ private:
     Qt::MouseButton button_ = Qt::NoButton;
     bool dragged_ = false;
     std::optional<SceneItem> moved_;  ///< being dragged: as it was
-    QPointF grip_;                    ///< from the pointer to its middle, device pixels
+    QElapsedTimer since_move_;
+    QPointF grip_;        ///< from the pointer to its middle, device pixels
     bool framed_ = true;  ///< everything is in the picture, and stays so when the pane changes its size
     RenderService service_;
 };

@@ -79,7 +79,9 @@ TEST(NetworkScaleBar, GivenReadingsAreAdjustedWithIt) {
         << residuals.notes.front();
     const UncertaintyResult result = network.run("recommended", 0);
     for (const OutputResult& output : result.outputs)
-        if (output.quantity.symbol == "AB") EXPECT_NEAR(1e3 * output.estimate, 728.5, 1e-3);
+        if (output.quantity.symbol == "AB") {
+            EXPECT_NEAR(1e3 * output.estimate, 728.5, 1e-3);
+        }
 }
 
 TEST(NetworkScaleBar, WhatCannotBeDone) {
