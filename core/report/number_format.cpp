@@ -90,8 +90,11 @@ std::string format_to_match(double value, double uncertainty, int digits) {
 std::string format_cell(const TableCell& cell, const TableColumn& column) {
     const auto number = [&column](double value) {
         if (column.decimals >= 0) return format_decimals(value, column.decimals);
-        return column.digits > 0 ? format_significant(value, column.digits)
-                                 : without_trailing_zeros(format_significant(value, unmatched_digits));
+        if (column.digits > 0) return format_significant(value, column.digits);
+        // A large whole number loses no digits: 50000623 nm.
+        if (value == std::round(value) && std::abs(value) >= 1e7 && std::abs(value) < 1e12)
+            return fixed(value, 0);
+        return without_trailing_zeros(format_significant(value, unmatched_digits));
     };
     if (const auto* text = std::get_if<std::string>(&cell)) return *text;
     if (const auto* value = std::get_if<double>(&cell)) return number(column.unit.from_si(*value));

@@ -61,7 +61,7 @@ public:
         table_.text("Symbol", true);
         table_.text("Component");
         table_.text("Unit");
-        table_.symbol("x_i", 6);
+        table_.symbol("x_i", 0, 4);  // rounded to match u(x_i)
         table_.symbol("u(x_i)", 3);
         table_.text("Distribution");
         table_.text("Type");
@@ -133,9 +133,10 @@ private:
             output_label(output_.quantity) + " = (" + format_to_match(unit.from_si(first.estimate), U) +
             " ± " + format_significant(U, 2) + ")" + symbol +
             ", u_c = " + format_significant(unit.interval_from_si(first.standard_uncertainty), 2) + symbol;
-        line += ", ν_eff = " + (std::isfinite(first.effective_degrees_of_freedom)
-                                    ? format_significant(first.effective_degrees_of_freedom, 3)
-                                    : std::string("∞"));
+        line += ", effective degrees of freedom " +
+                (std::isfinite(first.effective_degrees_of_freedom)
+                     ? format_significant(first.effective_degrees_of_freedom, 3)
+                     : std::string("∞"));
         return line + ", k = " + format_decimals(first.coverage_factor, 2) +
                ", p = " + percent_text(result_.coverage_probability) + " (law of propagation).";
     }

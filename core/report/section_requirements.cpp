@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
 
 namespace covaria::report_parts {
@@ -60,8 +61,12 @@ TableBlock reduction_table(const EvaluatedAnalysis& evaluated, const Requirement
     return table.take();
 }
 
-std::string limits_text(const RequirementResult& r, const Unit& unit, double guard) {
-    const auto number = [&](double si) { return value_words(unit.from_si(si)); };
+/// With the digits that U lets mean something, and one more.
+std::string limits_text(const RequirementResult& r, const OutputResult& output, double guard) {
+    const Unit& unit = output.quantity.unit;
+    const auto number = [&](double si) {
+        return format_to_match(unit.from_si(si), unit.interval_from_si(output.expanded_uncertainty), 3);
+    };
     if (r.lower_limit && r.upper_limit)
         return "[" + number(*r.lower_limit + guard) + ", " + number(*r.upper_limit - guard) + "]";
     return r.lower_limit ? "≥ " + number(*r.lower_limit + guard) : "≤ " + number(*r.upper_limit - guard);
@@ -91,8 +96,9 @@ void add_conformity(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
         if (!r.lower_limit && !r.upper_limit) continue;
         any = true;
         const OutputQuantity& quantity = result.outputs[r.output].quantity;
-        table.row({output_label(quantity), unit_text(quantity.unit), limits_text(r, quantity.unit, 0.0),
-                   limits_text(r, quantity.unit, r.guard_band),
+        table.row({output_label(quantity), unit_text(quantity.unit),
+                   limits_text(r, result.outputs[r.output], 0.0),
+                   limits_text(r, result.outputs[r.output], r.guard_band),
                    std::string(r.decision == Decision::accept ? "accepted" : "rejected"),
                    percent(r.conformance_normal),
                    r.conformance_monte_carlo ? TableCell(percent(*r.conformance_monte_carlo)) : TableCell{},

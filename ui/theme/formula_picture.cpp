@@ -117,7 +117,7 @@ private:
             descent = std::max(descent, all[i].descent);
         }
         const Box plain = text(QStringLiteral("("), font, false);
-        if (ascent <= 1.05 * plain.ascent && descent <= 1.2 * plain.descent) return;
+        if (ascent <= 1.3 * plain.ascent && descent <= 1.9 * plain.descent) return;
         for (int i : {0, int(all.size()) - 1}) all[i] = tall(all[i].texts[0].text, font, ascent, descent);
     }
 
