@@ -15,7 +15,7 @@ Eigen::Index at(std::size_t i) {
     return static_cast<Eigen::Index>(i);
 }
 
-std::string millivolts(double ratio) {
+std::string text_in_millivolts(double ratio) {
     return readable_number(std::round(1e8 * ratio) / 1e5) + " mV/V";
 }
 
@@ -238,7 +238,7 @@ void check_response(const Calibration& calibration, Problems& problems) {
         const std::string name = calibration.channels[h].kind().key;
         if (own <= 20.0 * calibration.resolution || own == 0.0) {
             problems.error("/readings", "channel " + name +
-                                            " does not respond to its load: " + millivolts(own) +
+                                            " does not respond to its load: " + text_in_millivolts(own) +
                                             " at the rated load; look at its cable and its column");
             continue;
         }

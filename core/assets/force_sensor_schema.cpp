@@ -8,7 +8,7 @@ namespace {
 const Condition readings_given{"data", {"readings"}};
 const Condition summary_given{"data", {"summary"}};
 
-Unit ratio() {
+Unit volt_ratio() {
     return Unit::of("mV/V");
 }
 
@@ -67,14 +67,14 @@ std::vector<FieldSpec> sensor_fields() {
             {.key = "resolution",
              .title = "Resolution of the indicator",
              .help = "Smallest step of the indicated value, r of Eq 6.",
-             .unit = ratio(),
+             .unit = volt_ratio(),
              .range = {.low = 0.0},
              .section = "Indicator"},
             {.key = "range",
              .title = "Range of the indicator",
              .help = "Largest value that it can indicate; a reading there is refused as saturated. Empty: "
                      "only readings that stand still while the load rises are.",
-             .unit = ratio(),
+             .unit = volt_ratio(),
              .range = {.low = 0.0, .low_open = true},
              .optional = true,
              .section = "Indicator"}};
@@ -151,13 +151,14 @@ FieldSpec readings_table() {
          .optional = true,
          .help = "N, kN, Nm ...; empty: N for forces and N·m for moments."},
         {.key = "t", .title = "t", .unit = Unit::of("s"), .optional = true, .help = "Time of the reading."}};
-    add_axis_columns(table, ratio(), "Indicated value of this channel.");
+    add_axis_columns(table, volt_ratio(), "Indicated value of this channel.");
     return table;
 }
 
 std::vector<FieldSpec> summary_tables() {
     const auto figure = [](const char* key, const char* title, const char* help, bool optional = false) {
-        return ColumnSpec{.key = key, .title = title, .unit = ratio(), .optional = optional, .help = help};
+        return ColumnSpec{
+            .key = key, .title = title, .unit = volt_ratio(), .optional = optional, .help = help};
     };
     FieldSpec summary{.key = "summary",
                       .title = "Summary",
@@ -187,7 +188,7 @@ std::vector<FieldSpec> summary_tables() {
                            .shown_if = summary_given,
                            .section = "Calibration"};
     interference.columns = {axis_column("axis", "Row of the table.")};
-    add_axis_columns(interference, ratio(), "Column of the table; empty on the diagonal.");
+    add_axis_columns(interference, volt_ratio(), "Column of the table; empty on the diagonal.");
     return {summary,
             interference,
             {.key = "has_signs",
@@ -218,7 +219,7 @@ std::vector<FieldSpec> evaluation_fields() {
                                      {"U", "U"}})
         stated.columns.push_back({.key = key,
                                   .title = title,
-                                  .unit = ratio(),
+                                  .unit = volt_ratio(),
                                   .optional = true,
                                   .help = "As printed, in mV/V; empty: not compared."});
     stated.columns.push_back({.key = "U_relative",

@@ -5,8 +5,8 @@
 
 namespace covaria {
 
-/// Folder that holds `projects/` and `resources/`: beside an installed program (PREFIX/share/covaria), in the source
-/// tree for a program run from its build folder, or $COVARIA_DATA_DIR.
+/// Folder that holds `projects/` and `resources/`: beside an installed program (PREFIX/share/covaria), in the
+/// source tree for a program run from its build folder, or $COVARIA_DATA_DIR.
 std::filesystem::path data_directory();
 
 }  // namespace covaria

@@ -11,7 +11,7 @@ namespace covaria::equation {
 
 namespace {
 
-constexpr std::size_t most_problems = 20;
+constexpr std::size_t most_dimension_problems = 20;
 
 /// Statements so that each comes after those it refers to; a circle is reported.
 class StatementOrder {
@@ -104,7 +104,7 @@ public:
 
 private:
     void refuse(const Place& place, std::string message) {
-        if (problems_.size() < most_problems) problems_.push_back({place, std::move(message)});
+        if (problems_.size() < most_dimension_problems) problems_.push_back({place, std::move(message)});
     }
     int& at(int node) { return registers_[static_cast<std::size_t>(node)]; }
 
@@ -185,8 +185,7 @@ private:
     int node(const Node& node) {
         if (node.operation == Operation::constant) return constant(node);
         if (node.operation == Operation::symbol) return symbol(node);
-        KindOfResult result =
-            kind_of(node.operation, operand(node.a), operand(node.b), operand(node.c));
+        KindOfResult result = kind_of(node.operation, operand(node.a), operand(node.b), operand(node.c));
         if (!result.objection.empty()) {
             refuse(node.sign, result.objection);
             result.kind = is_condition(node.operation) ? Kind::of_condition() : any_kind();

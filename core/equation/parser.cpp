@@ -12,7 +12,7 @@ namespace covaria::equation {
 namespace {
 
 constexpr int deepest = 100;
-constexpr std::size_t most_problems = 20;
+constexpr std::size_t most_grammar_problems = 20;
 
 /// No node: a mistake has been noted and the statement is given up.
 constexpr int nothing = -1;
@@ -42,7 +42,7 @@ public:
         : tokens_(std::move(tokens)), problems_(problems) {}
 
     ParsedText run() {
-        while (now().kind != TokenKind::end_of_text && problems_.size() < most_problems) {
+        while (now().kind != TokenKind::end_of_text && problems_.size() < most_grammar_problems) {
             failed_ = false;
             depth_ = 0;
             if (now().kind == TokenKind::end_of_statement) {

@@ -2,16 +2,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/in_quotes.h"
 #include "core/model/setup_schema.h"
 #include "core/model/words.h"
 
 namespace covaria {
 
 namespace {
-
-std::string quoted(const std::string& text) {
-    return "'" + text + "'";
-}
 
 bool has_offset(const Unit& unit) {
     return unit.to_si(0.0) != unit.interval_to_si(0.0);
@@ -43,13 +40,13 @@ std::string number_objection(const Demand& demand, const Quantity& given) {
     if (std::string objection = unit_objection(demand.title, given, demand.unit); !objection.empty())
         return objection;
     if (demand.kind == FieldKind::integer && given.value != std::round(given.value))
-        return quoted(demand.title) + " must be a whole number; it is " + readable_number(given.value);
+        return in_quotes(demand.title) + " must be a whole number; it is " + readable_number(given.value);
     if (demand.kind == FieldKind::integer && std::abs(given.value) > std::numeric_limits<int>::max())
-        return quoted(demand.title) + " is too large a number: " + readable_number(given.value);
+        return in_quotes(demand.title) + " is too large a number: " + readable_number(given.value);
     const double si = given.si();
     const bool too_low = demand.range.low_open ? si <= demand.range.low : si < demand.range.low;
     if (!too_low && si <= demand.range.high) return {};
-    return quoted(demand.title) + " must be " + range_words(demand) + "; it is " +
+    return in_quotes(demand.title) + " must be " + range_words(demand) + "; it is " +
            quantity_words(given.value, given.unit);
 }
 
@@ -59,7 +56,7 @@ std::string choice_objection(const Demand& demand, const std::string& given) {
         if (choice.key == given) return {};
         keys.push_back(choice.key);
     }
-    return quoted(demand.title) + " must be one of " + listed(keys) + "; it is " + quoted(given) +
+    return in_quotes(demand.title) + " must be one of " + listed(keys) + "; it is " + in_quotes(given) +
            did_you_mean(given, keys);
 }
 
@@ -86,7 +83,7 @@ std::string kind_words(FieldKind kind) {
 }
 
 std::string wrong_kind(const Demand& demand) {
-    return quoted(demand.title) + " must be " + kind_words(demand.kind);
+    return in_quotes(demand.title) + " must be " + kind_words(demand.kind);
 }
 
 bool is_numeric(FieldKind kind) {
@@ -118,7 +115,7 @@ public:
     void run() {
         const std::string place = "/" + field_.key;
         if (table_.rows.size() < field_.min_rows)
-            problems_.error(place, quoted(field_.title) + " needs at least " +
+            problems_.error(place, in_quotes(field_.title) + " needs at least " +
                                        std::to_string(field_.min_rows) +
                                        (field_.min_rows == 1 ? " row" : " rows") + "; it has " +
                                        std::to_string(table_.rows.size()));
@@ -130,7 +127,7 @@ private:
     bool units_fit(const std::string& place) {
         if (table_.units.size() != field_.columns.size()) {
             if (table_.rows.empty() && table_.units.empty()) return true;
-            problems_.error(place + "/columns", quoted(field_.title) + " has " +
+            problems_.error(place + "/columns", in_quotes(field_.title) + " has " +
                                                     std::to_string(field_.columns.size()) + " columns, but " +
                                                     std::to_string(table_.units.size()) + " units");
             return false;
@@ -151,7 +148,7 @@ private:
         const std::string place = "/" + field_.key + "/rows/" + std::to_string(row);
         const auto& cells = table_.rows[row];
         if (cells.size() > field_.columns.size())
-            problems_.error(place, "row " + std::to_string(row + 1) + " of " + quoted(field_.title) +
+            problems_.error(place, "row " + std::to_string(row + 1) + " of " + in_quotes(field_.title) +
                                        " has " + std::to_string(cells.size()) + " cells; there are " +
                                        std::to_string(field_.columns.size()) + " columns");
         for (std::size_t i = 0; i < field_.columns.size(); ++i) {
@@ -167,7 +164,7 @@ private:
                             column.unit, column.range, column.choices};
         if (std::holds_alternative<std::monostate>(cell))
             return column.optional || column.kind == FieldKind::flag ? std::string{}
-                                                                     : quoted(demand.title) + " is empty";
+                                                                     : in_quotes(demand.title) + " is empty";
         if (const double* number = std::get_if<double>(&cell))
             return is_numeric(column.kind) ? number_objection(demand, {*number, table_.units[i]})
                                            : wrong_kind(demand);
@@ -190,7 +187,7 @@ std::string value_objection(const FieldSpec& field, const SetupValue& value) {
     if (const std::string* text = std::get_if<std::string>(&value)) {
         const bool may_be_empty =
             field.optional || field.kind == FieldKind::choice || value == field.default_value;
-        if (text->empty() && !may_be_empty) return quoted(field.title) + " must not be empty";
+        if (text->empty() && !may_be_empty) return in_quotes(field.title) + " must not be empty";
         return text_objection(demand, *text);
     }
     if (const PoseValue* pose = std::get_if<PoseValue>(&value))
@@ -204,7 +201,7 @@ void check_field(const FieldSpec& field, const SetupValue& value, Problems& prob
     if (std::holds_alternative<std::monostate>(value)) {
         if (!field.optional)
             problems.error("/" + field.key,
-                           quoted(field.title) + " must be given ('" + field.key + "' is missing)");
+                           in_quotes(field.title) + " must be given ('" + field.key + "' is missing)");
         return;
     }
     if (const std::string objection = value_objection(field, value); !objection.empty())
@@ -217,15 +214,16 @@ void check_field(const FieldSpec& field, const SetupValue& value, Problems& prob
 
 std::string unit_objection(const std::string& title, const Quantity& given, const Unit& expected) {
     if (std::isnan(given.value) || std::isinf(given.value))
-        return quoted(title) + " must be a finite number; it is " + readable_number(given.value);
+        return in_quotes(title) + " must be a finite number; it is " + readable_number(given.value);
     if (given.unit.dimension() != expected.dimension()) {
         const std::string words =
             given.unit.dimension().is_one() ? "has no unit" : "is " + dimension_words(given.unit);
-        return quoted(title) + " is " + dimension_words(expected) + "; " +
-               quoted(quantity_words(given.value, given.unit)) + " " + words;
+        return in_quotes(title) + " is " + dimension_words(expected) + "; " +
+               in_quotes(quantity_words(given.value, given.unit)) + " " + words;
     }
     if (has_offset(given.unit) && !has_offset(expected))
-        return quoted(title) + " is a difference of temperatures: give it in K, not in " + given.unit.text();
+        return in_quotes(title) + " is a difference of temperatures: give it in K, not in " +
+               given.unit.text();
     return {};
 }
 

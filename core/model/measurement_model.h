@@ -36,8 +36,8 @@ struct Sensitivity {
 using SensitivityRows = std::vector<std::vector<Sensitivity>>;
 
 struct ModelEquation {
-    std::string text;    ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
-    std::string source;  ///< "Porath et al., Eq. 19, corrected"
+    std::string text;         ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
+    std::string source;       ///< "Porath et al., Eq. 19, corrected"
     std::string mathml = {};  ///< the same as a <math> element, where there is one
 };
 

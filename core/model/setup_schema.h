@@ -60,7 +60,7 @@ struct FieldSpec {
     std::vector<std::string> capabilities =
         {};  ///< of a reference: asset must offer one of these ("point-uncertainty")
     std::optional<Condition> shown_if = {};
-    std::string section = {};  ///< heading under which forms and reports show the field
+    std::string section = {};    ///< heading under which forms and reports show the field
     bool several_lines = false;  ///< of a text: a list of lines in files; problems name the line ("/text/2")
 };
 

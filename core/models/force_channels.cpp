@@ -78,8 +78,8 @@ private:
     std::vector<OutputQuantity> outputs_;
 };
 
-std::unique_ptr<MeasurementModel> create(const SetupReader& reader, const AssetLibrary& assets,
-                                         Problems& problems) {
+std::unique_ptr<MeasurementModel> create_channels(const SetupReader& reader, const AssetLibrary& assets,
+                                                  Problems& problems) {
     auto setup = force_channels::read(reader, assets, problems);
     if (!setup) return nullptr;
     return std::make_unique<ForceChannels>(std::move(*setup));
@@ -127,7 +127,7 @@ ModelDescriptor force_channels_model() {
     d.help_page = "force-moment-channels.md";
     d.example = "force-moment-sensor.covaria";
     d.schema = force_channels::schema();
-    d.create = create;
+    d.create = create_channels;
     return d;
 }
 

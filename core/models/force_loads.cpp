@@ -119,8 +119,8 @@ private:
     std::vector<double> per_a_, per_b_;
 };
 
-std::unique_ptr<MeasurementModel> create(const SetupReader& reader, const AssetLibrary& assets,
-                                         Problems& problems) {
+std::unique_ptr<MeasurementModel> create_loads(const SetupReader& reader, const AssetLibrary& assets,
+                                               Problems& problems) {
     auto setup = force_loads::read(reader, assets, problems);
     if (!setup) return nullptr;
     InputSet inputs = force_loads::inputs(*setup);
@@ -171,7 +171,7 @@ ModelDescriptor force_loads_model() {
     d.help_page = "force-moment-loads.md";
     d.example = "force-moment-sensor.covaria";
     d.schema = force_loads::schema();
-    d.create = create;
+    d.create = create_loads;
     return d;
 }
 

@@ -4,16 +4,13 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/in_quotes.h"
 #include "core/model/setup_schema.h"
 #include "core/model/words.h"
 
 namespace covaria {
 
 namespace {
-
-std::string quoted(const std::string& text) {
-    return "'" + text + "'";
-}
 
 std::size_t find_component(const InputSet& inputs, const std::string& id) {
     for (std::size_t i = 0; i < inputs.components.size(); ++i)
@@ -89,12 +86,12 @@ private:
     UncertaintyComponent component(const ComponentEdit& edit, std::size_t i) {
         const std::string place = path_ + "/components/" + std::to_string(i);
         const std::string name = edit.name.empty() ? "component " + std::to_string(i + 1) : edit.name;
-        const std::string what = quoted(name) + " of " + quoted(edit_.symbol);
+        const std::string what = in_quotes(name) + " of " + in_quotes(edit_.symbol);
         if (edit.unit.dimension() != quantity_.unit.dimension())
-            problems_.error(place + "/unit", quoted(edit_.symbol) + " is " + dimension_words(quantity_.unit) +
-                                                 "; the unit " + quoted(edit.unit.text()) + " of " +
-                                                 quoted(name) + " is the unit of " +
-                                                 dimension_words(edit.unit));
+            problems_.error(place + "/unit", in_quotes(edit_.symbol) + " is " +
+                                                 dimension_words(quantity_.unit) + "; the unit " +
+                                                 in_quotes(edit.unit.text()) + " of " + in_quotes(name) +
+                                                 " is the unit of " + dimension_words(edit.unit));
         const auto distribution = distribution_from(edit.distribution, parameters_in_si(edit));
         if (!distribution) problems_.error(place + "/parameters", what + ": " + distribution.error().message);
         UncertaintyComponent made{edit_.symbol + ".edit" + std::to_string(i + 1), name, edit.unit};
@@ -167,12 +164,12 @@ void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& 
             const auto ids = component_ids(inputs);
             known.insert(known.end(), ids.begin(), ids.end());
         }
-        problems.error(path + "/symbol", "the model has no input quantity " + quoted(edit.symbol) +
+        problems.error(path + "/symbol", "the model has no input quantity " + in_quotes(edit.symbol) +
                                              did_you_mean(edit.symbol, known));
         return;
     }
     if (edit.estimate || edit.components || edit.combination)
-        problems.error(path + "/symbol", quoted(edit.symbol) +
+        problems.error(path + "/symbol", in_quotes(edit.symbol) +
                                              " is a component, not an input quantity: it can be "
                                              "held, but not be edited otherwise");
     else
@@ -183,7 +180,8 @@ std::size_t correlated_component(const InputSet& inputs, const std::string& id, 
                                  Problems& problems) {
     const std::size_t found = find_component(inputs, id);
     if (found == InputSet::npos)
-        problems.error(path, "there is no component " + quoted(id) + did_you_mean(id, component_ids(inputs)));
+        problems.error(path,
+                       "there is no component " + in_quotes(id) + did_you_mean(id, component_ids(inputs)));
     return found;
 }
 
@@ -195,7 +193,7 @@ void add_correlation(InputSet& inputs, const CorrelationEdit& edit, const std::s
     const std::size_t second = correlated_component(inputs, edit.second, path + "/second", problems);
     if (problems.items().size() > before) return;
     if (first == second)
-        return problems.error(path + "/second", quoted(edit.first) + " cannot be correlated with itself");
+        return problems.error(path + "/second", in_quotes(edit.first) + " cannot be correlated with itself");
     if (!(std::abs(edit.coefficient) <= 1.0))
         return problems.error(path + "/coefficient",
                               "a correlation coefficient must lie between -1 and 1; it is " +
@@ -212,7 +210,7 @@ void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& pro
         const InputEdit& edit = analysis.inputs[i];
         const std::string path = "/inputs/" + std::to_string(i);
         if (!edited.insert(edit.symbol).second)
-            problems.error(path + "/symbol", quoted(edit.symbol) + " is edited twice");
+            problems.error(path + "/symbol", in_quotes(edit.symbol) + " is edited twice");
         else if (const std::size_t quantity = inputs.find(edit.symbol); quantity != InputSet::npos)
             QuantityEdit(inputs, quantity, edit, path, problems).apply();
         else
@@ -228,8 +226,8 @@ void apply_correlations(InputSet& inputs, const AnalysisEntry& analysis, Problem
         if (pairs.insert(std::minmax(edit.first, edit.second)).second)
             add_correlation(inputs, edit, path, problems);
         else
-            problems.error(path, "the correlation of " + quoted(edit.first) + " and " + quoted(edit.second) +
-                                     " is given twice");
+            problems.error(path, "the correlation of " + in_quotes(edit.first) + " and " +
+                                     in_quotes(edit.second) + " is given twice");
     }
 }
 

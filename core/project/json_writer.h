@@ -17,6 +17,11 @@ public:
     void begin_object(Style style = Style::spread) { open('{', '}', style); }
     void begin_list(Style style = Style::spread) { open('[', ']', style); }
     void end();
+    /// A key with a text as its value.
+    void member(const char* key, const std::string& value) {
+        this->key(key);
+        text(value);
+    }
     /// Of the next value, inside an object.
     void key(std::string_view key);
 

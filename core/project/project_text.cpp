@@ -12,13 +12,8 @@ namespace covaria {
 
 namespace {
 
-void member(JsonWriter& out, const char* key, const std::string& text) {
-    out.key(key);
-    out.text(text);
-}
-
 void member_if_given(JsonWriter& out, const char* key, const std::string& text) {
-    if (!text.empty()) member(out, key, text);
+    if (!text.empty()) out.member(key, text);
 }
 
 template <class Entry>
@@ -30,8 +25,8 @@ void write_setup_of(JsonWriter& out, const Entry& entry) {
 
 void write_asset(JsonWriter& out, const AssetEntry& asset) {
     out.begin_object();
-    member(out, "id", asset.id);
-    member(out, "kind", asset.kind);
+    out.member("id", asset.id);
+    out.member("kind", asset.kind);
     member_if_given(out, "name", asset.name);
     member_if_given(out, "notes", asset.notes);
     write_setup_of(out, asset);
@@ -40,8 +35,8 @@ void write_asset(JsonWriter& out, const AssetEntry& asset) {
 
 void write_analysis(JsonWriter& out, const AnalysisEntry& analysis) {
     out.begin_object();
-    member(out, "id", analysis.id);
-    member(out, "model", analysis.model);
+    out.member("id", analysis.id);
+    out.member("model", analysis.model);
     member_if_given(out, "name", analysis.name);
     member_if_given(out, "notes", analysis.notes);
     write_setup_of(out, analysis);
@@ -92,10 +87,10 @@ std::uint64_t hash_of(const std::string& text) {
 WrittenProject write_project(const Project& project) {
     JsonWriter out;
     out.begin_object();
-    member(out, "format", "covaria");
+    out.member("format", "covaria");
     out.key("schemaVersion");
     out.integer(project_schema_version);
-    member(out, "title", project.title);
+    out.member("title", project.title);
     member_if_given(out, "notes", project.notes);
     out.key("assets");
     out.begin_list();

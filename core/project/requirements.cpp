@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/in_quotes.h"
 #include "core/model/setup_schema.h"
 
 namespace covaria {
 
 namespace {
-
-std::string quoted(const std::string& text) {
-    return "'" + text + "'";
-}
 
 class RequirementReader {
 public:
@@ -90,8 +87,8 @@ std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
                 return candidate.group == typed.group && candidate.symbol == typed.symbol;
             });
         if (output == outputs.end()) {
-            const std::string where = typed.group.empty() ? "" : " in " + quoted(typed.group);
-            problems.error(path, "the model has no output quantity " + quoted(typed.symbol) + where);
+            const std::string where = typed.group.empty() ? "" : " in " + in_quotes(typed.group);
+            problems.error(path, "the model has no output quantity " + in_quotes(typed.symbol) + where);
             continue;
         }
         OutputRequirement made;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/in_quotes.h"
 #include "core/model/words.h"
 #include "core/project/json_location.h"
 #include "core/project/registered.h"
@@ -12,10 +13,6 @@
 namespace covaria {
 
 namespace {
-
-std::string in_quotes(const std::string& text) {
-    return "'" + text + "'";
-}
 
 bool has_offset(const Unit& unit) {
     return unit.to_si(0.0) != unit.interval_to_si(0.0);

@@ -81,31 +81,26 @@ StudyOutput read_output(const Json& value, const std::string& path, Problems& pr
     return output;
 }
 
-void member(JsonWriter& out, const char* key, const std::string& text) {
-    out.key(key);
-    out.text(text);
-}
-
 void write_axis(JsonWriter& out, const StudyAxis& axis) {
     out.begin_object(Style::one_line);
-    if (!axis.asset.empty()) member(out, "asset", axis.asset);
-    member(out, "target", axis.target);
-    if (axis.change != StudyChange::value) member(out, "change", key_of(changes, axis.change));
+    if (!axis.asset.empty()) out.member("asset", axis.asset);
+    out.member("target", axis.target);
+    if (axis.change != StudyChange::value) out.member("change", key_of(changes, axis.change));
     out.key("from");
     out.finite_number(axis.from);
     out.key("to");
     out.finite_number(axis.to);
-    if (!(axis.unit == Unit{})) member(out, "unit", axis.unit.text());
+    if (!(axis.unit == Unit{})) out.member("unit", axis.unit.text());
     out.key("values");
     out.integer(axis.values);
-    if (axis.spacing != StudySpacing::linear) member(out, "spacing", key_of(spacings, axis.spacing));
+    if (axis.spacing != StudySpacing::linear) out.member("spacing", key_of(spacings, axis.spacing));
     out.end();
 }
 
 void write_output(JsonWriter& out, const StudyOutput& output) {
     out.begin_object(Style::one_line);
-    if (!output.group.empty()) member(out, "group", output.group);
-    member(out, "symbol", output.symbol);
+    if (!output.group.empty()) out.member("group", output.group);
+    out.member("symbol", output.symbol);
     out.end();
 }
 
@@ -135,8 +130,8 @@ Study study_from_json(const Json& value, const std::string& path, Problems& prob
 void write_study(JsonWriter& out, const Study& study) {
     const Study defaults;
     out.begin_object();
-    member(out, "id", study.id);
-    if (!study.name.empty()) member(out, "name", study.name);
+    out.member("id", study.id);
+    if (!study.name.empty()) out.member("name", study.name);
     out.key("axes");
     out.begin_list();
     for (const StudyAxis& axis : study.axes) write_axis(out, axis);
@@ -147,7 +142,7 @@ void write_study(JsonWriter& out, const Study& study) {
         for (const StudyOutput& output : study.outputs) write_output(out, output);
         out.end();
     }
-    if (study.method != defaults.method) member(out, "method", key_of(methods, study.method));
+    if (study.method != defaults.method) out.member("method", key_of(methods, study.method));
     if (study.trials != defaults.trials) {
         out.key("trials");
         out.integer(study.trials);

@@ -5,16 +5,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/in_quotes.h"
 #include "core/model/words.h"
 #include "core/project/registered.h"
 
 namespace covaria {
 
 namespace {
-
-std::string in_quotes(const std::string& text) {
-    return "'" + text + "'";
-}
 
 bool is_numeric(FieldKind kind) {
     return kind == FieldKind::number || kind == FieldKind::integer;

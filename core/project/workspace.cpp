@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/assets/registry.h"
+#include "core/base/in_quotes.h"
 #include "core/model/words.h"
 #include "core/models/registry.h"
 #include "core/project/input_edits.h"
@@ -19,10 +20,6 @@
 namespace covaria {
 
 namespace {
-
-std::string quoted(const std::string& text) {
-    return "'" + text + "'";
-}
 
 // Problems of a part, added under its place; whether there were errors among them.
 bool took_errors(const Problems& part, const std::string& place, Problems& problems) {
@@ -185,9 +182,9 @@ void check_ids(const std::vector<Entry>& entries, const std::string& place, Prob
         const std::string path = place + "/" + std::to_string(i) + "/id";
         const std::string& id = entries[i].id;
         if (!is_project_id(id))
-            problems.error(path, "the id " + quoted(id) + " must be made of letters, digits, '-' and '_'");
+            problems.error(path, "the id " + in_quotes(id) + " must be made of letters, digits, '-' and '_'");
         else if (!known.insert(id).second)
-            problems.error(path, "the id " + quoted(id) + " is used twice");
+            problems.error(path, "the id " + in_quotes(id) + " is used twice");
     }
 }
 
@@ -239,7 +236,7 @@ std::shared_ptr<const PreparedAnalysis> prepare_analysis(const Project& project,
     if (!entry) {
         std::vector<std::string> ids;
         for (const AnalysisEntry& analysis : project.analyses) ids.push_back(analysis.id);
-        problems.error("", "there is no analysis " + quoted(analysis_id) + did_you_mean(analysis_id, ids));
+        problems.error("", "there is no analysis " + in_quotes(analysis_id) + did_you_mean(analysis_id, ids));
         return nullptr;
     }
     Problems found;

@@ -22,7 +22,7 @@ struct EvaluationOptions {
     std::uint64_t contributor_trials = 0;  ///< 0 = no Monte Carlo without, and of, each contributor alone
     std::uint64_t sobol_trials = 0;        ///< 0 = no Sobol indices
     // adaptive procedure (JCGM 101 7.9, JCGM 102 7.8)
-    int significant_digits = 2;            ///< n_dig of the numerical tolerance, also of clause 8
+    int significant_digits = 2;  ///< n_dig of the numerical tolerance, also of clause 8
     /// delta instead of n_dig, for the outputs of its dimension; with the unit one for every output, in SI
     std::optional<Quantity> tolerance = {};
     std::uint64_t minimum_batches = 10;

@@ -34,7 +34,8 @@ void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnal
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 /// Nothing where they were not asked for.
 void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated);
-/// What remains with everything of one contributor held, and what it gives alone; nothing with fewer than two.
+/// What remains with everything of one contributor held, and what it gives alone; nothing with fewer than
+/// two.
 void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// What the model says about its set-up beside the outputs.
 void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated);

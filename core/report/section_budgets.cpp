@@ -11,7 +11,7 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t most_rows = 24;  // further components are summed; the CSV budget has them
+constexpr std::size_t most_budget_rows = 24;  // further components are summed; the CSV budget has them
 
 std::string component_text(const BudgetComponent& component) {
     return component.held ? component.name + " (held)" : component.name;
@@ -70,7 +70,7 @@ public:
         table_.number("|cᵢ|·u(xᵢ) in " + unit, 2);
         if (one_at_a_time_) table_.number("alone, Monte Carlo, in " + unit, 2);
         table_.fixed("Share of variance in %", 1);
-        const std::size_t shown = std::min(rows_.size(), most_rows);
+        const std::size_t shown = std::min(rows_.size(), most_budget_rows);
         for (std::size_t i = 0; i < shown; ++i) add(rows_[i]);
         if (shown < rows_.size()) add_rest(shown);
         add_total();
@@ -169,7 +169,7 @@ public:
         std::stable_sort(names_.begin(), names_.end(), [&](const std::string& a, const std::string& b) {
             return together_[a] > together_[b];
         });
-        for (std::size_t i = 0; i < std::min(names_.size(), most_rows); ++i) add(names_[i]);
+        for (std::size_t i = 0; i < std::min(names_.size(), most_budget_rows); ++i) add(names_[i]);
         return table_.take();
     }
 

@@ -9,7 +9,7 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t most_rows = 60;  // of a set-up table; the file has them all
+constexpr std::size_t most_setup_rows = 60;  // of a set-up table; the file has them all
 
 std::string quantity_text(double value, const Unit& unit) {
     return typeset_number(format_cell(Quantity{value, unit}, TableColumn{}));
@@ -67,7 +67,7 @@ TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const Re
     TableBlock block;
     block.table.id = "setup-" + file_name_part(field.key);
     block.table.title = field.title;
-    const std::size_t rows = std::min(table.rows.size(), most_rows);
+    const std::size_t rows = std::min(table.rows.size(), most_setup_rows);
     block.table.rows.resize(rows);
     for (std::size_t c = 0; c < field.columns.size(); ++c) {
         if (!is_used(table, c)) continue;

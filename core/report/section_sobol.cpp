@@ -7,7 +7,7 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t most_rows = 16;
+constexpr std::size_t most_indices = 16;
 
 /// Share of the law of propagation of all components of the factor, where its name lists them all.
 TableCell first_order_share(const UncertaintyResult& result, std::size_t output, const SobolIndex& index) {
@@ -35,13 +35,13 @@ TableBlock sobol_table(const EvaluatedAnalysis& evaluated, std::size_t output) {
     table.fixed("S total", 1);
     table.fixed("standard error of S total", 1);
     const std::vector<SobolIndex>& indices = result.sobol[output];
-    for (std::size_t i = 0; i < std::min(indices.size(), most_rows); ++i) {
+    for (std::size_t i = 0; i < std::min(indices.size(), most_indices); ++i) {
         const SobolIndex& s = indices[i];
         table.row({s.name, first_order_share(result, output, s), 100.0 * s.first,
                    100.0 * s.first_standard_error, 100.0 * s.total, 100.0 * s.total_standard_error});
     }
-    if (indices.size() > most_rows)
-        table.note(std::to_string(indices.size() - most_rows) +
+    if (indices.size() > most_indices)
+        table.note(std::to_string(indices.size() - most_indices) +
                    " components with smaller indices are left out.");
     return table.take();
 }

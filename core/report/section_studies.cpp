@@ -9,7 +9,7 @@ namespace covaria::report_parts {
 
 namespace {
 
-constexpr std::size_t most_rows = 30;       // of a sweep that is printed in full
+constexpr std::size_t most_points = 30;     // of a sweep that is printed in full
 constexpr std::size_t most_quantities = 8;  // of the table of best and worst points
 
 std::string what_was_done(const StudyResult& study) {
@@ -95,7 +95,7 @@ void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     for (const auto& study : evaluated.studies) {
         blocks.push_back(HeadingBlock{3, study->name});
         blocks.push_back(ParagraphBlock{what_was_done(*study)});
-        if (study->axes.size() == 1 && study->points.size() <= most_rows)
+        if (study->axes.size() == 1 && study->points.size() <= most_points)
             blocks.push_back(sweep_table(*study));
         else
             blocks.push_back(extremes_table(*study));

@@ -1,36 +1,33 @@
 #include "core/report/study_json.h"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include "core/report/json_values.h"
 
 namespace covaria {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json axes_json(const StudyResult& study) {
-    Json axes = Json::array();
+OrderedJson axes_json(const StudyResult& study) {
+    OrderedJson axes = OrderedJson::array();
     for (const StudyAxisValues& axis : study.axes)
         axes.push_back({{"title", axis.title}, {"unit", axis.unit.text()}, {"values", axis.values}});
     return axes;
 }
 
-Json outputs_json(const StudyResult& study) {
-    Json outputs = Json::array();
+OrderedJson outputs_json(const StudyResult& study) {
+    OrderedJson outputs = OrderedJson::array();
     for (std::size_t j = 0; j < study.outputs.size(); ++j) {
         const OutputQuantity& output = study.outputs[j];
-        Json estimates = Json::array(), u = Json::array(), expanded = Json::array();
+        OrderedJson estimates = OrderedJson::array(), u = OrderedJson::array(),
+                    expanded = OrderedJson::array();
         for (const StudyPoint& point : study.points) {
             const bool known = point.has_values();
-            estimates.push_back(known ? number(output.unit.from_si(point.values[j].estimate)) : Json());
-            u.push_back(known ? number(output.unit.interval_from_si(point.values[j].standard_uncertainty))
-                              : Json());
+            estimates.push_back(known ? json_number(output.unit.from_si(point.values[j].estimate))
+                                      : OrderedJson());
+            u.push_back(known
+                            ? json_number(output.unit.interval_from_si(point.values[j].standard_uncertainty))
+                            : OrderedJson());
             expanded.push_back(
-                known ? number(output.unit.interval_from_si(point.values[j].expanded_uncertainty)) : Json());
+                known ? json_number(output.unit.interval_from_si(point.values[j].expanded_uncertainty))
+                      : OrderedJson());
         }
         outputs.push_back({{"symbol", output.symbol},
                            {"group", output.group},
@@ -43,20 +40,21 @@ Json outputs_json(const StudyResult& study) {
 }
 
 /// xx, xy, xz, yy, yz, zz in the squared unit of the outputs.
-Json covariance_json(const StudyPlace& place, const Unit& unit) {
-    Json numbers = Json::array();
+OrderedJson covariance_json(const StudyPlace& place, const Unit& unit) {
+    OrderedJson numbers = OrderedJson::array();
     for (Eigen::Index a = 0; a < 3; ++a)
         for (Eigen::Index b = a; b < 3; ++b)
-            numbers.push_back(number(unit.interval_from_si(unit.interval_from_si(place.covariance(a, b)))));
+            numbers.push_back(
+                json_number(unit.interval_from_si(unit.interval_from_si(place.covariance(a, b)))));
     return numbers;
 }
 
-Json positions_json(const StudyResult& study) {
-    Json positions = Json::array();
+OrderedJson positions_json(const StudyResult& study) {
+    OrderedJson positions = OrderedJson::array();
     for (std::size_t t = 0; t < study.triples.size(); ++t) {
         const StudyTriple& triple = study.triples[t];
         const Unit& unit = study.outputs[triple.outputs[0]].unit;
-        Json places = Json::array(), covariances = Json::array();
+        OrderedJson places = OrderedJson::array(), covariances = OrderedJson::array();
         for (const StudyPoint& point : study.points) {
             if (!point.has_values()) {
                 places.push_back(nullptr);
@@ -64,8 +62,8 @@ Json positions_json(const StudyResult& study) {
                 continue;
             }
             const Eigen::Vector3d& p = point.places[t].p_W;
-            places.push_back(
-                {number(unit.from_si(p.x())), number(unit.from_si(p.y())), number(unit.from_si(p.z()))});
+            places.push_back({json_number(unit.from_si(p.x())), json_number(unit.from_si(p.y())),
+                              json_number(unit.from_si(p.z()))});
             covariances.push_back(covariance_json(point.places[t], unit));
         }
         positions.push_back({{"name", triple.name},
@@ -79,8 +77,8 @@ Json positions_json(const StudyResult& study) {
 
 }  // namespace
 
-Json study_json(const StudyResult& study) {
-    Json failed_trials = Json::array(), reasons = Json::array();
+OrderedJson study_json(const StudyResult& study) {
+    OrderedJson failed_trials = OrderedJson::array(), reasons = OrderedJson::array();
     for (std::size_t i = 0; i < study.points.size(); ++i) {
         failed_trials.push_back(study.points[i].failed_trials);
         if (!study.points[i].has_values())

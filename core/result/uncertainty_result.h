@@ -100,10 +100,10 @@ struct BudgetComponent {
     double standard_uncertainty = 0.0;
     double degrees_of_freedom = infinity;
     bool held = false;
-    std::string group;      ///< of the (first) quantity it belongs to
-    std::string quantity;   ///< symbol of that quantity; of all, joined, when shared
+    std::string group;                ///< of the (first) quantity it belongs to
+    std::string quantity;             ///< symbol of that quantity; of all, joined, when shared
     std::vector<GroupTag> tags = {};  ///< its own and those of that quantity
-    double estimate = 0.0;  ///< of that quantity
+    double estimate = 0.0;            ///< of that quantity
 };
 
 /// Per output, the rows sorted by falling |share|.
@@ -136,9 +136,9 @@ struct GroupContribution {
 /// Shares of the variance by one component, or by several that are not independent of each other (Sobol 1993;
 /// Saltelli et al. 2010; Jansen 1999).
 struct SobolIndex {
-    std::string name;                  ///< ids of the components, joined
-    double first = 0.0;                ///< by itself
-    double total = 0.0;                ///< with all its interactions
+    std::string name;    ///< ids of the components, joined
+    double first = 0.0;  ///< by itself
+    double total = 0.0;  ///< with all its interactions
     double first_standard_error = 0.0;
     double total_standard_error = 0.0;
 };
@@ -205,7 +205,8 @@ struct UncertaintyResult {
     std::vector<ContributorResult> contributors;  ///< empty with fewer than two
     std::uint64_t contributor_trials = 0;         ///< of their Monte Carlo part
     std::vector<CoverageRegion> regions;
-    std::vector<std::vector<SobolIndex>> sobol;  ///< [output][...], by falling total index; empty unless asked for
+    std::vector<std::vector<SobolIndex>>
+        sobol;  ///< [output][...], by falling total index; empty unless asked for
     std::uint64_t sobol_trials = 0;
     std::vector<RequirementResult> requirements;  ///< filled by the caller that knows the project
     double coverage_probability = 0.95;

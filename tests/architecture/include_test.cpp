@@ -20,8 +20,9 @@ const fs::path root = COVARIA_SOURCE_DIR;
 // The folders from the bottom up. Within core and within ui, a folder may include those above it in this
 // list.
 const std::vector<std::string> core_order = {
-    "core/base",        "core/math",   "core/equation", "core/random", "core/quantity", "core/model", "core/result",
-    "core/propagation", "core/assets", "core/models", "core/project",  "core/study", "core/report"};
+    "core/base",    "core/math",   "core/equation",    "core/random", "core/quantity",
+    "core/model",   "core/result", "core/propagation", "core/assets", "core/models",
+    "core/project", "core/study",  "core/report"};
 const std::vector<std::string> ui_order = {"ui/theme",      "ui/charts", "ui/print",      "ui/document",
                                            "ui/run",        "ui/export", "ui/models",     "ui/forms",
                                            "ui/scene_view", "ui/pages",  "ui/main_window"};

@@ -29,13 +29,24 @@ void monte_carlo(benchmark::State& state, const std::string& file, const std::st
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(options.trials));
 }
 BENCHMARK_CAPTURE(monte_carlo, jcgm_101_9_2_normal, "s1-9.2-additive.covaria", "normal")
-    ->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(monte_carlo, jcgm_101_9_2_rectangular, "s1-9.2-additive.covaria", "rectangular")
-    ->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(monte_carlo, jcgm_101_9_4, "s1-9.4-power-meter.covaria", "x010-r9")
-    ->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(monte_carlo, jcgm_101_9_5, "s1-9.5-gauge-block.covaria", "gauge-block")
-    ->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 /// The model alone, trial by trial: what the engine asks of it.
 void equations_alone(benchmark::State& state) {

@@ -13,7 +13,8 @@ class ApplicationEnvironment : public testing::Environment {
 public:
     void SetUp() override {
         if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-        if (!qEnvironmentVariableIsSet("XDG_RUNTIME_DIR")) qputenv("XDG_RUNTIME_DIR", runtime_.path().toLocal8Bit());
+        if (!qEnvironmentVariableIsSet("XDG_RUNTIME_DIR"))
+            qputenv("XDG_RUNTIME_DIR", runtime_.path().toLocal8Bit());
         application_ = std::make_unique<QApplication>(count_, words_);
         QLocale::setDefault(QLocale::c());
     }

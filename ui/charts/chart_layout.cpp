@@ -8,16 +8,13 @@
 #include "ui/charts/mark_labels.h"
 #include "ui/theme/fonts.h"
 #include "ui/theme/label_text.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
 constexpr double least_part = 0.33;     // of the chart, for the data; else the legend is left out
 constexpr double closest_lines = 0.86;  // of a line's height: names of rows that do not touch yet
-
-QString to_qt(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 double text_width(const QString& text, const QFont& font) {
     return LabelText(text, font).width();

@@ -11,19 +11,16 @@
 
 #include "core/report/plots.h"
 #include "ui/charts/chart_painter.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
-constexpr double least_part = 1e-3;  // of the whole range, that zooming in may show
-
-QString to_qt(const std::string& text) {
-    return QString::fromStdString(text);
-}
+constexpr double least_zoomed_part = 1e-3;  // of the whole range, that zooming in may show
 
 /// Moves [low, high] into [least, most], and cuts what is larger.
 void keep_inside(double& low, double& high, double least, double most) {
-    const double size = std::clamp(high - low, least_part * (most - least), most - least);
+    const double size = std::clamp(high - low, least_zoomed_part * (most - least), most - least);
     low = std::clamp(low, least, most - size);
     high = low + size;
 }

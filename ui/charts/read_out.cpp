@@ -7,13 +7,10 @@
 
 #include "core/report/number_format.h"
 #include "ui/charts/ticks.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
-
-QString to_qt(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 /// "x = −120.3 mm" from the title "x (mm)", to a thousandth of the range that is shown.
 QString value_text(const PlotAxis& axis, double value, double low, double high) {

@@ -5,7 +5,7 @@
 #include <QFile>
 #include <QMetaObject>
 
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

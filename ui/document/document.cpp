@@ -7,7 +7,7 @@
 #include "core/project/workspace.h"
 #include "ui/document/linked_files.h"
 #include "ui/document/project_command.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ui/document/setup_address.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

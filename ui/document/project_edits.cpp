@@ -9,7 +9,7 @@
 #include "core/models/registry.h"
 #include "core/project/references.h"
 #include "core/project/workspace.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -11,7 +11,7 @@
 #include <QUuid>
 #include <algorithm>
 
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

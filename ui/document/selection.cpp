@@ -1,6 +1,6 @@
 #include "ui/document/selection.h"
 
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -4,7 +4,7 @@
 
 #include "core/project/study_target.h"
 #include "ui/document/setup_address.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

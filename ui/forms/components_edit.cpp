@@ -9,8 +9,8 @@
 
 #include "core/base/symbol.h"
 #include "ui/document/input_edits.h"
-#include "ui/document/strings.h"
 #include "ui/forms/form_labels.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/typeset.h"
 
 namespace covaria::ui {

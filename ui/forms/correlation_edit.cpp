@@ -5,9 +5,9 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "ui/document/strings.h"
 #include "ui/forms/cell_delegate.h"
 #include "ui/forms/complaint.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/typeset.h"
 
 namespace covaria::ui {

@@ -13,7 +13,7 @@
 #include "core/project/table_columns.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -9,11 +9,11 @@
 #include "core/report/number_format.h"
 #include "ui/document/input_edits.h"
 #include "ui/document/quantity_text.h"
-#include "ui/document/strings.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
 #include "ui/models/display_units.h"
 #include "ui/models/number_words.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

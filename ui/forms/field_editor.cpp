@@ -2,11 +2,11 @@
 #include "ui/forms/field_editor.h"
 
 #include "ui/document/quantity_text.h"
-#include "ui/document/strings.h"
 #include "ui/forms/lines_editor.h"
 #include "ui/forms/pose_editor.h"
 #include "ui/forms/simple_editors.h"
 #include "ui/forms/table_editor.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

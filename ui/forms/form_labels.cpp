@@ -1,7 +1,7 @@
 #include "ui/forms/form_labels.h"
 
 #include "core/base/symbol.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {

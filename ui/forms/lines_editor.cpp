@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "ui/document/strings.h"
 #include "ui/forms/complaint.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

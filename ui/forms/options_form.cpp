@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ui/document/setup_address.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -118,13 +118,14 @@ void OptionsForm::build_monte_carlo() {
                true,
                {0.0, largest_count}},
               with_trials, &EvaluationOptions::contributor_trials);
-    add_count({"sobol_trials",
-               tr("Trials for Sobol indices"),
-               tr("Pairs of trials for the shares of the variance with all interactions, for each component; 0: "
-                  "none."),
-               true,
-               {0.0, largest_count}},
-              with_trials, &EvaluationOptions::sobol_trials);
+    add_count(
+        {"sobol_trials",
+         tr("Trials for Sobol indices"),
+         tr("Pairs of trials for the shares of the variance with all interactions, for each component; 0: "
+            "none."),
+         true,
+         {0.0, largest_count}},
+        with_trials, &EvaluationOptions::sobol_trials);
 }
 
 void OptionsForm::build_adaptive() {

@@ -6,8 +6,8 @@
 
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
-#include "ui/document/strings.h"
 #include "ui/forms/complaint.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -1,8 +1,8 @@
 // Rows of label and editor; sections and rows hide where their fields are not used.
 #include "ui/forms/setup_form.h"
 
-#include "ui/document/strings.h"
 #include "ui/forms/form_labels.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

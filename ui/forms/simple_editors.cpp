@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "ui/document/project_edits.h"
-#include "ui/document/strings.h"
 #include "ui/forms/complaint.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

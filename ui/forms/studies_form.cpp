@@ -9,7 +9,7 @@
 
 #include "core/base/symbol.h"
 #include "ui/document/setup_address.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ui/document/quantity_text.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -7,10 +7,10 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
-#include "ui/document/strings.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/csv_import_dialog.h"
 #include "ui/models/display_units.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

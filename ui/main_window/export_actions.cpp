@@ -5,10 +5,10 @@
 #include <QMenu>
 
 #include "core/project/project_file.h"
-#include "ui/document/strings.h"
 #include "ui/export/scene_pictures.h"
 #include "ui/pages/current_results.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {

@@ -8,9 +8,9 @@
 #include <QSettings>
 #include <QStandardPaths>
 
-#include "ui/document/strings.h"
 #include "ui/pages/start_page.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "core/base/resource_path.h"
 #include "core/models/registry.h"
-#include "ui/document/strings.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 #include "viz/vtk/vtk_version.h"
 
 namespace covaria::ui {

@@ -6,8 +6,8 @@
 
 #include "core/assets/urdf.h"
 #include "ui/document/project_edits.h"
-#include "ui/document/strings.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

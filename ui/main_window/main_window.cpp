@@ -11,7 +11,6 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "ui/document/strings.h"
 #include "ui/document/item_move.h"
 #include "ui/main_window/dock_title.h"
 #include "ui/main_window/export_actions.h"
@@ -29,6 +28,7 @@
 #include "ui/pages/study_tab.h"
 #include "ui/scene_view/scene_panel.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
@@ -249,8 +249,9 @@ void MainWindow::connect_panes() {
     connect(exports_, &ExportActions::message, this, say);
     connect(project_, &ProjectPane::message, this, say);
     connect(imports_, &ImportActions::message, this, say);
-    connect(imports_, &ImportActions::imported, this,
-            [this](const QString& asset) { selection_.select_entry({SetupOwner::asset, to_std(asset)}); });
+    connect(imports_, &ImportActions::imported, this, [this](const QString& asset) {
+        selection_.select_entry({SetupOwner::asset, to_std(asset)});
+    });
     connect(&document_, &Document::project_changed, this, &MainWindow::follow_document);
     connect(&problems_->problems(), &QAbstractItemModel::modelReset, this, &MainWindow::count_problems);
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);

@@ -6,8 +6,8 @@
 
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
-#include "ui/document/strings.h"
 #include "ui/models/number_words.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -6,8 +6,8 @@
 
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_address.h"
-#include "ui/document/strings.h"
 #include "ui/models/roles.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -7,9 +7,9 @@
 #include "core/report/number_format.h"
 #include "ui/document/input_edits.h"
 #include "ui/document/quantity_text.h"
-#include "ui/document/strings.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/report/number_format.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "ui/document/setup_address.h"
-#include "ui/document/strings.h"
 #include "ui/models/roles.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -7,8 +7,8 @@
 #include "core/assets/registry.h"
 #include "core/models/registry.h"
 #include "ui/document/project_edits.h"
-#include "ui/document/strings.h"
 #include "ui/models/roles.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -9,9 +9,9 @@
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
-#include "ui/document/strings.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

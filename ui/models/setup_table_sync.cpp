@@ -5,8 +5,8 @@
 
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
-#include "ui/document/strings.h"
 #include "ui/models/setup_table_model.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -5,8 +5,8 @@
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
 #include "ui/document/quantity_text.h"
-#include "ui/document/strings.h"
 #include "ui/models/number_words.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

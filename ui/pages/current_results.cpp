@@ -1,6 +1,6 @@
 #include "ui/pages/current_results.h"
 
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

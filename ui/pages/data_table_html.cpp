@@ -4,7 +4,7 @@
 
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/chart_view.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 
 namespace covaria::ui {

@@ -9,10 +9,10 @@
 #include <QVBoxLayout>
 #include <cstdio>
 
-#include "ui/document/strings.h"
 #include "ui/forms/components_edit.h"
 #include "ui/forms/correlation_edit.h"
 #include "ui/models/roles.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/typeset.h"
 
 namespace covaria::ui {

@@ -4,7 +4,7 @@
 
 #include "core/project/library.h"
 #include "ui/document/project_edits.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -6,7 +6,7 @@
 #include <QSignalBlocker>
 
 #include "ui/document/project_edits.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -9,10 +9,10 @@
 #include "core/models/registry.h"
 #include "core/project/library.h"
 #include "ui/document/project_edits.h"
-#include "ui/document/strings.h"
 #include "ui/pages/entry_delegate.h"
 #include "ui/pages/library_menu.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

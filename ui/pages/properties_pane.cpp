@@ -7,7 +7,6 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "ui/document/strings.h"
 #include "ui/forms/options_form.h"
 #include "ui/forms/requirements_form.h"
 #include "ui/forms/setup_form.h"
@@ -16,6 +15,7 @@
 #include "ui/pages/field_help.h"
 #include "ui/pages/inputs_page.h"
 #include "ui/pages/notes_page.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {

@@ -13,12 +13,12 @@
 #include "core/base/symbol.h"
 #include "core/report/plots.h"
 #include "ui/charts/chart_view.h"
-#include "ui/document/strings.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/study_tab.h"
 #include "ui/pages/unit_button.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/typeset.h"
 

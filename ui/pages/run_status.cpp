@@ -7,10 +7,10 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "ui/document/strings.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/pages/entry_delegate.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

@@ -10,10 +10,10 @@
 #include <algorithm>
 
 #include "core/project/project_file.h"
-#include "ui/document/strings.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/typeset.h"
 
 namespace covaria::ui {

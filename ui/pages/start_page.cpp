@@ -15,9 +15,9 @@
 
 #include "core/base/resource_path.h"
 #include "core/project/project_file.h"
-#include "ui/document/strings.h"
 #include "ui/pages/example_card.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 
 namespace covaria::ui {

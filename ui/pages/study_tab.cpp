@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/chart_view.h"
-#include "ui/document/strings.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

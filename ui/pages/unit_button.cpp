@@ -5,8 +5,8 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "ui/document/strings.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {

@@ -7,16 +7,13 @@
 #include "ui/print/rich_text.h"
 #include "ui/print/table_layout.h"
 #include "ui/theme/formula_picture.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
 QString escaped(const std::string& text) {
     return QString::fromStdString(escape_html(text));
-}
-
-QString html_of(const std::string& text) {
-    return QString::fromStdString(text_to_html(text));
 }
 
 class ReportLayout {
@@ -68,14 +65,14 @@ public:
 
     void operator()(const ParagraphBlock& paragraph) {
         const TextRole role = paragraph.note ? TextRole::note : TextRole::body;
-        add_text(role, html_of(paragraph.text), 0.0, paragraph.note ? PageStyle::quiet() : PageStyle::ink());
+        add_text(role, to_qt(paragraph.text), 0.0, paragraph.note ? PageStyle::quiet() : PageStyle::ink());
     }
 
     void operator()(const ListBlock& list) {
         const double indent = style_.mm(4.0);
         for (const std::string& item : list.items) {
             RichText mark(style_, TextRole::body, "–");
-            RichText text(style_, TextRole::body, html_of(item));
+            RichText text(style_, TextRole::body, to_qt(item));
             text.set_width(width_ - indent);
             items.push_back({text.height(),
                              style_.mm(1.0),
@@ -159,10 +156,10 @@ private:
 
     void add_fact(const std::string& name, const std::string& value, double space_before) {
         const double key_width = 0.34 * width_;
-        RichText key(style_, TextRole::body, html_of(name));
+        RichText key(style_, TextRole::body, to_qt(name));
         key.set_width(key_width);
         const double x = key_width + style_.mm(5.0);
-        RichText text(style_, TextRole::body, html_of(value));
+        RichText text(style_, TextRole::body, to_qt(value));
         text.set_width(width_ - x);
         items.push_back({std::max(key.height(), text.height()),
                          space_before,

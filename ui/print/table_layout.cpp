@@ -8,15 +8,12 @@
 #include "core/report/table_text.h"
 #include "ui/print/number_text.h"
 #include "ui/print/rich_text.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
 constexpr std::size_t largest_whole_group = 8;  // rows under a sub-head that a page break does not part
-
-QString html_of(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 /// A cell: a number set to the decimal point, or a text set to the column's width.
 struct Cell {
@@ -54,7 +51,7 @@ private:
             columns_.push_back({});
             columns_[c].numeric = is_numeric_column(block_, c);
             const auto align = columns_[c].numeric ? Qt::AlignRight : Qt::AlignLeft;
-            heads_.emplace_back(style_, TextRole::table_head, html_of(head_html(block_.table.columns[c])),
+            heads_.emplace_back(style_, TextRole::table_head, to_qt(head_html(block_.table.columns[c])),
                                 align);
         }
         for (std::size_t r = 0; r < block_.table.rows.size(); ++r) {
@@ -69,13 +66,13 @@ private:
         Cell cell;
         if (html.empty()) return cell;
         if (is_subhead(block_, r)) {
-            cell.text.emplace(style_, TextRole::table_head, "<b>" + html_of(html) + "</b>");
+            cell.text.emplace(style_, TextRole::table_head, "<b>" + to_qt(html) + "</b>");
         } else if (columns_[c].numeric) {
             cell.number.emplace(style_, QString::fromStdString(html));
             columns_[c].before_point = std::max(columns_[c].before_point, cell.number->before_point());
             columns_[c].after_point = std::max(columns_[c].after_point, cell.number->after_point());
         } else {
-            cell.text.emplace(style_, TextRole::table, html_of(html));
+            cell.text.emplace(style_, TextRole::table, to_qt(html));
         }
         return cell;
     }
@@ -128,7 +125,7 @@ private:
 
     void append_caption(std::vector<FlowItem>& items) const {
         if (block_.table.title.empty()) return;
-        RichText caption(style_, TextRole::caption, html_of(escape_html(block_.table.title)));
+        RichText caption(style_, TextRole::caption, to_qt(escape_html(block_.table.title)));
         caption.set_width(available_);
         items.push_back({caption.height() + style_.points(3.0),
                          style_.mm(4.5),
@@ -198,7 +195,7 @@ private:
 
     void append_notes(std::vector<FlowItem>& items) const {
         for (const std::string& note : block_.table.notes) {
-            RichText text(style_, TextRole::note, html_of(text_to_html(note)));
+            RichText text(style_, TextRole::note, to_qt(text_to_html(note)));
             text.set_width(available_);
             items.push_back(
                 {text.height(),

@@ -1,6 +1,8 @@
 // Everything here happens on the owner's thread except the bodies of `prepare` and `execute`.
 #include "ui/run/analysis_runner.h"
 
+#include "ui/theme/strings.h"
+
 #include <QEventLoop>
 #include <QTimer>
 #include <algorithm>
@@ -16,10 +18,6 @@ constexpr auto settling_time = 120ms;  // without a further change, before a liv
 constexpr std::uint64_t preview_trials = 20'000;
 /// A preview is worth its time only before a run that takes much longer.
 constexpr std::uint64_t preview_worthwhile = 10 * preview_trials;
-
-QString to_qt(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 bool wants_preview(const EvaluationOptions& options) {
     return options.method == Method::adaptive ||

@@ -1,6 +1,8 @@
 // Everything here happens on the owner's thread except the bodies of jobs.
 #include "ui/run/study_runner.h"
 
+#include "ui/theme/strings.h"
+
 #include <QEventLoop>
 #include <QTimer>
 #include <algorithm>
@@ -8,10 +10,6 @@
 namespace covaria::ui {
 
 namespace {
-
-QString to_qt(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 Result<StudyResult> prepare_and_run(const Project& project, const std::string& analysis,
                                     const std::string& study, const RunControl& control) {

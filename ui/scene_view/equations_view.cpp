@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/document/strings.h"
 #include "ui/theme/formula_picture.h"
+#include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 
 namespace covaria::ui {

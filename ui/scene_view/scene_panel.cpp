@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "core/model/has_layout.h"
-#include "ui/document/strings.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/strings.h"
 #include "viz/scene/analysis_scene.h"
 
 namespace covaria::ui {

@@ -7,7 +7,7 @@
 #include "core/assets/error_budget.h"
 #include "core/assets/registry.h"
 
-namespace covaria {
+namespace covaria::asset_evaluation_test {
 namespace {
 
 Quantity mm(double value) {
@@ -356,4 +356,4 @@ TEST(AssetRegistry, EveryFieldIsExplained) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::asset_evaluation_test

@@ -10,7 +10,7 @@
 #include "core/assets/registry.h"
 #include "core/model/serial_robot.h"
 
-namespace covaria {
+namespace covaria::urdf_test {
 namespace {
 
 struct Joint {
@@ -172,4 +172,4 @@ TEST(Urdf, WhatIsNoArmIsRefusedWithItsReason) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::urdf_test

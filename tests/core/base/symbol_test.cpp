@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace covaria {
+namespace covaria::symbol_test {
 namespace {
 
 TEST(Symbol, GreekLettersAndSubscriptsInUnicode) {
@@ -48,4 +48,4 @@ TEST(Symbol, SurvivesOddTexts) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::symbol_test

@@ -9,7 +9,7 @@
 
 #include "core/base/unit_table.h"
 
-namespace covaria {
+namespace covaria::unit_test {
 namespace {
 
 std::string message_of(std::string_view text) {
@@ -153,4 +153,4 @@ TEST(UnitDeathTest, LiteralsMustBeRight) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::unit_test

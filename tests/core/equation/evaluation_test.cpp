@@ -5,7 +5,7 @@
 
 #include "core/equation/evaluate.h"
 
-namespace covaria::equation {
+namespace covaria::equation::evaluation_test {
 namespace {
 
 Program compiled(const std::string& text, const std::vector<std::string>& names) {
@@ -93,4 +93,4 @@ TEST(Evaluation, WhatOccursTwiceIsComputedOnce) {
 }
 
 }  // namespace
-}  // namespace covaria::equation
+}  // namespace covaria::equation::evaluation_test

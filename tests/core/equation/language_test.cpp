@@ -7,7 +7,7 @@
 #include "core/equation/evaluate.h"
 #include "core/equation/typeset.h"
 
-namespace covaria::equation {
+namespace covaria::equation::language_test {
 namespace {
 
 // Compiles `text` with quantities "a" to "h" of the given units and gives all that is wrong.
@@ -281,4 +281,4 @@ TEST(Typeset, WritesMathml) {
 }
 
 }  // namespace
-}  // namespace covaria::equation
+}  // namespace covaria::equation::language_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace covaria {
+namespace covaria::dual_test {
 namespace {
 
 template <class Real>
@@ -48,4 +48,4 @@ TEST(Dual, WorksAsAScalarOfEigen) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::dual_test

@@ -7,7 +7,7 @@
 
 #include "core/math/rotation.h"
 
-namespace covaria {
+namespace covaria::frames_test {
 namespace {
 
 const std::vector<Eigen::Vector3d> local{
@@ -93,4 +93,4 @@ TEST(Frames, DerivativesOfTheRegistrationAreThoseOfDifferences) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::frames_test

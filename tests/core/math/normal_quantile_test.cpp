@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace covaria {
+namespace covaria::normal_quantile_test {
 namespace {
 
 /// In extended precision, so that the reference is correct to the last bit of a double.
@@ -127,4 +127,4 @@ TEST(NormalDensity, IsTheDerivative) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::normal_quantile_test

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-namespace covaria {
+namespace covaria::rotation_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -113,4 +113,4 @@ TEST(Rotation, ConventionsAreFoundByTheirKey) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::rotation_test

@@ -3,7 +3,7 @@
 
 #include "core/math/real.h"
 
-namespace covaria {
+namespace covaria::simd_number_test {
 namespace {
 
 Batch lanes(double a, double b, double c, double d) {
@@ -56,4 +56,4 @@ TEST(SimdNumber, WorksAsAScalarOfEigen) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::simd_number_test

@@ -8,7 +8,7 @@
 
 #include "core/math/normal_quantile.h"
 
-namespace covaria {
+namespace covaria::special_quantiles_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -68,4 +68,4 @@ TEST(CoverageFactor, IsTheTwoSidedQuantile) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::special_quantiles_test

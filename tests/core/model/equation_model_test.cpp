@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace covaria {
+namespace covaria::equation_model_test {
 namespace {
 
 constexpr std::size_t inputs_count = 11;  // more than one pass of dual numbers, and not a multiple of 8
@@ -165,4 +165,4 @@ TEST(EquationModel, NoJacobianWhereThereIsNoValue) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::equation_model_test

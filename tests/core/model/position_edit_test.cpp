@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace covaria {
+namespace covaria::position_edit_test {
 namespace {
 
 const Unit mm = Unit::of("mm");
@@ -69,4 +69,4 @@ TEST(PositionEdit, RefusesWhatIsNoPosition) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::position_edit_test

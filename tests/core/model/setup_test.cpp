@@ -9,7 +9,7 @@
 #include "core/model/setup_schema.h"
 #include "core/model/words.h"
 
-namespace covaria {
+namespace covaria::setup_test {
 
 namespace {
 
@@ -222,4 +222,4 @@ TEST(Words, Dimensions) {
     EXPECT_EQ(dimension_words(Unit::of("kg*m")).substr(0, 12), "measured in ");
 }
 
-}  // namespace covaria
+}  // namespace covaria::setup_test

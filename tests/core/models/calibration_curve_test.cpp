@@ -7,7 +7,7 @@
 #include "core/models/registry.h"
 #include "core/propagation/engine.h"
 
-namespace covaria {
+namespace covaria::calibration_curve_test {
 namespace {
 
 struct Points {
@@ -105,4 +105,4 @@ TEST(CalibrationCurve, RefusesWhatDoesNotDetermineACurve) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::calibration_curve_test

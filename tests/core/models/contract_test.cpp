@@ -19,7 +19,7 @@
 #include "core/propagation/engine.h"
 #include "tests/core/models/allocation_counter.h"
 
-namespace covaria {
+namespace covaria::contract_test {
 namespace {
 
 std::string bytes_of(const std::filesystem::path& file) {
@@ -332,4 +332,4 @@ std::string name_of(const testing::TestParamInfo<const ModelDescriptor*>& info) 
 INSTANTIATE_TEST_SUITE_P(Models, Contract, testing::ValuesIn(all_models()), name_of);
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::contract_test

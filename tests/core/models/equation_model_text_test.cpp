@@ -7,7 +7,7 @@
 #include "core/models/registry.h"
 #include "core/propagation/engine.h"
 
-namespace covaria {
+namespace covaria::equation_model_text_test {
 namespace {
 
 const ModelDescriptor& descriptor() {
@@ -210,4 +210,4 @@ TEST(EquationModel, TrialsWithoutAValueAreCounted) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::equation_model_text_test

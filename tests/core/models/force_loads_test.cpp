@@ -6,7 +6,7 @@
 
 #include "tests/core/models/force_project.h"
 
-namespace covaria {
+namespace covaria::force_loads_test {
 namespace {
 
 using Row = std::vector<double>;
@@ -208,4 +208,4 @@ TEST(ForceLoads, VectorsCarryTheirUncertainty) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::force_loads_test

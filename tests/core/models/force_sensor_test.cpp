@@ -10,7 +10,7 @@
 #include "core/project/project_file.h"
 #include "tests/core/models/force_project.h"
 
-namespace covaria {
+namespace covaria::force_sensor_test {
 namespace {
 
 using Row = std::vector<double>;
@@ -333,4 +333,4 @@ TEST(ForceSensor, FewerChannelsThanSixWork) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::force_sensor_test

@@ -10,7 +10,7 @@
 #include "core/project/project_file.h"
 #include "core/report/verification.h"
 
-namespace covaria {
+namespace covaria::gum_projects_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -120,4 +120,4 @@ std::string name_of(const testing::TestParamInfo<VerificationCase>& info) {
 INSTANTIATE_TEST_SUITE_P(Gum, GumProject, testing::ValuesIn(shipped()), name_of);
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::gum_projects_test

@@ -12,7 +12,7 @@
 #include "core/assets/registry.h"
 #include "core/project/workspace.h"
 
-namespace covaria {
+namespace covaria::library_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST_F(OwnLibrary, BrokenFilesAreNamedAndLeftAlone) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::library_test

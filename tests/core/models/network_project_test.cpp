@@ -4,7 +4,7 @@
 
 #include "tests/core/models/network_project.h"
 
-namespace covaria {
+namespace covaria::network_project_test {
 namespace {
 
 // Four combined standard errors of two standard deviations from so many trials each.
@@ -331,4 +331,4 @@ TEST(NetworkReadings, LookingTheOtherWay) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::network_project_test

@@ -2,7 +2,7 @@
 #include "core/models/registry.h"
 #include "tests/core/models/network_project.h"
 
-namespace covaria {
+namespace covaria::network_scale_bar_test {
 namespace {
 
 void give_bar(Network& network, const std::string& role, double u, SetupCell length = {},
@@ -151,4 +151,4 @@ TEST(NetworkLarge, MonteCarloAgreesWhereEachTargetIsByItself) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::network_scale_bar_test

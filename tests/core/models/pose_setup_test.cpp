@@ -7,7 +7,7 @@
 #include "core/propagation/engine.h"
 #include "tests/core/models/stewart.h"
 
-namespace covaria {
+namespace covaria::pose_setup_test {
 namespace {
 
 using namespace stewart;
@@ -341,4 +341,4 @@ TEST(PoseLayout, TheOriginFollowsTheInputs) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::pose_setup_test

@@ -6,7 +6,7 @@
 #include "core/propagation/engine.h"
 #include "tests/core/models/stewart.h"
 
-namespace covaria {
+namespace covaria::pose_values_test {
 namespace {
 
 using namespace stewart;
@@ -166,4 +166,4 @@ TEST(Modes, ATotalStationAlongItsLineOfSight) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::pose_values_test

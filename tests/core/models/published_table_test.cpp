@@ -14,7 +14,7 @@
 #include "core/propagation/engine.h"
 #include "tests/core/models/stewart.h"
 
-namespace covaria {
+namespace covaria::published_table_test {
 namespace {
 
 using namespace stewart;
@@ -98,4 +98,4 @@ TEST(PublishedTable4, OneSlipAloneDoesNot) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::published_table_test

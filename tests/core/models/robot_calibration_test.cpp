@@ -10,7 +10,7 @@
 #include "core/model/serial_robot.h"
 #include "tests/core/models/robot_project.h"
 
-namespace covaria {
+namespace covaria::robot_calibration_test {
 namespace {
 
 using robot_test::Robot;
@@ -313,4 +313,4 @@ TEST(Calibration, ReadingsOfTheWrongSignDoNotPassForAnArm) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::robot_calibration_test

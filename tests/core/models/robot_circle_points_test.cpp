@@ -9,7 +9,7 @@
 
 #include "tests/core/models/robot_project.h"
 
-namespace covaria {
+namespace covaria::robot_circle_points_test {
 namespace {
 
 using robot_test::Robot;
@@ -215,4 +215,4 @@ TEST(CirclePoints, TwoPointsAreNoCircle) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::robot_circle_points_test

@@ -5,7 +5,7 @@
 #include "core/project/library.h"
 #include "core/project/workspace.h"
 
-namespace covaria {
+namespace covaria::robot_library_test {
 namespace {
 
 TEST(RobotLibrary, FlangesStandWhereTheirMakersSay) {
@@ -37,4 +37,4 @@ TEST(RobotLibrary, FlangesStandWhereTheirMakersSay) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::robot_library_test

@@ -8,7 +8,7 @@
 #include "core/model/serial_robot.h"
 #include "tests/core/models/robot_project.h"
 
-namespace covaria {
+namespace covaria::robot_pose_test {
 namespace {
 
 using robot_test::Robot;
@@ -314,4 +314,4 @@ TEST(RobotPose, BetaAndDOfOneJointAreRefused) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::robot_pose_test

@@ -8,7 +8,7 @@
 #include "core/propagation/engine.h"
 #include "tests/core/models/stewart.h"
 
-namespace covaria {
+namespace covaria::stewart_project_test {
 namespace {
 
 struct Loaded {
@@ -73,4 +73,4 @@ TEST(StewartProject, TheChainFromTheArtefacts) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::stewart_project_test

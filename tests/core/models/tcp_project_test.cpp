@@ -8,7 +8,7 @@
 #include "core/project/project_file.h"
 #include "core/project/workspace.h"
 
-namespace covaria {
+namespace covaria::tcp_project_test {
 namespace {
 
 using Row = std::vector<double>;
@@ -230,4 +230,4 @@ TEST(TcpFromBallbars, RefusesImpossibleSupports) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::tcp_project_test

@@ -9,7 +9,7 @@
 #include "core/project/workspace.h"
 #include "core/propagation/engine.h"
 
-namespace covaria {
+namespace covaria::tracker_pose_project_test {
 namespace {
 
 struct TrackerPose {
@@ -161,4 +161,4 @@ TEST(TrackerPose, AnAssetThatRefersBackToItselfIsRefused) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::tracker_pose_project_test

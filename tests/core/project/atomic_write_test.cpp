@@ -7,7 +7,7 @@
 
 #include "tests/core/project/test_kinds.h"
 
-namespace covaria::test {
+namespace covaria::test::atomic_write_test {
 
 namespace {
 
@@ -122,4 +122,4 @@ TEST(SaveProject, SavesCanonicalText) {
     EXPECT_EQ(loaded.project.directory, file.parent_path());
 }
 
-}  // namespace covaria::test
+}  // namespace covaria::test::atomic_write_test

@@ -3,7 +3,7 @@
 
 #include "tests/core/project/test_kinds.h"
 
-namespace covaria::test {
+namespace covaria::test::bad_input_test {
 
 namespace {
 
@@ -189,4 +189,4 @@ TEST(BadInput, DeepNestingIsRefused) {
     EXPECT_EQ(problem_with(loaded.problems, "nested too deeply").severity, Severity::error);
 }
 
-}  // namespace covaria::test
+}  // namespace covaria::test::bad_input_test

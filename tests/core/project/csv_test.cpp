@@ -4,7 +4,7 @@
 #include "core/project/csv_table.h"
 #include "tests/core/project/test_kinds.h"
 
-namespace covaria::test {
+namespace covaria::test::csv_test {
 
 namespace {
 
@@ -221,4 +221,4 @@ TEST(CsvFile, MissingFileNamesWhereItWasLookedFor) {
     EXPECT_EQ(std::filesystem::path(problem.file).filename(), "p.covaria");
 }
 
-}  // namespace covaria::test
+}  // namespace covaria::test::csv_test

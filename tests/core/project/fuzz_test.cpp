@@ -7,7 +7,7 @@
 #include "core/project/json_location.h"
 #include "tests/core/project/test_kinds.h"
 
-namespace covaria::test {
+namespace covaria::test::fuzz_test {
 
 namespace {
 
@@ -113,4 +113,4 @@ TEST(JsonLocations, LinesOfValuesAndOfWhatSurroundsThem) {
     EXPECT_EQ(locations->line(""), 0);
 }
 
-}  // namespace covaria::test
+}  // namespace covaria::test::fuzz_test

@@ -7,7 +7,7 @@
 #include "core/project/project_text.h"
 #include "tests/core/project/test_kinds.h"
 
-namespace covaria::test {
+namespace covaria::test::round_trip_test {
 
 namespace {
 
@@ -173,4 +173,4 @@ TEST(JsonSchema, ParsesAndNamesEveryKeyOfTheFormat) {
         EXPECT_TRUE(definitions["inputEdit"]["properties"].contains(key)) << key;
 }
 
-}  // namespace covaria::test
+}  // namespace covaria::test::round_trip_test

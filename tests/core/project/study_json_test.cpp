@@ -6,7 +6,7 @@
 #include "core/project/workspace.h"
 #include "tests/core/project/test_kinds.h"
 
-namespace covaria::test {
+namespace covaria::test::study_json_test {
 
 namespace {
 
@@ -211,4 +211,4 @@ TEST(StudyTargets, ListHasOnlyWhatCanBeVaried) {
     EXPECT_TRUE(gain);
 }
 
-}  // namespace covaria::test
+}  // namespace covaria::test::study_json_test

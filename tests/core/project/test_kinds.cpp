@@ -107,7 +107,9 @@ AssetDescriptor asset_kind(const std::string& kind, SetupSchema schema,
     descriptor.kind = descriptor.title = kind;
     descriptor.schema = std::move(schema);
     descriptor.capabilities = std::move(capabilities);
-    descriptor.create = [](const SetupReader&, const AssetLibrary&, Problems&) { return std::make_unique<Nothing>(); };
+    descriptor.create = [](const SetupReader&, const AssetLibrary&, Problems&) {
+        return std::make_unique<Nothing>();
+    };
     return descriptor;
 }
 

@@ -6,7 +6,7 @@
 #include "core/project/workspace.h"
 #include "tests/core/project/test_kinds.h"
 
-namespace covaria::test {
+namespace covaria::test::workspace_test {
 
 namespace {
 
@@ -218,4 +218,4 @@ TEST(Workspace, UnknownAnalysis) {
               Severity::error);
 }
 
-}  // namespace covaria::test
+}  // namespace covaria::test::workspace_test

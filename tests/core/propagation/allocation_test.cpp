@@ -22,7 +22,7 @@ extern "C" void* malloc(std::size_t size) {
 }
 #endif
 
-namespace covaria::test {
+namespace covaria::test::allocation_test {
 namespace {
 
 TEST(HotLoop, DoesNotAllocate) {
@@ -64,4 +64,4 @@ TEST(HotLoop, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace covaria::test
+}  // namespace covaria::test::allocation_test

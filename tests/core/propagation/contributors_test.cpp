@@ -7,7 +7,7 @@
 #include "core/quantity/isotropic_vector.h"
 #include "tests/core/propagation/test_models.h"
 
-namespace covaria {
+namespace covaria::contributors_test {
 namespace {
 
 /// One own component of standard uncertainty u for each quantity, by contributors.
@@ -99,4 +99,4 @@ TEST(VectorsOfRandomDirection, AreDrawnTogetherInARun) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::contributors_test

@@ -11,7 +11,7 @@
 #include "core/propagation/evaluation.h"
 #include "test_models.h"
 
-namespace covaria::test {
+namespace covaria::test::engine_test {
 namespace {
 
 EvaluationOptions options_for(std::uint64_t trials) {
@@ -498,4 +498,4 @@ TEST(Engine, RegionsOfPositionAndOrientation) {
 }
 
 }  // namespace
-}  // namespace covaria::test
+}  // namespace covaria::test::engine_test

@@ -7,7 +7,7 @@
 #include "core/result/uncertainty_result.h"
 #include "tests/core/propagation/test_models.h"
 
-namespace covaria {
+namespace covaria::forecast_test {
 using namespace test;
 
 namespace {
@@ -75,4 +75,4 @@ TEST(Contributions, ByGroup) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::forecast_test

@@ -12,7 +12,7 @@
 #include "core/propagation/sorting.h"
 #include "core/random/uniforms.h"
 
-namespace covaria::detail {
+namespace covaria::detail::parts_test {
 namespace {
 
 TEST(CoverageRanks, FollowJcgm101) {
@@ -102,4 +102,4 @@ TEST(Normality, SpeaksInWords) {
 }
 
 }  // namespace
-}  // namespace covaria::detail
+}  // namespace covaria::detail::parts_test

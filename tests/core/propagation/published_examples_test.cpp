@@ -5,7 +5,7 @@
 #include "gum_examples.h"
 #include "test_models.h"
 
-namespace covaria::test {
+namespace covaria::test::published_examples_test {
 namespace {
 
 using nlohmann::json;
@@ -396,4 +396,4 @@ TEST(PublishedExamples, WelchSatterthwaite) {
 }
 
 }  // namespace
-}  // namespace covaria::test
+}  // namespace covaria::test::published_examples_test

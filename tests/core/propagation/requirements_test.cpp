@@ -8,7 +8,7 @@
 #include "core/propagation/requirements.h"
 #include "test_models.h"
 
-namespace covaria::test {
+namespace covaria::test::requirements_test {
 namespace {
 
 EvaluationOptions trials(std::uint64_t count) {
@@ -115,4 +115,4 @@ TEST(Requirements, GlobalRisks) {
 }
 
 }  // namespace
-}  // namespace covaria::test
+}  // namespace covaria::test::requirements_test

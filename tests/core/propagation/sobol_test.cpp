@@ -7,7 +7,7 @@
 #include "core/propagation/engine.h"
 #include "test_models.h"
 
-namespace covaria::test {
+namespace covaria::test::sobol_test {
 namespace {
 
 EvaluationOptions sobol(std::uint64_t trials) {
@@ -92,4 +92,4 @@ TEST(Sobol, IsLeftOutUnlessAskedFor) {
 }
 
 }  // namespace
-}  // namespace covaria::test
+}  // namespace covaria::test::sobol_test

@@ -7,7 +7,7 @@
 
 #include "distribution_cases.h"
 
-namespace covaria {
+namespace covaria::distribution_checks_test {
 namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
@@ -122,4 +122,4 @@ TEST(DistributionKinds, RefuseWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::distribution_checks_test

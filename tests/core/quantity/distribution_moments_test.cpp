@@ -9,7 +9,7 @@
 #include "core/math/normal_quantile.h"
 #include "distribution_cases.h"
 
-namespace covaria {
+namespace covaria::distribution_moments_test {
 namespace {
 
 using nlohmann::json;
@@ -155,4 +155,4 @@ TEST(DistributionMoments, DensityVanishesOutside) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::distribution_moments_test

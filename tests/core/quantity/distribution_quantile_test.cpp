@@ -14,7 +14,7 @@
 #include "core/math/special_quantiles.h"
 #include "distribution_cases.h"
 
-namespace covaria {
+namespace covaria::distribution_quantile_test {
 namespace {
 
 std::vector<double> extremes_and_uniforms(std::size_t count) {
@@ -241,4 +241,4 @@ TEST(DistributionQuantiles, FollowScalingAndShifting) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::distribution_quantile_test

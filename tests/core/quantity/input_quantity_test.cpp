@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace covaria {
+namespace covaria::input_quantity_test {
 namespace {
 
 UncertaintyComponent component(std::string id, double u, double nu = infinity) {
@@ -145,4 +145,4 @@ TEST(ResolvedCorrelations, RefuseBadEntries) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::input_quantity_test

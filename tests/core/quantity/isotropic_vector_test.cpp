@@ -8,7 +8,7 @@
 
 #include "core/random/uniforms.h"
 
-namespace covaria {
+namespace covaria::isotropic_vector_test {
 namespace {
 
 constexpr RadialLaw laws[] = {RadialLaw::uniform_length, RadialLaw::ball, RadialLaw::sphere};
@@ -100,4 +100,4 @@ TEST(IsotropicVector, EditedCoordinatesAreNoVectorAnyMore) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::isotropic_vector_test

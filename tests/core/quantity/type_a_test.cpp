@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace covaria {
+namespace covaria::type_a_test {
 namespace {
 
 // JCGM 100 table H.2: simultaneous observations of voltage/V, current/mA and phase/rad, and its means and
@@ -57,4 +57,4 @@ TEST(TypeA, RefusesTooFewOrBadObservations) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::type_a_test

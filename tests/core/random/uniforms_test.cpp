@@ -8,7 +8,7 @@
 
 #include "core/random/philox.h"
 
-namespace covaria {
+namespace covaria::uniforms_test {
 namespace {
 
 constexpr DrawPurpose purpose = DrawPurpose::trials;
@@ -85,4 +85,4 @@ TEST(Uniforms, AreUniformAndUncorrelated) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::uniforms_test

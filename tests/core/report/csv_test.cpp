@@ -8,7 +8,7 @@
 #include "core/report/report.h"
 #include "tests/core/report/sample_report.h"
 
-namespace covaria {
+namespace covaria::csv_test {
 namespace {
 
 TEST(Csv, QuotesCommasQuotesAndLineBreaks) {
@@ -85,4 +85,4 @@ TEST(ResultTables, WithoutMonteCarloItsCellsAreEmpty) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::csv_test

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace covaria {
+namespace covaria::number_format_test {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -105,4 +105,4 @@ TEST(FormatExact, ReadsBackToTheSameNumber) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::number_format_test

@@ -9,7 +9,7 @@
 
 #include "tests/core/report/plot_sample.h"
 
-namespace covaria {
+namespace covaria::plots_test {
 namespace {
 
 const PlotSeries* series_of(const PlotSpecification& plot, SeriesRole role) {
@@ -218,4 +218,4 @@ TEST(PlotCsv, WritesCategoriesAndMatrices) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::plots_test

@@ -9,7 +9,7 @@
 #include "core/report/table_text.h"
 #include "tests/core/report/sample_report.h"
 
-namespace covaria {
+namespace covaria::report_test {
 namespace {
 
 std::vector<std::string> headings_of(const ReportDocument& document) {
@@ -188,7 +188,8 @@ TEST(Report, FigureNamesAreUniqueAndCarryTheAnalysis) {
         EXPECT_EQ(
             (plot ? plot->caption : scene->caption).rfind("Figure " + std::to_string(figures) + ". ", 0), 0U);
     }
-    EXPECT_EQ(figures, 6U + 6U + 2U + 1U + 1U) << "budgets, distributions, quantiles and convergence, scene, correlation";
+    EXPECT_EQ(figures, 6U + 6U + 2U + 1U + 1U)
+        << "budgets, distributions, quantiles and convergence, scene, correlation";
     EXPECT_EQ(ids.size(), figures);
 }
 
@@ -271,4 +272,4 @@ TEST(Report, ComponentsThatOnlyRoundingMakesCountAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::report_test

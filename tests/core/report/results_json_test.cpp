@@ -7,7 +7,7 @@
 #include "core/report/report.h"
 #include "tests/core/report/sample_report.h"
 
-namespace covaria {
+namespace covaria::results_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -91,4 +91,4 @@ TEST(ResultsJson, LinesAreReadableAndNumbersShortest) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::results_json_test

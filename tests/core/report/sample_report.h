@@ -159,9 +159,19 @@ inline void add_pose(UncertaintyResult& result, const std::string& group, int po
 
 inline void add_budget(UncertaintyResult& result) {
     for (const UncertaintyComponent& c : result.inputs.components)
-        result.budget.components.push_back({c.id, c.name, c.origin, c.unit, "normal", c.type,
-                                            c.distribution.standard_uncertainty(), infinity, false, "base",
-                                            c.id.substr(0, c.id.find('.')), {}, 0.344});
+        result.budget.components.push_back({c.id,
+                                            c.name,
+                                            c.origin,
+                                            c.unit,
+                                            "normal",
+                                            c.type,
+                                            c.distribution.standard_uncertainty(),
+                                            infinity,
+                                            false,
+                                            "base",
+                                            c.id.substr(0, c.id.find('.')),
+                                            {},
+                                            0.344});
     const std::size_t rows = std::min<std::size_t>(18, result.budget.components.size());
     for (const OutputResult& output : result.outputs) {
         std::vector<BudgetRow> list;

@@ -9,7 +9,7 @@
 #include "core/report/study_plots.h"
 #include "tests/core/report/sample_report.h"
 
-namespace covaria {
+namespace covaria::study_report_test {
 namespace {
 
 const Unit mm = Unit::of("mm");
@@ -169,4 +169,4 @@ TEST(StudyExtremesTest, AreWhereTheFormulaHasThem) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::study_report_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace covaria {
+namespace covaria::uncertainty_result_test {
 namespace {
 
 OutputQuantity output(const std::string& symbol, const std::string& group) {
@@ -38,4 +38,4 @@ TEST(Result, CorrelationSurvivesTinyVariances) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::uncertainty_result_test

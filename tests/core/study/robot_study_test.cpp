@@ -6,7 +6,7 @@
 #include "core/study/study.h"
 #include "tests/core/models/robot_project.h"
 
-namespace covaria {
+namespace covaria::robot_study_test {
 namespace {
 
 using robot_test::Robot;
@@ -79,4 +79,4 @@ TEST(RobotStudies, RangeAndNumberOfPoints) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::robot_study_test

@@ -9,7 +9,7 @@
 #include "core/project/project_file.h"
 #include "core/study/study.h"
 
-namespace covaria {
+namespace covaria::study_test {
 namespace {
 
 const Unit mm = Unit::of("mm");
@@ -281,4 +281,4 @@ TEST(Study, FingerprintFollowsWhatMatters) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::study_test

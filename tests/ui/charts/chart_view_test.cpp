@@ -11,7 +11,7 @@
 
 #include "tests/ui/charts/chart_test.h"
 
-namespace covaria::ui {
+namespace covaria::ui::chart_view_test {
 namespace {
 
 class ChartViewTest : public ::testing::Test {
@@ -147,4 +147,4 @@ TEST(ReadOut, KnowsBarsCellsAndPoints) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::chart_view_test

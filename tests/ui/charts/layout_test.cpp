@@ -6,7 +6,7 @@
 #include "ui/charts/visible_part.h"
 #include "ui/theme/label_text.h"
 
-namespace covaria::ui {
+namespace covaria::ui::layout_test {
 namespace {
 
 /// Without the leading of the line: where there is ink.
@@ -115,4 +115,4 @@ TEST(VisiblePart, CutsLinesAtTheEdges) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::layout_test

@@ -7,7 +7,7 @@
 #include "ui/charts/chart_layout.h"
 #include "ui/theme/fonts.h"
 
-namespace covaria::ui {
+namespace covaria::ui::picture_test {
 namespace {
 
 constexpr QSize size(900, 560);
@@ -196,4 +196,4 @@ TEST_F(ChartFile, SaysWhichFileItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::picture_test

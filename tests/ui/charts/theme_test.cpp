@@ -11,7 +11,7 @@
 
 #include "ui/theme/fonts.h"
 
-namespace covaria::ui {
+namespace covaria::ui::theme_test {
 namespace {
 
 constexpr SeriesRole roles[] = {SeriesRole::data,        SeriesRole::fit,         SeriesRole::reference,
@@ -85,4 +85,4 @@ TEST(Fonts, FiguresAreEquallyWide) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::theme_test

@@ -5,7 +5,7 @@
 
 #include <QStringList>
 
-namespace covaria::ui {
+namespace covaria::ui::ticks_test {
 namespace {
 
 QStringList texts(const Ticks& ticks) {
@@ -68,4 +68,4 @@ TEST(NumberText, HasTrueMinusAndGroups) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::ticks_test

@@ -11,9 +11,9 @@
 #include "ui/document/autosave.h"
 #include "ui/document/document.h"
 #include "ui/document/linked_files.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
-namespace covaria::ui {
+namespace covaria::ui::document_file_test {
 namespace {
 
 struct DocumentFileTest : testing::Test {
@@ -177,4 +177,4 @@ TEST_F(DocumentFileTest, RecoversAfterACrash) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::document_file_test

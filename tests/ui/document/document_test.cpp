@@ -8,7 +8,7 @@
 #include "tests/ui/qt_application.h"
 #include "ui/document/project_edits.h"
 
-namespace covaria::ui {
+namespace covaria::ui::document_test {
 namespace {
 
 /// A problem for every project without a title.
@@ -175,4 +175,4 @@ TEST_F(DocumentTest, EntriesAreDuplicatedRenamedMovedAndRemoved) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::document_test

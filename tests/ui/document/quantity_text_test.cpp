@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
-namespace covaria::ui {
+namespace covaria::ui::quantity_text_test {
 namespace {
 
 const QLocale english(QLocale::English, QLocale::UnitedKingdom);
@@ -68,4 +68,4 @@ TEST(QuantityText, ConversionLeavesNoNoise) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::quantity_text_test

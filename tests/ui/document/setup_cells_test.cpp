@@ -6,7 +6,7 @@
 #include "ui/document/input_edits.h"
 #include "ui/document/setup_address.h"
 
-namespace covaria::ui {
+namespace covaria::ui::setup_cells_test {
 namespace {
 
 const QLocale locale = QLocale::c();
@@ -72,4 +72,4 @@ TEST(InputEdits, ComponentsKeepTheirQuantityThroughUnits) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::setup_cells_test

@@ -7,7 +7,7 @@
 #include <QImage>
 #include <QPainter>
 
-namespace covaria::ui {
+namespace covaria::ui::formula_picture_test {
 namespace {
 
 FormulaPicture picture(const char* inside) {
@@ -65,4 +65,4 @@ TEST(FormulaPicture, WhatIsNoMathmlIsEmpty) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::formula_picture_test

@@ -7,7 +7,7 @@
 #include "tests/ui/qt_application.h"
 #include "ui/forms/setup_form.h"
 
-namespace covaria::ui {
+namespace covaria::ui::lines_editor_test {
 namespace {
 
 // The model whose set-up has a text of several lines.
@@ -76,4 +76,4 @@ TEST_F(LinesEditorTest, AddsRowsForNewNames) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::lines_editor_test

@@ -6,7 +6,7 @@
 #include "tests/ui/qt_application.h"
 #include "ui/forms/complaint.h"
 
-namespace covaria::ui {
+namespace covaria::ui::quantity_edit_test {
 namespace {
 
 struct QuantityEditTest : testing::Test {
@@ -115,4 +115,4 @@ TEST_F(QuantityEditTest, ProblemsFromOutsideAreShownUntilTheyAreGone) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::quantity_edit_test

@@ -10,7 +10,7 @@
 #include "ui/forms/setup_form.h"
 #include "ui/forms/table_editor.h"
 
-namespace covaria::ui {
+namespace covaria::ui::registry_forms_test {
 namespace {
 
 struct RegistryFormsTest : testing::Test {
@@ -59,4 +59,4 @@ TEST_F(RegistryFormsTest, WhatIsNewSaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::registry_forms_test

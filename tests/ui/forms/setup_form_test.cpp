@@ -14,7 +14,7 @@
 #include "ui/forms/quantity_edit.h"
 #include "ui/forms/table_editor.h"
 
-namespace covaria::ui {
+namespace covaria::ui::setup_form_test {
 namespace {
 
 struct SetupFormTest : testing::Test {
@@ -189,4 +189,4 @@ TEST_F(SetupFormTest, TheFormIsOffWhenItsEntryIsGone) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::setup_form_test

@@ -17,7 +17,7 @@
 #include "ui/forms/distribution_edit.h"
 #include "ui/forms/options_form.h"
 
-namespace covaria::ui {
+namespace covaria::ui::uncertainty_forms_test {
 namespace {
 
 void type(QWidget& parent, const char* name, const QString& text) {
@@ -200,8 +200,8 @@ TEST_F(CsvImportTest, PreviewsWhatWillBeImported) {
 }
 
 TEST_F(CsvImportTest, AColumnOfTheFileMayStandForAnyColumn) {
-    const CsvImportDialog dialog(field, units,
-                                 file("Name,pos,u_x [um],Kind,operator\nb1,0.5,2,Nest,Anna\nb2,1.5,3,b,Ben\n"));
+    const CsvImportDialog dialog(
+        field, units, file("Name,pos,u_x [um],Kind,operator\nb1,0.5,2,Nest,Anna\nb2,1.5,3,b,Ben\n"));
     EXPECT_TRUE(dialog.problems().has_errors());
     const auto* columns = dialog.findChild<QTableWidget*>("columns");
     ASSERT_EQ(columns->rowCount(), 5);
@@ -244,4 +244,4 @@ TEST_F(CsvImportTest, WrongCellsAndMissingFilesAreSaidAndNotImported) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::uncertainty_forms_test

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "tests/viz/vtk/picture_check.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

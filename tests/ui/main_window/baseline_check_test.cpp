@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QTemporaryDir>
 
-namespace covaria::ui {
+namespace covaria::ui::baseline_check_test {
 namespace {
 
 class BaselineCheck : public testing::Test {
@@ -49,4 +49,4 @@ TEST_F(BaselineCheck, ForgivesTheSmoothingOfLettersOnly) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::baseline_check_test

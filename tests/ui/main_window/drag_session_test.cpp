@@ -6,7 +6,7 @@
 #include "ui/pages/library_menu.h"
 #include "ui/scene_view/scene_view.h"
 
-namespace covaria::ui {
+namespace covaria::ui::drag_session_test {
 namespace {
 
 class DragSession : public Session {
@@ -134,4 +134,4 @@ TEST_F(DragSession, AnInstrumentComesFromTheLibrary) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::drag_session_test

@@ -7,7 +7,7 @@
 #include "ui/document/project_edits.h"
 #include "ui/pages/sortable_table.h"
 
-namespace covaria::ui {
+namespace covaria::ui::editing_session_test {
 namespace {
 
 using EditingSession = Session;
@@ -269,4 +269,4 @@ TEST_F(MixedEdits, FiftyUndoneGiveTheSavedBytesAndRedoneTheEditedOnes) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::editing_session_test

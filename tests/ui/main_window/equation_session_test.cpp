@@ -8,7 +8,7 @@
 #include "ui/forms/requirements_form.h"
 #include "ui/scene_view/equations_view.h"
 
-namespace covaria::ui {
+namespace covaria::ui::equation_session_test {
 namespace {
 
 class EquationSession : public Session {
@@ -86,4 +86,4 @@ TEST_F(EquationSession, ARequirementIsJudged) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::equation_session_test

@@ -13,7 +13,7 @@
 #include "ui/pages/results_pane.h"
 #include "ui/scene_view/scene_panel.h"
 
-namespace covaria::ui {
+namespace covaria::ui::evaluation_session_test {
 namespace {
 
 class EvaluationSession : public WindowFixture {
@@ -84,4 +84,4 @@ TEST_F(EvaluationSession, AModelShowsThePaperBesideTheGum) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::evaluation_session_test

@@ -8,7 +8,7 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 
-namespace covaria::ui {
+namespace covaria::ui::file_session_test {
 namespace {
 
 std::string content(const QString& name) {
@@ -201,4 +201,4 @@ TEST_F(FileSession, AProjectDroppedOnTheWindowOpens) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::file_session_test

@@ -3,9 +3,9 @@
 #include <QTest>
 
 #include "tests/ui/main_window/session_fixture.h"
-#include "ui/document/strings.h"
+#include "ui/theme/strings.h"
 
-namespace covaria::ui {
+namespace covaria::ui::forecast_session_test {
 namespace {
 
 class ForecastSession : public Session {
@@ -39,4 +39,4 @@ TEST_F(ForecastSession, SaysHowManyTrialsATolerancesNeeds) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::forecast_session_test

@@ -4,7 +4,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/import_actions.h"
 
-namespace covaria::ui {
+namespace covaria::ui::import_session_test {
 namespace {
 
 class ImportSession : public Session {
@@ -44,4 +44,4 @@ TEST_F(ImportSession, WhatIsNoRobotIsSaidAndLeftOut) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::import_session_test

@@ -29,7 +29,7 @@
 #include "ui/pages/unit_button.h"
 #include "ui/scene_view/scene_panel.h"
 
-namespace covaria::ui {
+namespace covaria::ui::look_test {
 namespace {
 
 class Look : public WindowFixture {
@@ -345,4 +345,4 @@ TEST_F(Look, EveryControlHasANameForScreenReaders) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::look_test

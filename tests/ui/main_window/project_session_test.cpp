@@ -6,7 +6,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/export_actions.h"
 
-namespace covaria::ui {
+namespace covaria::ui::project_session_test {
 namespace {
 
 class NewProject : public Session {
@@ -86,4 +86,4 @@ TEST_F(NewProject, FromNothingToAPdf) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::project_session_test

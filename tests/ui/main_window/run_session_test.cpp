@@ -5,7 +5,7 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 
-namespace covaria::ui {
+namespace covaria::ui::run_session_test {
 namespace {
 
 using RunSession = Session;
@@ -87,4 +87,4 @@ TEST_F(RunSession, ResultsAreMarkedOutOfDateWhileLiveIsOff) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::run_session_test

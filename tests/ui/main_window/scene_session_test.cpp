@@ -4,7 +4,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
 
-namespace covaria::ui {
+namespace covaria::ui::scene_session_test {
 namespace {
 
 class SceneSession : public Session {
@@ -176,4 +176,4 @@ TEST_F(SceneSession, ChartsAreSavedAsPictureAndData) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::scene_session_test

@@ -11,7 +11,7 @@
 #include "ui/pages/results_pane.h"
 #include "ui/scene_view/scene_panel.h"
 
-namespace covaria::ui {
+namespace covaria::ui::screenshot_test {
 namespace {
 
 class Screenshots : public WindowFixture {
@@ -89,4 +89,4 @@ TEST_F(Screenshots, EveryTabShowsSomething) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::screenshot_test

@@ -5,7 +5,7 @@
 #include "ui/main_window/export_actions.h"
 #include "ui/pages/sortable_table.h"
 
-namespace covaria::ui {
+namespace covaria::ui::session_test {
 namespace {
 
 TEST_F(Session, AReportIsExportedWithoutBlocking) {
@@ -48,4 +48,4 @@ TEST_F(Session, SelectingAnOutputSelectsItInTableAndCharts) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::session_test

@@ -5,7 +5,7 @@
 #include "ui/forms/target_box.h"
 #include "ui/pages/study_tab.h"
 
-namespace covaria::ui {
+namespace covaria::ui::study_session_test {
 namespace {
 
 class StudySession : public Session {
@@ -93,4 +93,4 @@ TEST_F(StudySession, AProblemOfAStudyIsListedAndTheAnalysisStillRuns) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::study_session_test

@@ -10,8 +10,8 @@
 
 #include "core/project/project_file.h"
 #include "tests/ui/qt_application.h"
-#include "ui/document/strings.h"
 #include "ui/main_window/main_window.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 

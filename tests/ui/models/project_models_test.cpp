@@ -13,7 +13,7 @@
 #include "ui/models/project_tree_model.h"
 #include "ui/models/roles.h"
 
-namespace covaria::ui {
+namespace covaria::ui::project_models_test {
 namespace {
 
 constexpr auto fatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
@@ -177,4 +177,4 @@ TEST_F(ProjectModelsTest, CorrelationsAreCheckedWhileTheyAreTyped) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::project_models_test

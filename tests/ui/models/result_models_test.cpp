@@ -11,7 +11,7 @@
 #include "ui/models/result_table_model.h"
 #include "ui/models/roles.h"
 
-namespace covaria::ui {
+namespace covaria::ui::result_models_test {
 namespace {
 
 OutputResult output(const char* symbol, const char* unit, const char* group, double estimate, double u) {
@@ -162,4 +162,4 @@ TEST(DisplayUnits, OffersUnitsOfTheSameDimension) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::result_models_test

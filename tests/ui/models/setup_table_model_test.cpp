@@ -10,7 +10,7 @@
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
 
-namespace covaria::ui {
+namespace covaria::ui::setup_table_model_test {
 namespace {
 
 struct SetupTableModelTest : testing::Test {
@@ -178,4 +178,4 @@ TEST(TableText, ReadsWhatOtherProgramsWrite) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::setup_table_model_test

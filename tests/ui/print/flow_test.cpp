@@ -5,7 +5,7 @@
 
 #include "ui/print/table_layout.h"
 
-namespace covaria::ui {
+namespace covaria::ui::flow_test {
 namespace {
 
 FlowItem item(double height, bool keep = false, double before = 0.0) {
@@ -74,4 +74,4 @@ TEST(ShareWidth, WhatCannotFitIsScaled) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::flow_test

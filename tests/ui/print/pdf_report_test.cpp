@@ -13,7 +13,7 @@
 #include "core/report/table_text.h"
 #include "tests/core/report/sample_report.h"
 
-namespace covaria::ui {
+namespace covaria::ui::pdf_report_test {
 namespace {
 
 class PdfReport : public testing::Test {
@@ -145,4 +145,4 @@ TEST_F(PdfReport, MissingPaintersAndUnwritableFoldersAreErrors) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::pdf_report_test

@@ -8,7 +8,7 @@
 
 #include "tests/ui/qt_application.h"
 
-namespace covaria::ui {
+namespace covaria::ui::analysis_runner_test {
 namespace {
 
 /// The project's notes are the fingerprint of all its analyses; "bad" cannot be prepared, "fail" fails.
@@ -251,4 +251,4 @@ TEST(AnalysisRunnerInline, EverythingHappensAtOnce) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::analysis_runner_test

@@ -8,7 +8,7 @@
 #include "tests/ui/qt_application.h"
 #include "ui/run/analysis_runner.h"
 
-namespace covaria::ui {
+namespace covaria::ui::live_edit_test {
 namespace {
 
 Project example(const ModelDescriptor& model) {
@@ -54,4 +54,4 @@ TEST(LiveEdit, EveryExampleRunsAndFollowsAnEdit) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::live_edit_test

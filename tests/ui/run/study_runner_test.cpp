@@ -5,7 +5,7 @@
 #include "core/project/project_file.h"
 #include "ui/run/study_runner.h"
 
-namespace covaria::ui {
+namespace covaria::ui::study_runner_test {
 namespace {
 
 ProjectSnapshot network() {
@@ -68,4 +68,4 @@ TEST(StudyRunner, StopsInTheWorkerThread) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::study_runner_test

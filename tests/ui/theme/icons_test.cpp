@@ -9,7 +9,7 @@
 #include "tests/ui/qt_application.h"
 #include "ui/theme/theme.h"
 
-namespace covaria::ui {
+namespace covaria::ui::icons_test {
 namespace {
 
 QStringList shipped_icons() {
@@ -80,4 +80,4 @@ TEST(Icons, StandInForADesktopWithoutIcons) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::icons_test

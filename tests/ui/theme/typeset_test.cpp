@@ -10,7 +10,7 @@
 #include "ui/theme/label_text.h"
 #include "ui/theme/theme.h"
 
-namespace covaria::ui {
+namespace covaria::ui::typeset_test {
 namespace {
 
 QImage picture_of(QWidget& widget, const QSize& size = {160, 60}) {
@@ -122,4 +122,4 @@ TEST_F(Typeset, GridLinesAreSeenInBothThemes) {
 }
 
 }  // namespace
-}  // namespace covaria::ui
+}  // namespace covaria::ui::typeset_test

@@ -10,7 +10,7 @@
 #include "tests/viz/stewart_scene.h"
 #include "viz/scene/dump_scene.h"
 
-namespace covaria {
+namespace covaria::build_scene_test {
 namespace {
 
 const SceneEllipsoid* ellipsoid_of(const Scene& scene, const std::string& id) {
@@ -258,4 +258,4 @@ TEST(BuildScene, PlateHasRoundCornersAroundItsPoints) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::build_scene_test

@@ -10,7 +10,7 @@
 #include "viz/scene/pick.h"
 #include "viz/scene/round_numbers.h"
 
-namespace covaria {
+namespace covaria::camera_test {
 namespace {
 
 constexpr PictureSize size{1280, 800};
@@ -168,4 +168,4 @@ TEST(RoundNumbers, NearestBelowAndTexts) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::camera_test

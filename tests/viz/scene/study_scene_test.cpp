@@ -9,7 +9,7 @@
 #include "viz/scene/dump_scene.h"
 #include "viz/scene/study_scene.h"
 
-namespace covaria {
+namespace covaria::study_scene_test {
 namespace {
 
 struct Map {
@@ -94,4 +94,4 @@ TEST(StudyScene, SaysWhyThereIsNoMap) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::study_scene_test

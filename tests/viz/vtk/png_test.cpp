@@ -6,7 +6,7 @@
 
 #include "viz/vtk/image.h"
 
-namespace covaria {
+namespace covaria::png_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ TEST(Png, AFailedWriteLeavesTheOldFile) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::png_test

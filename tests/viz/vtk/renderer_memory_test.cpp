@@ -5,7 +5,7 @@
 #include "tests/viz/stewart_scene.h"
 #include "viz/vtk/scene_renderer.h"
 
-namespace covaria {
+namespace covaria::renderer_memory_test {
 namespace {
 
 double mebibytes_in_use() {
@@ -34,4 +34,4 @@ TEST(RendererMemory, ScenesThatFollowEachOtherDoNotAddUp) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::renderer_memory_test

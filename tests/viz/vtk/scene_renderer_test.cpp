@@ -9,7 +9,7 @@
 #include "tests/viz/stewart_scene.h"
 #include "tests/viz/vtk/picture_check.h"
 
-namespace covaria {
+namespace covaria::scene_renderer_test {
 namespace {
 
 constexpr int red = 0, green = 1, blue = 2;
@@ -269,4 +269,4 @@ TEST(SceneRenderer, Baselines) {
 }
 
 }  // namespace
-}  // namespace covaria
+}  // namespace covaria::scene_renderer_test
