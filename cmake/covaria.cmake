@@ -102,6 +102,13 @@ function(covaria_test name)
     endif()
     target_compile_definitions(test_${name} PRIVATE COVARIA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
         COVARIA_BINARY_DIR="${PROJECT_BINARY_DIR}")
+    if(name MATCHES "^([a-z]+)_")  # core_tests, viz_tests, ui_tests: all of a floor
+        set(floor ${CMAKE_MATCH_1}_tests)
+        if(NOT TARGET ${floor})
+            add_custom_target(${floor})
+        endif()
+        add_dependencies(${floor} test_${name})
+    endif()
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
         PROPERTIES TIMEOUT 180 ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
 endfunction()
