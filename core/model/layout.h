@@ -73,7 +73,7 @@ enum class VectorKind { force, moment };
 
 /// A quantity with direction (force, moment) at a point. Vectors of one kind are drawn to one scale.
 struct LayoutVector {
-    std::string name = {};
+    std::string name;
     Eigen::Vector3d at_W = Eigen::Vector3d::Zero();
     Eigen::Vector3d vector_W = Eigen::Vector3d::Zero();  ///< N or N m
     std::string group = {};
