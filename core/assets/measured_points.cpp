@@ -24,6 +24,7 @@ void add_deviation(const PointLocator& locator, const JointDeviation& d,
     component.name = locator.instrument_name + ", " + d.name;
     component.origin = locator.instrument_name + " (" + component.origin + ")";
     const std::size_t index = inputs.add(std::move(component));
+    if (!d.estimate.empty()) inputs.rest_on_estimate(locator.instrument_id + "." + d.estimate, index);
     for (std::size_t i = 0; i < points.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c)
             if (const double f = d.directions[i][static_cast<Eigen::Index>(c)]; f != 0.0)

@@ -66,7 +66,7 @@ Combined combined(const SerialRobotSource& robot, std::size_t joint, JointParame
         const double u = d.component.distribution.standard_uncertainty();
         sum.by_source[d.component.origin] += u * u;
         sum.squares += u * u;
-        sum.welch += std::pow(u, 4) / d.component.degrees_of_freedom;
+        sum.welch += std::pow(u, 4) / degrees_of_freedom_of(d.component);
     }
     return sum;
 }

@@ -36,6 +36,7 @@ struct Draft {
     std::optional<double> estimate;  ///< SI
     std::size_t components = 0;
     std::optional<std::size_t> observed;  ///< component from observations
+    std::string estimate_of_variance;     ///< with quantities observed at the same time
 };
 
 class QuantityReader {
@@ -159,9 +160,8 @@ private:
         made.unit = interval_unit(draft.unit);
         made.type = EvaluationType::type_a;
         made.degrees_of_freedom = mean->degrees_of_freedom;
-        made.distribution = reader_.text("type_a") == "normal"
-                                ? Distribution::normal(u)
-                                : Distribution::of(StudentT{0.0, u, mean->degrees_of_freedom});
+        made.distribution = Distribution::normal(u);
+        made.normal_draws = reader_.text("type_a") == "normal";
         made.origin = kind == "pooled" ? "pooled standard deviation"
                                        : "mean of " + std::to_string(mean->count) + " observations";
         if (kind == "observations") draft.observed = result_.inputs.components.size();
@@ -228,14 +228,30 @@ private:
                                 "'" + quantity + "' has observations and no row in the table of quantities");
     }
 
+    /// Means of simultaneous observations have one estimate of their covariance matrix: c^T S c has n - 1
+    /// degrees of freedom for any c.
+    void observed_together(std::size_t i, std::size_t j) {
+        std::string& of_first = drafts_[i].estimate_of_variance;
+        std::string& of_second = drafts_[j].estimate_of_variance;
+        if (of_first.empty()) {
+            of_first = drafts_[i].quantity.symbol + ".observations";
+            result_.inputs.rest_on_estimate(of_first, *drafts_[i].observed);
+        }
+        if (!of_second.empty()) return;
+        of_second = of_first;
+        result_.inputs.rest_on_estimate(of_second, *drafts_[j].observed);
+    }
+
     void correlate() {
         for (std::size_t i = 0; i < drafts_.size(); ++i)
             for (std::size_t j = i + 1; j < drafts_.size(); ++j) {
                 if (!drafts_[i].observed || !drafts_[j].observed) continue;
                 const auto r =
                     observations_.correlation(drafts_[i].quantity.symbol, drafts_[j].quantity.symbol);
-                if (r && *r != 0.0)
+                if (!r) continue;
+                if (*r != 0.0)
                     result_.inputs.correlations.push_back({*drafts_[i].observed, *drafts_[j].observed, *r});
+                observed_together(i, j);
             }
     }
 

@@ -99,8 +99,12 @@ private:
             const std::string whose = d.point           ? points_[measured[*d.point]].symbol()
                                       : d.owner.empty() ? rule.asset_id
                                                         : d.owner;
+            const std::size_t before = inputs_.components.size();
             const std::size_t component =
                 component_of(d.component, whose + "." + d.id, rule.asset_name, !d.point);
+            if (!d.estimate.empty() && component == before)
+                inputs_.rest_on_estimate((d.owner.empty() ? rule.asset_id : d.owner) + "." + d.estimate,
+                                         component);
             for (std::size_t k = 0; k < measured.size(); ++k) {
                 const MeasuredPoint& point = points_[measured[k]];
                 const Eigen::Vector3d& direction = d.directions[k];

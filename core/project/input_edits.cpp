@@ -131,6 +131,8 @@ private:
         std::erase_if(inputs_.correlations, [&](const ComponentCorrelation& correlation) {
             return given_up(correlation.first) || given_up(correlation.second);
         });
+        for (VarianceEstimate& estimate : inputs_.variance_estimates)
+            std::erase_if(estimate.components, given_up);
         for (const std::size_t place : places) inputs_.components[place].held = true;
         return places;
     }

@@ -17,7 +17,7 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
         b.name = c.name;
         b.origin = c.origin;
         b.unit = c.unit;
-        b.distribution = std::string(c.distribution.title());
+        b.distribution = std::string(drawn_distribution(c).title());
         b.type = c.type;
         b.standard_uncertainty = c.distribution.standard_uncertainty();
         b.degrees_of_freedom = std::min(c.degrees_of_freedom, c.distribution.degrees_of_freedom());

@@ -207,7 +207,7 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
             "of "
             "the tails in memory.");
     for (const UncertaintyComponent& c : inputs_.components)
-        if (!c.held && !std::isfinite(c.distribution.standard_deviation()))
+        if (!c.held && !std::isfinite(drawn_distribution(c).standard_deviation()))
             warnings.push_back("The distribution of " + c.id +
                                " has no finite standard deviation: Monte Carlo standard uncertainties that "
                                "depend on it are not meaningful; use the coverage intervals.");

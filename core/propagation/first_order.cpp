@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/math/special_quantiles.h"
-#include "core/propagation/draw_plan.h"
+#include "core/quantity/effective_degrees.h"
 
 namespace covaria::detail {
 namespace {
@@ -141,65 +142,27 @@ Eigen::MatrixXd covariance_of(const LawOfPropagation& law) {
     return covariance;
 }
 
-double degrees_of(const UncertaintyComponent& component) {
-    return std::min(component.degrees_of_freedom, component.distribution.degrees_of_freedom());
+WelchSatterthwaite rule_for(const InputSet& inputs, const Correlations& correlations) {
+    const std::vector<std::size_t> estimates = inputs.estimates_of_components();
+    std::vector<WelchSatterthwaite::Source> sources;
+    for (std::size_t c = 0; c < inputs.components.size(); ++c)
+        sources.push_back({degrees_of_freedom_of(inputs.components[c]), estimates[c]});
+    return {std::move(sources), correlations};
 }
 
-/// Terms u_k^4 / nu_k of Welch-Satterthwaite (JCGM 100 G.2b). A correlated set counts as one term with its
-/// variance; its degrees of freedom are those its members have in common, else their weighted harmonic mean.
-class WelchSatterthwaite {
-public:
-    WelchSatterthwaite(const InputSet& inputs, const Correlations& correlations)
-        : set_of_(inputs.components.size(), none) {
-        for (const auto& set : correlated_sets(inputs.components.size(), correlations)) {
-            for (const std::size_t c : set) set_of_[c] = sets_.size();
-            sets_.push_back({.correlated = true});
-        }
-        for (std::size_t c = 0; c < inputs.components.size(); ++c) {
-            degrees_.push_back(degrees_of(inputs.components[c]));
-            if (set_of_[c] != none) continue;
-            set_of_[c] = sets_.size();
-            sets_.push_back({});
-        }
+void add_degrees_of_freedom(const InputSet& inputs, const Correlations& correlations, LawOfPropagation& law) {
+    WelchSatterthwaite rule = rule_for(inputs, correlations);
+    law.degrees_of_freedom.resize(law.estimate.size());
+    std::vector<WelchSatterthwaite::Part> parts;
+    for (Eigen::Index j = 0; j < law.estimate.size(); ++j) {
+        parts.clear();
+        for (const PropagationTerm& term : law.terms[static_cast<std::size_t>(j)])
+            parts.push_back({term.component, term.contribution * term.correlated});
+        const auto effective = rule.effective(parts, law.covariance(j, j));
+        law.degrees_of_freedom(j) = effective.degrees_of_freedom;
+        law.degrees_of_freedom_approximate = law.degrees_of_freedom_approximate || effective.approximate;
     }
-
-    /// `approximate` is set when a correlated set contributes with finite degrees of freedom.
-    double effective(const std::vector<PropagationTerm>& terms, double variance, bool& approximate) {
-        if (!(variance > 0)) return infinity;
-        touched_.clear();
-        for (const PropagationTerm& term : terms) {
-            const double part = term.contribution * term.correlated;
-            Set& set = sets_[set_of_[term.component]];
-            if (!set.touched) touched_.push_back(set_of_[term.component]);
-            set.touched = true;
-            set.variance += part;
-            set.weight += std::abs(part);
-            set.weighted += std::abs(part) / degrees_[term.component];
-        }
-        double sum = 0.0;
-        for (const std::size_t index : touched_) {
-            Set& set = sets_[index];
-            if (set.weighted > 0) {
-                approximate = approximate || set.correlated;
-                const double relative = set.variance / variance;
-                sum += relative * relative * set.weighted / set.weight;
-            }
-            set = {.correlated = set.correlated};
-        }
-        return sum > 0 ? 1.0 / sum : infinity;
-    }
-
-private:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
-    struct Set {
-        bool correlated = false, touched = false;
-        double variance = 0.0, weight = 0.0, weighted = 0.0;
-    };
-    std::vector<std::size_t> set_of_;
-    std::vector<Set> sets_;
-    std::vector<std::size_t> touched_;
-    std::vector<double> degrees_;
-};
+}
 
 }  // namespace
 
@@ -236,11 +199,7 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
     for (const std::vector<Sensitivity>& row : rows) law.terms.push_back(maker.make(row));
     law.covariance = covariance_of(law);
 
-    WelchSatterthwaite rule(inputs, correlations);
-    law.degrees_of_freedom.resize(law.estimate.size());
-    for (Eigen::Index j = 0; j < law.estimate.size(); ++j)
-        law.degrees_of_freedom(j) = rule.effective(law.terms[static_cast<std::size_t>(j)],
-                                                   law.covariance(j, j), law.degrees_of_freedom_approximate);
+    add_degrees_of_freedom(inputs, correlations, law);
     return law;
 }
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/propagation/parallel_blocks.h"
-#include "core/quantity/isotropic_vector.h"
+#include "core/quantity/component_pairs.h"
 
 namespace covaria::detail {
 namespace {
@@ -21,9 +21,7 @@ std::string joined_ids(const InputSet& inputs, const std::vector<std::size_t>& c
 }
 
 std::vector<std::vector<std::size_t>> joint_sets(const InputSet& inputs, const Correlations& correlations) {
-    auto sets = correlated_sets(inputs.components.size(), correlations);
-    for (const DrawnVector& vector : vectors_of_random_direction(inputs))
-        sets.emplace_back(vector.components.begin(), vector.components.end());
+    auto sets = dependent_sets(inputs, correlations);
     std::vector<bool> known(inputs.components.size(), false);
     for (const auto& set : sets)
         for (const std::size_t c : set) known[c] = true;

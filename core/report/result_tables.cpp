@@ -151,7 +151,7 @@ DataTable inputs_table(const InputSet& inputs) {
             row.insert(row.end(), {TableCell(c.name), c.id,
                                    q.unit.interval_from_si(share.factor * c.unit.interval_to_si(1.0)),
                                    c.unit.text(), interval_in(c.unit, c.distribution.standard_uncertainty()),
-                                   std::string(c.distribution.title()), type_text(c.type),
+                                   std::string(drawn_distribution(c).title()), type_text(c.type),
                                    c.degrees_of_freedom, std::string(c.held ? "yes" : "no"), c.origin});
             table.rows.push_back(std::move(row));
         }

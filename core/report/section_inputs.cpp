@@ -69,7 +69,7 @@ std::string names_text(const InputSet& inputs, const Members& members) {
 
 std::vector<TableCell> component_cells(const UncertaintyComponent& c, double factor, const Unit& unit) {
     return {interval_in(unit, std::abs(factor) * c.distribution.standard_uncertainty()),
-            std::string(c.distribution.title()) + (c.held ? ", held" : ""), type_text(c.type),
+            std::string(drawn_distribution(c).title()) + (c.held ? ", held" : ""), type_text(c.type),
             c.degrees_of_freedom, c.origin.empty() ? c.name : c.origin};
 }
 
