@@ -7,6 +7,7 @@
 #include "core/base/in_quotes.h"
 #include "core/model/setup_schema.h"
 #include "core/model/words.h"
+#include "core/quantity/component_pairs.h"
 
 namespace covaria {
 
@@ -178,32 +179,55 @@ void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& 
         inputs.components[component].held = edit.held;
 }
 
-std::size_t correlated_component(const InputSet& inputs, const std::string& id, const std::string& path,
-                                 Problems& problems) {
-    const std::size_t found = find_component(inputs, id);
-    if (found == InputSet::npos)
-        problems.error(path,
-                       "there is no component " + in_quotes(id) + did_you_mean(id, component_ids(inputs)));
-    return found;
+/// What a correlation is stated for: one component, or a quantity as a whole, which is its components by
+/// their correlation with its total deviation.
+std::vector<Share> correlated_parts(const InputSet& inputs, const std::string& name, const std::string& path,
+                                    Problems& problems) {
+    if (const std::size_t found = find_component(inputs, name); found != InputSet::npos)
+        return {{found, 1.0}};
+    if (const std::size_t found = inputs.find(name); found != InputSet::npos) {
+        std::vector<Share> parts = detail::correlations_with_total(inputs, found);
+        if (parts.empty()) problems.error(path, in_quotes(name) + " has no uncertainty to be correlated");
+        return parts;
+    }
+    std::vector<std::string> known = component_ids(inputs);
+    for (const InputQuantity& quantity : inputs.quantities) known.push_back(quantity.symbol);
+    problems.error(path, "there is no component or quantity " + in_quotes(name) + did_you_mean(name, known));
+    return {};
 }
 
-// Takes the place of a correlation that the model declares between the same two.
-void add_correlation(InputSet& inputs, const CorrelationEdit& edit, const std::string& path,
-                     Problems& problems) {
+/// Takes the place of a correlation that the model declares between the same two.
+void set_correlation(InputSet& inputs, std::size_t first, std::size_t second, double coefficient) {
+    std::erase_if(inputs.correlations, [&](const ComponentCorrelation& other) {
+        return std::minmax(other.first, other.second) == std::minmax(first, second);
+    });
+    inputs.correlations.push_back({first, second, coefficient});
+}
+
+void apply_correlation(InputSet& inputs, const CorrelationEdit& edit, const std::string& path,
+                       Problems& problems) {
     const std::size_t before = problems.items().size();
-    const std::size_t first = correlated_component(inputs, edit.first, path + "/first", problems);
-    const std::size_t second = correlated_component(inputs, edit.second, path + "/second", problems);
+    const std::vector<Share> first = correlated_parts(inputs, edit.first, path + "/first", problems);
+    const std::vector<Share> second = correlated_parts(inputs, edit.second, path + "/second", problems);
     if (problems.items().size() > before) return;
-    if (first == second)
+    if (edit.first == edit.second)
         return problems.error(path + "/second", in_quotes(edit.first) + " cannot be correlated with itself");
     if (!(std::abs(edit.coefficient) <= 1.0))
         return problems.error(path + "/coefficient",
                               "a correlation coefficient must lie between -1 and 1; it is " +
                                   readable_number(edit.coefficient));
-    std::erase_if(inputs.correlations, [&](const ComponentCorrelation& other) {
-        return std::minmax(other.first, other.second) == std::minmax(first, second);
-    });
-    inputs.correlations.push_back({first, second, edit.coefficient});
+    for (const Share& a : first)
+        for (const Share& b : second)
+            if (a.component == b.component)
+                return problems.error(path, in_quotes(edit.first) + " and " + in_quotes(edit.second) +
+                                                " have the component " +
+                                                in_quotes(inputs.components[a.component].id) +
+                                                " in common, which correlates them; state the correlation of "
+                                                "other components instead");
+    // The covariance of the totals is then the coefficient times their standard uncertainties.
+    for (const Share& a : first)
+        for (const Share& b : second)
+            set_correlation(inputs, a.component, b.component, edit.coefficient * a.factor * b.factor);
 }
 
 void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& problems) {
@@ -220,25 +244,24 @@ void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& pro
     }
 }
 
-void apply_correlations(InputSet& inputs, const AnalysisEntry& analysis, Problems& problems) {
+}  // namespace
+
+void apply_correlations(InputSet& inputs, const std::vector<CorrelationEdit>& edits, Problems& problems) {
     std::set<std::pair<std::string, std::string>> pairs;
-    for (std::size_t i = 0; i < analysis.correlations.size(); ++i) {
-        const CorrelationEdit& edit = analysis.correlations[i];
+    for (std::size_t i = 0; i < edits.size(); ++i) {
         const std::string path = "/correlations/" + std::to_string(i);
-        if (pairs.insert(std::minmax(edit.first, edit.second)).second)
-            add_correlation(inputs, edit, path, problems);
+        if (pairs.insert(std::minmax(edits[i].first, edits[i].second)).second)
+            apply_correlation(inputs, edits[i], path, problems);
         else
-            problems.error(path, "the correlation of " + in_quotes(edit.first) + " and " +
-                                     in_quotes(edit.second) + " is given twice");
+            problems.error(path, "the correlation of " + in_quotes(edits[i].first) + " and " +
+                                     in_quotes(edits[i].second) + " is given twice");
     }
 }
-
-}  // namespace
 
 InputSet apply_edits(InputSet inputs, const AnalysisEntry& analysis, Problems& problems) {
     const std::size_t before = problems.items().size();
     apply_inputs(inputs, analysis, problems);
-    apply_correlations(inputs, analysis, problems);
+    apply_correlations(inputs, analysis.correlations, problems);
     if (problems.items().size() > before) return inputs;
     if (const auto resolved = resolved_correlations(inputs); !resolved)
         problems.error(analysis.correlations.empty() ? "/setup" : "/correlations", resolved.error().message);

@@ -15,6 +15,13 @@ namespace covaria {
 /// Components are deviations from the estimate: their parameters are converted without the offset of degC.
 /// After all edits of a quantity its estimate is the edited one, whatever the means of its components. A held
 /// quantity is constant at its estimate; components that it shares with others stay in those.
+///
+/// A correlation names a component by its id or a quantity by its symbol. Of a quantity as a whole it applies
+/// to the total deviation: two components get r times their correlations with the totals that they are part
+/// of.
 InputSet apply_edits(InputSet inputs, const AnalysisEntry& analysis, Problems& problems);
+
+/// The last part of that: takes the place of correlations that the model declares.
+void apply_correlations(InputSet& inputs, const std::vector<CorrelationEdit>& edits, Problems& problems);
 
 }  // namespace covaria

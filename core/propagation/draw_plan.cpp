@@ -2,10 +2,12 @@
 #include "core/propagation/draw_plan.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "core/math/normal_quantile.h"
+#include "core/quantity/copula.h"
 #include "core/random/uniforms.h"
 
 namespace covaria::detail {
@@ -50,9 +52,11 @@ DrawPlan::DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelatio
     std::vector<ComponentDraw> draws = terms_of(inputs, only);
     add_estimates(inputs, draws);
     std::vector<bool> grouped(n, false);
-    for (const auto& set : correlated_sets(n, correlations)) {
+    // Coefficients that cannot be are refused where inputs are checked.
+    const auto copula = copula_coefficients(inputs, correlations).value_or(correlations);
+    for (const auto& set : correlated_sets(n, copula)) {
         for (std::size_t c : set) grouped[c] = true;
-        add_group(set, draws, correlations);
+        add_group(set, draws, copula);
     }
     for (const DrawnVector& vector : vectors_of_random_direction(inputs)) {
         for (std::size_t c : vector.components) grouped[c] = true;
@@ -110,7 +114,13 @@ void DrawPlan::add_group(const std::vector<std::size_t>& set, const std::vector<
         group.members.push_back(draws[c]);
     }
     if (!needed) return;
-    group.factor = correlation_factor(correlation_matrix(set, correlations));
+    const Eigen::MatrixXd wanted = correlation_matrix(set, correlations);
+    const bool normal = std::all_of(set.begin(), set.end(), [&](std::size_t c) {
+        return draws[c].distribution.kind() == "normal";  // then it has been checked as it is
+    });
+    const Eigen::MatrixXd possible = normal ? wanted : nearest_correlation(wanted);
+    largest_compromise_ = std::max(largest_compromise_, (possible - wanted).cwiseAbs().maxCoeff());
+    group.factor = correlation_factor(possible);
     for (Eigen::Index k = 0; k < group.factor.cols(); ++k)
         group.addresses.push_back(static_cast<std::uint32_t>(set[static_cast<std::size_t>(k)]));
     latent_rows_ = std::max(latent_rows_, group.addresses.size());

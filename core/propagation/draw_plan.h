@@ -63,6 +63,9 @@ public:
     DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelation>& correlations,
              std::optional<std::size_t> only = {});
 
+    /// Largest difference between a coefficient of the copula that the distributions need and the one that is
+    /// drawn: 0 where the needed ones can all hold at once.
+    double largest_compromise() const { return largest_compromise_; }
     std::size_t quantities() const { return constant_.size(); }
     std::size_t latent_rows() const { return estimates_.size() + latent_rows_; }
     /// Row i of `inputs` = quantity i of trials first ... first + count - 1 (count <= block_trials). No
@@ -100,6 +103,7 @@ private:
     std::vector<ComponentDraw> independent_;
     std::vector<CorrelatedDraws> correlated_;
     std::vector<VectorDraws> vectors_;
+    double largest_compromise_ = 0.0;
     std::size_t latent_rows_ = 0;  ///< of the largest group
 };
 

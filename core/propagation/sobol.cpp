@@ -82,29 +82,41 @@ private:
     std::vector<std::uint8_t> flags_;
 };
 
-/// Sums over the trials of one output.
-struct Sums {
-    double n = 0, a = 0, b = 0, aa = 0, bb = 0, first = 0, first_squares = 0, total = 0, total_squares = 0;
-
+/// Sums over the trials of one output: what the indices are means of, and its square, trial by trial.
+class Sums {
+public:
+    /// y of trial a, of trial b, of trial a with the factor of b; about the estimate.
     void add(double y_a, double y_b, double y_ab) {
-        const double f = y_b * (y_ab - y_a), t = 0.5 * (y_a - y_ab) * (y_a - y_ab);
-        n += 1.0, a += y_a, b += y_b, aa += y_a * y_a, bb += y_b * y_b;
-        first += f, first_squares += f * f, total += t, total_squares += t * t;
+        const Eigen::Vector4d terms(y_b * (y_ab - y_a), 0.5 * (y_a - y_ab) * (y_a - y_ab),
+                                    0.5 * (y_a * y_a + y_b * y_b), 0.5 * (y_a + y_b));
+        n_ += 1.0;
+        sum_ += terms;
+        products_ += terms * terms.transpose();
     }
 
     SobolIndex index(const std::string& name) const {
         SobolIndex made{name};
-        const double variance = 0.5 * (aa + bb) / n - std::pow(0.5 * (a + b) / n, 2);
-        if (!(n > 1.0) || !(variance > 0.0)) return made;
-        const auto error = [&](double sum, double squares) {
-            return std::sqrt(std::max(0.0, squares / n - (sum / n) * (sum / n)) / n) / variance;
+        const Eigen::Vector4d mean = sum_ / n_;
+        const double variance = mean[2] - mean[3] * mean[3];
+        if (!(n_ > 1.0) || !(variance > 0.0)) return made;
+        const Eigen::Matrix4d covariance = products_ / n_ - mean * mean.transpose();
+        // An index is a ratio, and its denominator is estimated from the same trials.
+        const auto error = [&](int numerator, double value) {
+            Eigen::Vector4d slope(0.0, 0.0, -value, 2.0 * value * mean[3]);
+            slope[numerator] = 1.0;
+            return std::sqrt(std::max(0.0, slope.dot(covariance * slope)) / n_) / variance;
         };
-        made.first = first / n / variance;
-        made.total = total / n / variance;
-        made.first_standard_error = error(first, first_squares);
-        made.total_standard_error = error(total, total_squares);
+        made.first = mean[0] / variance;
+        made.total = mean[1] / variance;
+        made.first_standard_error = error(0, made.first);
+        made.total_standard_error = error(1, made.total);
         return made;
     }
+
+private:
+    double n_ = 0.0;
+    Eigen::Vector4d sum_ = Eigen::Vector4d::Zero();  ///< first, total, mean square, mean
+    Eigen::Matrix4d products_ = Eigen::Matrix4d::Zero();
 };
 
 /// One factor: trials a, trials b, and trials a with the factor of b.

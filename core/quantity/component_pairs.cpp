@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/quantity/copula.h"
 #include "core/quantity/isotropic_vector.h"
 
 namespace covaria {
@@ -216,6 +217,8 @@ Result<std::vector<ComponentCorrelation>> resolved_correlations(const InputSet& 
         resolved.push_back({pair.first, pair.second, coefficient});
     for (const auto& group : detail::correlated_sets(inputs.components.size(), resolved))
         if (std::optional<Error> problem = group_problem(inputs, group, *coefficients)) return fail(*problem);
+    if (const auto possible = detail::copula_coefficients(inputs, resolved); !possible)
+        return fail(possible.error());
     return resolved;
 }
 

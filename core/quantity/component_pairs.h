@@ -11,6 +11,10 @@ namespace covaria::detail {
 /// Coefficient of two different components: declared, +-1 where an arithmetic quantity has both, else 0.
 double correlation_between(const InputSet& inputs, std::size_t first, std::size_t second);
 
+/// Components of a quantity with their correlation coefficients with its total deviation: 1 for a single one,
+/// u_j/u for independent ones. Held components are left out.
+std::vector<Share> correlations_with_total(const InputSet& inputs, std::size_t quantity);
+
 /// Components that are correlated with each other, directly or through others: sorted sets of two or more.
 std::vector<std::vector<std::size_t>> correlated_sets(std::size_t components,
                                                       const std::vector<ComponentCorrelation>& correlations);

@@ -60,6 +60,16 @@ double variance(const Contributions& c) {
 
 }  // namespace
 
+std::vector<Share> detail::correlations_with_total(const InputSet& inputs, std::size_t quantity) {
+    const Contributions c = contributions(inputs, inputs.quantities.at(quantity));
+    const double u = std::sqrt(variance(c));
+    const Eigen::VectorXd covariances = c.correlation * c.a;
+    std::vector<Share> result;
+    for (std::size_t j = 0; j < c.components.size() && u > 0.0; ++j)
+        result.push_back({c.components[j], covariances[static_cast<Eigen::Index>(j)] / u});
+    return result;
+}
+
 std::size_t InputSet::add(UncertaintyComponent component) {
     components.push_back(std::move(component));
     return components.size() - 1;

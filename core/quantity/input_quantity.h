@@ -69,7 +69,7 @@ struct InputQuantity {
     std::vector<GroupTag> tags = {};  ///< groups of contributions; kept when components are edited
 };
 
-/// Correlation coefficient (of the Gaussian copula) between two components.
+/// Correlation coefficient between two components; copula.h says how they are drawn.
 struct ComponentCorrelation {
     std::size_t first = 0;
     std::size_t second = 0;

@@ -4,6 +4,7 @@
 #include <QColor>
 #include <algorithm>
 
+#include "core/project/input_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/roles.h"
@@ -15,22 +16,6 @@ namespace {
 
 bool is_pair(const covaria::CorrelationEdit& edit, const std::string& a, const std::string& b) {
     return (edit.first == a && edit.second == b) || (edit.first == b && edit.second == a);
-}
-
-std::size_t find_component(const InputSet& inputs, const std::string& id) {
-    for (std::size_t i = 0; i < inputs.components.size(); ++i)
-        if (inputs.components[i].id == id) return i;
-    return InputSet::npos;
-}
-
-void set_coefficient(InputSet& inputs, std::size_t a, std::size_t b, double r) {
-    for (ComponentCorrelation& known : inputs.correlations) {
-        const bool same = (known.first == a && known.second == b) || (known.first == b && known.second == a);
-        if (!same) continue;
-        known.coefficient = r;
-        return;
-    }
-    inputs.correlations.push_back({a, b, r});
 }
 
 template <class Container, class Value>
@@ -91,12 +76,11 @@ void InputCorrelationModel::check() {
     QString complaint;
     if (analysis_) {
         InputSet inputs = analysis_->inputs;
-        for (const covaria::CorrelationEdit& edit : edits()) {
-            const std::size_t a = find_component(inputs, edit.first);
-            const std::size_t b = find_component(inputs, edit.second);
-            if (a != InputSet::npos && b != InputSet::npos) set_coefficient(inputs, a, b, edit.coefficient);
-        }
-        if (const auto resolved = resolved_correlations(inputs); !resolved)
+        Problems problems;
+        apply_correlations(inputs, edits(), problems);
+        if (problems.has_errors())
+            complaint = to_qt(problems.items().front().message);
+        else if (const auto resolved = resolved_correlations(inputs); !resolved)
             complaint = to_qt(resolved.error().message);
     }
     if (complaint == complaint_) return;
@@ -126,6 +110,8 @@ std::vector<std::string> InputCorrelationModel::other_components() const {
     if (!analysis_) return others;
     for (const UncertaintyComponent& component : analysis_->inputs.components)
         if (!contains(ids_, component.id)) others.push_back(component.id);
+    for (const InputQuantity& quantity : analysis_->inputs.quantities)  // as a whole
+        if (quantity.shares.size() > 1 && !contains(ids_, quantity.symbol)) others.push_back(quantity.symbol);
     return others;
 }
 
