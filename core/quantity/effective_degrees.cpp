@@ -33,20 +33,21 @@ WelchSatterthwaite::WelchSatterthwaite(std::vector<Source> sources,
         const bool finite = std::isfinite(a.degrees_of_freedom) && std::isfinite(b.degrees_of_freedom);
         const bool same = a.estimate != InputSet::npos && a.estimate == b.estimate;
         if (finite && !same && c.coefficient != 0.0)
-            partners_[c.first].push_back({c.second, c.coefficient * c.coefficient});
+            partners_[c.first].push_back(
+                {c.second,
+                 c.coefficient * c.coefficient / std::sqrt(a.degrees_of_freedom * b.degrees_of_freedom)});
     }
 }
 
 WelchSatterthwaite::Effective WelchSatterthwaite::effective(std::span<const Part> parts, double variance) {
     Effective result;
     if (!(variance > 0.0)) return result;
-    for (const Part& part : parts)
-        terms_[part.component] =
-            part.variance / variance / std::sqrt(sources_[part.component].degrees_of_freedom);
+    for (const Part& part : parts) terms_[part.component] = part.variance / variance;
     double sum = 0.0;
     for (const Part& part : parts) {
         if (set_of_[part.component] == InputSet::npos)
-            sum += terms_[part.component] * terms_[part.component];
+            sum +=
+                terms_[part.component] * terms_[part.component] / sources_[part.component].degrees_of_freedom;
         else
             add(part, variance, result);
     }
@@ -61,19 +62,19 @@ void WelchSatterthwaite::add(const Part& part, double variance, Effective& resul
     const Source& source = sources_[part.component];
     const double term = terms_[part.component];
     Set& set = sets_[set_of_[part.component]];
-    set.variance += part.variance / variance;
+    set.variance += term;
     if (term != 0.0) set.least = std::min(set.least, source.degrees_of_freedom);
     if (source.estimate == InputSet::npos) {
-        set.terms += term * term;
+        set.terms += term * term / source.degrees_of_freedom;
     } else {  // (sum + term)^2 - sum^2, so that the set has the square of the whole at the end
         double& sum = of_estimate_[source.estimate];
-        set.terms += term * (term + 2.0 * sum);
+        set.terms += term * (term + 2.0 * sum) / source.degrees_of_freedom;
         sum += term;
     }
     for (const Partner& partner : partners_[part.component]) {
         const double product = term * terms_[partner.component];
         result.approximate = result.approximate || product != 0.0;
-        set.terms += 2.0 * partner.correlation_of_estimates * std::max(0.0, product);
+        set.terms += 2.0 * partner.weight * std::max(0.0, product);
     }
 }
 

@@ -40,7 +40,7 @@ public:
 private:
     struct Partner {
         std::size_t component = 0;
-        double correlation_of_estimates = 0.0;
+        double weight = 0.0;  ///< rho_jk / sqrt(nu_j nu_k)
     };
     /// Of components that are correlated or share an estimate; sums between calls are zero.
     struct Set {
@@ -53,7 +53,7 @@ private:
     std::vector<std::vector<Partner>> partners_;  ///< with finite nu, another estimate; each pair once
     std::vector<std::size_t> set_of_;
     std::vector<Set> sets_;
-    std::vector<double> terms_;        ///< P_j/sqrt(nu_j)
+    std::vector<double> terms_;        ///< P_j/u^2
     std::vector<double> of_estimate_;  ///< sums of these over its members
 };
 
