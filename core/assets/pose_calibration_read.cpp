@@ -55,9 +55,10 @@ private:
         }
         c_.nominal = robot->asset;
         if (const std::size_t sliding = first_sliding_joint(c_.robot()); sliding > 0) {
-            problems_.error("/nominal", "joint " + std::to_string(sliding) +
-                                            " slides: only arms whose joints turn are identified; take an arm "
-                                            "without it, as it stands during the measurement");
+            problems_.error("/nominal",
+                            "joint " + std::to_string(sliding) +
+                                " slides: only arms whose joints turn are identified; take an arm "
+                                "without it, as it stands during the measurement");
             return false;
         }
         auto locator = read_locator(setup_, assets_, problems_);

@@ -56,14 +56,16 @@ void add_sliding_columns(FieldSpec& joints) {
          .kind = FieldKind::choice,
          .optional = true,
          .choices = {{"turning", "turns about its axis"}, {"sliding", "slides along its axis"}},
-         .help = "A joint that turns has readings q, which add to theta; one that slides has readings s, which "
-                 "add to d. Empty: it turns."},
+         .help =
+             "A joint that turns has readings q, which add to theta; one that slides has readings s, which "
+             "add to d. Empty: it turns."},
         length_column("s_zero", "s_0", "Reading of a sliding joint at which d holds; empty: 0."),
         length_column("s_min", "s_min", "Lowest reading of a sliding joint; empty: no limit."),
         length_column("s_max", "s_max", "Highest reading of a sliding joint; empty: no limit."),
-        reading_column("u_s_encoder", "mm",
-                       "Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each "
-                       "pose."),
+        reading_column(
+            "u_s_encoder", "mm",
+            "Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each "
+            "pose."),
         reading_column("u_s_repeatability", "mm",
                        "Standard uncertainty by which a sliding joint comes back to a reading, drawn anew at "
                        "each pose.")};

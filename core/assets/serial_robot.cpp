@@ -224,7 +224,8 @@ AssetDescriptor serial_robot_kind() {
         "parameter and d is 0 by definition; elsewhere beta is 0.",
         "alpha and beta of a row turn the axis of the joint into that of the next (the paper's text shifts "
         "them by one joint).",
-        "The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading to d "
+        "The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading "
+        "to d "
         "in the same way."};
     d.capabilities = {"serial-robot"};
     d.schema = robot_schema();

@@ -115,7 +115,8 @@ double plain(double value) {
 /// In gimbal lock the entries that rounding left are taken off first, so that the first angle is 0.
 PoseValue pose_value(const Eigen::Isometry3d& X) {
     PoseValue pose;
-    const Eigen::Matrix3d R = X.linear().unaryExpr([](double v) { return std::round(v * 1e15) / 1e15 + 0.0; });
+    const Eigen::Matrix3d R =
+        X.linear().unaryExpr([](double v) { return std::round(v * 1e15) / 1e15 + 0.0; });
     const Eigen::Vector3d angles = zyx_from_rotation<double>(R);
     for (std::size_t k = 0; k < 3; ++k) {
         pose.position[k] = plain(pose.length_unit.from_si(X.translation()[static_cast<Eigen::Index>(k)]));
@@ -160,8 +161,8 @@ std::string notes_of(const Chain& chain, const Axes& axes) {
     for (const urdf::Joint& joint : axes.joints) names += (names.empty() ? "" : ", ") + joint.name;
     for (const urdf::Remark& remark : chain.remarks)
         remarks += " Joint " + remark.joint + " " + remark.words + ".";
-    return "Imported from URDF, from link " + chain.root + " to link " + chain.tip + ". Joints: " + names + "." +
-           remarks + " Nominal geometry: give the parameters their uncertainty.";
+    return "Imported from URDF, from link " + chain.root + " to link " + chain.tip + ". Joints: " + names +
+           "." + remarks + " Nominal geometry: give the parameters their uncertainty.";
 }
 
 std::string limits_of(const urdf::Joint& joint) {
@@ -175,18 +176,21 @@ std::string limits_of(const urdf::Joint& joint) {
 
 std::string words_of(const PoseValue& pose) {
     char text[160];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) mm, turned by (%.6g, %.6g, %.6g) deg", pose.position[0],
-                  pose.position[1], pose.position[2], pose.angles[0], pose.angles[1], pose.angles[2]);
+    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) mm, turned by (%.6g, %.6g, %.6g) deg",
+                  pose.position[0], pose.position[1], pose.position[2], pose.angles[0], pose.angles[1],
+                  pose.angles[2]);
     return text;
 }
 
 std::vector<std::string> report_of(const Chain& chain, const Axes& axes, const Setup& setup) {
-    std::vector<std::string> lines{std::to_string(axes.joints.size()) + (axes.joints.size() == 1 ? " joint" : " joints") + " from link " + chain.root +
-                                   " to link " + chain.tip};
+    std::vector<std::string> lines{std::to_string(axes.joints.size()) +
+                                   (axes.joints.size() == 1 ? " joint" : " joints") + " from link " +
+                                   chain.root + " to link " + chain.tip};
     for (std::size_t j = 0; j < axes.joints.size(); ++j)
         lines.push_back("joint " + std::to_string(j + 1) + ": " + axes.joints[j].name + ", " +
                         (axes.joints[j].slides() ? "slides, " : "turns, ") + limits_of(axes.joints[j]));
-    lines.push_back("tool: link " + chain.tip + " at " + words_of(std::get<PoseValue>(setup.values.at("tool"))) +
+    lines.push_back("tool: link " + chain.tip + " at " +
+                    words_of(std::get<PoseValue>(setup.values.at("tool"))) +
                     " from the frame of the last joint");
     PoseValue zero = pose_value(axes.X_tip);
     lines.push_back("with all readings at 0 the tool stands at " + words_of(zero) + " in link " + chain.root);
@@ -206,12 +210,10 @@ Result<ImportedAsset> import_urdf(const std::string& xml, const UrdfChoice& choi
     chain->remarks.insert(chain->remarks.begin(), frozen->begin(), frozen->end());
     const Axes axes = axes_of(*chain);
     if (axes.lines.size() > most_joints)
-        return fail(ErrorCode::bad_input, "the chain to " + chain->tip + " has " +
-                                              std::to_string(axes.lines.size()) +
-                                              " moving joints; an arm has at most " +
-                                              std::to_string(most_joints) +
-                                              " here: freeze those before the arm, --freeze " +
-                                              axes.joints.front().name + "=0");
+        return fail(ErrorCode::bad_input,
+                    "the chain to " + chain->tip + " has " + std::to_string(axes.lines.size()) +
+                        " moving joints; an arm has at most " + std::to_string(most_joints) +
+                        " here: freeze those before the arm, --freeze " + axes.joints.front().name + "=0");
     const FrameChain frames = frames_of(axes);
     ImportedAsset asset{.kind = "serial-robot",
                         .name = robot->name.empty() ? "Robot" : robot->name,

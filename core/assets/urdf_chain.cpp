@@ -211,9 +211,10 @@ private:
                 chain.remarks.push_back({joint.name, "frozen: " + gripper});
             else if (!on_the_way)
                 chain.remarks.push_back(
-                    {joint.name, "left out: " + (joint.kind == JointKind::other ? "it " + nature(joint)
-                                                 : !gripper.empty()             ? gripper
-                                                 : "it is not on the way to " + chain.tip)});
+                    {joint.name,
+                     "left out: " + (joint.kind == JointKind::other ? "it " + nature(joint)
+                                     : !gripper.empty()             ? gripper
+                                                        : "it is not on the way to " + chain.tip)});
         }
         return chain;
     }

@@ -95,8 +95,7 @@ std::array<Real, 4> principal_axis(Matrix4<Real> N) {
         for (std::size_t i = 0; i < 4; ++i) axis[i] = select(larger, axes[i][k], axis[i]);
         largest = select(larger, N[k][k], largest);
     }
-    const Real norm =
-        sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] + axis[3] * axis[3]);
+    const Real norm = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] + axis[3] * axis[3]);
     for (Real& component : axis) component = component / norm;
     return axis;
 }

@@ -50,7 +50,8 @@ Matrix3<Real> rotation_from_zyz(const Vector3<Real>& angles) {
 
 namespace rotation_detail {
 
-/// Cosine and sine of the angle of a point (c, s) at the distance h from the origin; those of 0 at the origin.
+/// Cosine and sine of the angle of a point (c, s) at the distance h from the origin; those of 0 at the
+/// origin.
 template <class Real>
 std::array<Real, 2> direction(const Real& c, const Real& s, const Real& h) {
     using namespace real_functions;

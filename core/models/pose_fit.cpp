@@ -73,7 +73,8 @@ public:
         fit_.redundancy.assign(points_.size(), Eigen::Vector3d::Ones());
         if (points_.size() <= most_tested_points) {
             test();
-            if (squares > 1e-18 * scale) fit_.explanation = explanation_of(rule_.centred, centred(), fit_.rms);
+            if (squares > 1e-18 * scale)
+                fit_.explanation = explanation_of(rule_.centred, centred(), fit_.rms);
         }
         return std::move(fit_);
     }
@@ -110,8 +111,7 @@ private:
         for (std::size_t i = 0; i < 3 * points_.size(); ++i)
             for (const Share& share : inputs_.quantities[first_ + i].shares)
                 F(static_cast<Eigen::Index>(i), columns.at(share.component)) +=
-                    share.factor *
-                    inputs_.components[share.component].distribution.standard_uncertainty();
+                    share.factor * inputs_.components[share.component].distribution.standard_uncertainty();
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const auto row = static_cast<Eigen::Index>(3 * i);
             F.middleRows<3>(row) = (R_.transpose() * F.middleRows<3>(row)).eval();
@@ -119,8 +119,8 @@ private:
         return F;
     }
 
-    /// Chi-square of what the frame cannot take up, with its full covariance: that of the weighted adjustment,
-    /// whatever the weights of the fit.
+    /// Chi-square of what the frame cannot take up, with its full covariance: that of the weighted
+    /// adjustment, whatever the weights of the fit.
     void test() {
         const Eigen::Index n = static_cast<Eigen::Index>(3 * points_.size());
         const Eigen::HouseholderQR<Eigen::MatrixXd> qr(design());
@@ -191,8 +191,7 @@ std::string words_of(const FrameFit& fit, const FrameFit::Explanation& explanati
 }
 
 bool fails(const FrameFit& fit, std::size_t sets) {
-    return fit.degrees_of_freedom > 0 &&
-           fit.probability() < level_of_all_sets / static_cast<double>(sets);
+    return fit.degrees_of_freedom > 0 && fit.probability() < level_of_all_sets / static_cast<double>(sets);
 }
 
 DataTable summary_table(const std::vector<FrameFit>& fits) {
@@ -211,7 +210,7 @@ DataTable summary_table(const std::vector<FrameFit>& fits) {
     for (const FrameFit& fit : fits) {
         const Largest largest = largest_of(fit);
         const bool tested = fit.degrees_of_freedom > 0;
-        std::string remark = !tested                  ? "not tested"
+        std::string remark = !tested                   ? "not tested"
                              : fails(fit, fits.size()) ? "residuals larger than stated"
                                                        : "agrees";
         if (fit.explanation && (!tested || fails(fit, fits.size())))
@@ -224,8 +223,10 @@ DataTable summary_table(const std::vector<FrameFit>& fits) {
                               tested ? TableCell(coordinate_name(fit, largest)) : TableCell(), remark});
     }
     table.notes = {
-        "Chi-square of the residuals with the full covariance of the stated uncertainties; nominal coordinates "
-        "are taken as exact. p is the probability of a larger value if all is as stated; the test has a level of "
+        "Chi-square of the residuals with the full covariance of the stated uncertainties; nominal "
+        "coordinates "
+        "are taken as exact. p is the probability of a larger value if all is as stated; the test has a "
+        "level of "
         "1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than " +
         std::to_string(most_tested_points) + " points."};
     return table;
@@ -261,7 +262,8 @@ DataTable residual_table(const std::vector<FrameFit>& fits) {
         }
     table.notes = {
         "Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| > 3.29 "
-        "(0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its residual."};
+        "(0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its "
+        "residual."};
     return table;
 }
 
@@ -305,8 +307,8 @@ void warn_of_misfits(const std::vector<FrameFit>& fits, Problems& problems) {
             const Largest largest = largest_of(fit);
             text += " within the stated uncertainties: chi-square " + figure(fit.chi_square) + " with " +
                     std::to_string(fit.degrees_of_freedom) +
-                    " degrees of freedom; the largest normalised residual is " +
-                    figure(largest.normalised) + " (" + coordinate_name(fit, largest) + ")";
+                    " degrees of freedom; the largest normalised residual is " + figure(largest.normalised) +
+                    " (" + coordinate_name(fit, largest) + ")";
         }
         if (fit.explanation) text += "; " + words_of(fit, *fit.explanation);
         problems.warning("/measured_points", text);

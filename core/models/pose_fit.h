@@ -1,4 +1,5 @@
-// How well measured points fit the nominal coordinates of a least-squares frame: residuals, redundancy, tests.
+// How well measured points fit the nominal coordinates of a least-squares frame: residuals, redundancy,
+// tests.
 #pragma once
 
 #include <optional>

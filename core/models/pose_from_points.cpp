@@ -83,8 +83,10 @@ std::vector<std::string> pose_notes() {
         "Table 3 use Z-Y-X angles, R = Rz(γ) Ry(β) Rx(α).",
         "b₃ lies at negative y of its frame (Eq 10) and p₃ at positive y of its own (Eq 14); other "
         "arrangements can be chosen.",
-        "Typed uncertainties lie along the axes of the frame that the points define (those of the moving frame "
-        "along the base's on request) and are turned into frame 0; those of an instrument lie along and across "
+        "Typed uncertainties lie along the axes of the frame that the points define (those of the moving "
+        "frame "
+        "along the base's on request) and are turned into frame 0; those of an instrument lie along and "
+        "across "
         "its line of sight.",
         "Measured points of a least-squares frame are tested against their nominal coordinates: residuals, "
         "redundancy, chi-square with the full covariance of the stated uncertainties.",

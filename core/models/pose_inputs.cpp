@@ -56,8 +56,8 @@ private:
     void list_points(const FrameRule& rule, const UncertaintyRule& uncertainty,
                      const std::vector<Eigen::Vector3d>& points, std::size_t pose) {
         const bool along_base = uncertainty.along_base;
-        const Eigen::Matrix3d axes = along_base ? frame_of(setup_.base, setup_.base_points).linear()
-                                                : frame_of(rule, points).linear();
+        const Eigen::Matrix3d axes =
+            along_base ? frame_of(setup_.base, setup_.base_points).linear() : frame_of(rule, points).linear();
         const Side side = pose == 0 ? Side::base : Side::moving;
         for (std::size_t i = 0; i < points.size(); ++i)
             points_.push_back({&rule, &uncertainty, side, i, pose, points[i], axes});

@@ -15,7 +15,8 @@ namespace {
 
 std::string reading_text(const RobotJoint& joint, double reading) {
     char text[32];
-    std::snprintf(text, sizeof text, joint.slides ? "%.4g mm" : "%.4g°", joint.reading_unit().from_si(reading));
+    std::snprintf(text, sizeof text, joint.slides ? "%.4g mm" : "%.4g°",
+                  joint.reading_unit().from_si(reading));
     return text;
 }
 
@@ -68,7 +69,8 @@ private:
         if (pose.q[i] >= joint.low - 1e-9 && pose.q[i] <= joint.high + 1e-9) return;
         problems_.warning(pose.source, "pose " + pose.name + ": reading " + reading_text(joint, pose.q[i]) +
                                            " of joint " + std::to_string(i + 1) + " is beyond its limits, " +
-                                           reading_text(joint, joint.low) + " to " + reading_text(joint, joint.high));
+                                           reading_text(joint, joint.low) + " to " +
+                                           reading_text(joint, joint.high));
     }
 
     void warn_of_singular_angles(const Pose& pose) {
@@ -158,10 +160,9 @@ std::vector<DataTable> pose_evaluation(const PoseSetup& setup) {
     table.columns = {{.header = "pose"}};
     const std::size_t n = setup.robot().joints().size();
     for (std::size_t i = 0; i < n; ++i)
-        table.columns.push_back(
-            {.header = reading_symbol(setup.robot(), i),
-             .unit = setup.robot().joints()[i].reading_unit(),
-             .is_symbol = true});
+        table.columns.push_back({.header = reading_symbol(setup.robot(), i),
+                                 .unit = setup.robot().joints()[i].reading_unit(),
+                                 .is_symbol = true});
     for (const char* axis : {"x", "y", "z"})
         table.columns.push_back({.header = axis, .unit = Unit::of("mm"), .is_symbol = true});
     for (const Pose& pose : setup.poses) {

@@ -1,5 +1,5 @@
-// Least-squares registration against the singular value decomposition of every trial by itself: rails, strips,
-// plates, mirrored points, noise wider than the points.
+// Least-squares registration against the singular value decomposition of every trial by itself: rails,
+// strips, plates, mirrored points, noise wider than the points.
 #include "core/math/registration.h"
 
 #include <gtest/gtest.h>
@@ -20,12 +20,18 @@ struct Case {
     double noise;
 };
 
-const Case cases[] = {{"block", {1, 1, 1}, 5, 1e-3},          {"block, noisy", {1, 1, 1}, 5, 0.3},
-                      {"plate", {1, 0.8, 0}, 6, 1e-3},        {"plate, noisy", {1, 0.8, 0}, 6, 0.2},
-                      {"three points", {1, 1, 0}, 3, 0.01},   {"strip", {1, 0.008, 0}, 40, 1e-3},
-                      {"narrow strip", {1, 0.003, 0}, 40, 3e-3}, {"rail", {3, 0.02, 0}, 12, 5e-4},
-                      {"bar", {1, 0.002, 0.002}, 8, 2e-3},    {"no noise", {1, 0.5, 0.2}, 4, 0.0},
-                      {"thin", {1, 1e-4, 1e-4}, 10, 1e-6},    {"nothing but noise", {1e-3, 1e-3, 1e-3}, 6, 1}};
+const Case cases[] = {{"block", {1, 1, 1}, 5, 1e-3},
+                      {"block, noisy", {1, 1, 1}, 5, 0.3},
+                      {"plate", {1, 0.8, 0}, 6, 1e-3},
+                      {"plate, noisy", {1, 0.8, 0}, 6, 0.2},
+                      {"three points", {1, 1, 0}, 3, 0.01},
+                      {"strip", {1, 0.008, 0}, 40, 1e-3},
+                      {"narrow strip", {1, 0.003, 0}, 40, 3e-3},
+                      {"rail", {3, 0.02, 0}, 12, 5e-4},
+                      {"bar", {1, 0.002, 0.002}, 8, 2e-3},
+                      {"no noise", {1, 0.5, 0.2}, 4, 0.0},
+                      {"thin", {1, 1e-4, 1e-4}, 10, 1e-6},
+                      {"nothing but noise", {1e-3, 1e-3, 1e-3}, 6, 1}};
 
 class Trials {
 public:

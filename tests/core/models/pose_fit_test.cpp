@@ -71,8 +71,7 @@ covaria::Setup measured(const std::array<double, 3>& u, unsigned seed, bool comm
             p[c] += u[k] * (common && c == 2 ? shared[k] : normal(generator));
         }
         p = R * p + Eigen::Vector3d(100, -2000, 800);
-        table.rows.push_back(
-            {std::string("pose 1"), "p" + std::to_string(i + 1), 1.0, p.x(), p.y(), p.z()});
+        table.rows.push_back({std::string("pose 1"), "p" + std::to_string(i + 1), 1.0, p.x(), p.y(), p.z()});
     }
     s.values["measured_points"] = table;
     const char* const keys[] = {"moving_u_x", "moving_u_y", "moving_u_z"};

@@ -101,8 +101,11 @@ TEST(PoseLeastSquares, AgreesWithARegistrationOfEachTrial) {
         std::size_t points;
         double u;
     };
-    const Shape shapes[] = {{{300, 200, 100}, 5, .2}, {{300, 200, 0}, 4, .2},   {{1500, 20, 0}, 12, .5},
-                            {{500, 8, 0}, 40, 1.0},   {{200, 10, 10}, 6, 0.8}};
+    const Shape shapes[] = {{{300, 200, 100}, 5, .2},
+                            {{300, 200, 0}, 4, .2},
+                            {{1500, 20, 0}, 12, .5},
+                            {{500, 8, 0}, 40, 1.0},
+                            {{200, 10, 10}, 6, 0.8}};
     unsigned seed = 11;
     for (const Shape& shape : shapes)
         for (int repeat = 0; repeat < 2; ++repeat) {

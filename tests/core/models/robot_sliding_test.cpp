@@ -24,10 +24,16 @@ std::string project_with(const std::string& poses, const std::string& targets = 
     return std::string(R"({"format": "covaria", "schemaVersion": 1, "title": "", "notes": "", "assets": [)") +
            gantry +
            R"(], "analyses": [{"id": "a", "model": "robot-pose", "name": "a", "setup": {"robot": "gantry")" +
-           (poses.empty() ? "" : R"(, "poses": {"columns": ["name", "s_1 [mm]", "s_2 [mm]", "s_3 [mm]", "q_4 [deg]"],
-           "rows": [)" + poses + "]}") +
-           (targets.empty() ? "" : R"(, "targets": {"columns": ["name", "x [mm]", "y [mm]", "z [mm]", "alpha [deg]",
-           "beta [deg]", "gamma [deg]"], "rows": [)" + targets + "]}") +
+           (poses.empty()
+                ? ""
+                : R"(, "poses": {"columns": ["name", "s_1 [mm]", "s_2 [mm]", "s_3 [mm]", "q_4 [deg]"],
+           "rows": [)" +
+                      poses + "]}") +
+           (targets.empty()
+                ? ""
+                : R"(, "targets": {"columns": ["name", "x [mm]", "y [mm]", "z [mm]", "alpha [deg]",
+           "beta [deg]", "gamma [deg]"], "rows": [)" +
+                      targets + "]}") +
            "}}]}";
 }
 
@@ -61,7 +67,8 @@ TEST(SlidingJoints, ReadingsMoveTheToolAlongTheirAxes) {
         std::vector<double> q = zero;
         q[i] += .25;
         const Eigen::Isometry3d moved = link_frames(made.robot(), q).back();
-        EXPECT_LT((moved.translation() - start.translation() - .25 * frames[i].linear().col(2)).norm(), 1e-14);
+        EXPECT_LT((moved.translation() - start.translation() - .25 * frames[i].linear().col(2)).norm(),
+                  1e-14);
         EXPECT_LT((moved.linear() - start.linear()).norm(), 1e-15);
     }
 }
@@ -93,7 +100,8 @@ TEST(SlidingJoints, TheirUncertaintyIsThatOfTheToolAlongThem) {
 }
 
 TEST(SlidingJoints, InverseKinematicsFindsTheirReadings) {
-    const Made made(project_with("", R"(["t", 700, 300, 250, null, null, null], ["far", 0, 0, 90000, null, null, null])"));
+    const Made made(project_with(
+        "", R"(["t", 700, 300, 250, null, null, null], ["far", 0, 0, 90000, null, null, null])"));
     EXPECT_TRUE(made.complains("pose far: no readings within the limits"));
     EXPECT_FALSE(made.complains("pose t:"));
     const std::vector<double> q{.4, -.3, .6, 1.2};
