@@ -22,6 +22,7 @@ void add_deviation(const PointLocator& locator, const JointDeviation& d,
     UncertaintyComponent component = d.component;
     component.id = locator.instrument_id + "." + d.id + (d.point ? "." + points[*d.point].label : "");
     component.name = locator.instrument_name + ", " + d.name;
+    component.local = d.point.has_value();
     component.origin = locator.instrument_name + " (" + component.origin + ")";
     const std::size_t index = inputs.add(std::move(component));
     if (!d.estimate.empty()) inputs.rest_on_estimate(locator.instrument_id + "." + d.estimate, index);

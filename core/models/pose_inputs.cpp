@@ -20,7 +20,7 @@ struct MeasuredPoint {
     std::size_t index;  ///< in its frame
     std::size_t pose;   ///< counts from 1; 0 is the base
     Eigen::Vector3d p_0;
-    Eigen::Matrix3d axes;  ///< of the frame that it is a point of
+    Eigen::Matrix3d axes;  ///< of its uncertainties: the frame that it is a point of, or the base
 
     const NominalPoint& nominal() const { return rule->points[index]; }
     bool is_world() const {
@@ -55,7 +55,9 @@ public:
 private:
     void list_points(const FrameRule& rule, const UncertaintyRule& uncertainty,
                      const std::vector<Eigen::Vector3d>& points, std::size_t pose) {
-        const Eigen::Matrix3d axes = frame_of(rule, points).linear();
+        const bool along_base = uncertainty.along_base;
+        const Eigen::Matrix3d axes =
+            along_base ? frame_of(setup_.base, setup_.base_points).linear() : frame_of(rule, points).linear();
         const Side side = pose == 0 ? Side::base : Side::moving;
         for (std::size_t i = 0; i < points.size(); ++i)
             points_.push_back({&rule, &uncertainty, side, i, pose, points[i], axes});
@@ -144,6 +146,7 @@ private:
         component.id = id;
         if (!asset_name.empty()) component.origin = asset_name + " (" + component.origin + ")";
         component.contributor = asset_name;
+        component.local = !common;
         if (!common) return inputs_.add(std::move(component));
         const auto [known, is_new] = common_.try_emplace(id, inputs_.components.size());
         if (is_new) inputs_.add(std::move(component));

@@ -99,10 +99,10 @@ private:
         for (std::size_t i = 0; i < pose.q.size(); ++i) {
             std::vector<UncertaintyComponent> components = robot_.reading(i);
             if (components.empty()) continue;
-            const std::string symbol = "q_" + std::to_string(i + 1) + "," + std::to_string(k + 1);
+            const std::string symbol = reading_symbol(robot_, i) + "," + std::to_string(k + 1);
             InputQuantity quantity{.symbol = symbol,
                                    .name = "reading of " + joint_name(i) + ", " + pose.name,
-                                   .unit = Unit::of("deg"),
+                                   .unit = robot_.joints()[i].reading_unit(),
                                    .offset = pose.q[i],
                                    .group = pose.name,
                                    .source = pose.source};

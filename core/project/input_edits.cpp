@@ -120,7 +120,8 @@ private:
         }
     }
 
-    // Takes the quantity's own components out of it, with their correlations; their places stay.
+    // Takes the quantity's own components out of it, with their correlations; their places stay. Components
+    // of its point go too, and stay in the other coordinates.
     std::vector<std::size_t> give_up_own() {
         std::vector<std::size_t> places;
         for (const Share& share : quantity_.shares)
@@ -128,7 +129,9 @@ private:
         const auto given_up = [&](std::size_t component) {
             return std::find(places.begin(), places.end(), component) != places.end();
         };
-        std::erase_if(quantity_.shares, [&](const Share& share) { return given_up(share.component); });
+        std::erase_if(quantity_.shares, [&](const Share& share) {
+            return given_up(share.component) || inputs_.components[share.component].local;
+        });
         std::erase_if(inputs_.correlations, [&](const ComponentCorrelation& correlation) {
             return given_up(correlation.first) || given_up(correlation.second);
         });

@@ -10,7 +10,8 @@ namespace covaria {
 /// The model's inputs with the analysis' edits and correlations. Problems have paths relative to the analysis
 /// ("/inputs/0/estimate"). The indices of the model's own components stay, so their random draws do too:
 /// replaced components take the places of those they replace ("b_1x.edit1", "b_1x.edit2" ...), and more are
-/// appended.
+/// appended. Components of one point (`local`) are replaced in the edited coordinate and stay in the others;
+/// those that a quantity shares with other points or quantities stay.
 ///
 /// Components are deviations from the estimate: their parameters are converted without the offset of degC.
 /// After all edits of a quantity its estimate is the edited one, whatever the means of its components. A held

@@ -42,6 +42,9 @@ struct UncertaintyComponent {
     /// Who brings it in, for results with all of a contributor held: the name of an asset, "" = the set-up.
     std::string contributor = {};
     std::vector<GroupTag> tags = {};  ///< beside those of its quantities
+    /// Of one point, whose coordinates share it only because they do not lie along its direction: an edit of
+    /// one of them takes its place there.
+    bool local = false;
 };
 
 struct Share {
