@@ -12,6 +12,7 @@
 #include "core/propagation/monte_carlo.h"
 #include "core/propagation/second_order.h"
 #include "core/propagation/sobol.h"
+#include "core/propagation/take_trials.h"
 #include "core/propagation/validation.h"
 
 namespace covaria::detail {
@@ -180,10 +181,8 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
         output.first_order.validation =
             validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
                           output.quantity.unit, options_.significant_digits);
-        output.estimate = outputs[j].mean;
-        output.standard_uncertainty = outputs[j].standard_uncertainty;
-        output.expanded_uncertainty = output.coverage_factor * output.standard_uncertainty;
-        output.monte_carlo = std::move(outputs[j]);
+        const double nu = smallest_degrees_of_freedom(inputs_, law_, j, output.quantity);
+        take_trials(output, std::move(outputs[j]), nu, result_);
     }
 }
 
@@ -208,9 +207,10 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
             "the tails in memory.");
     for (const UncertaintyComponent& c : inputs_.components)
         if (!c.held && !std::isfinite(c.distribution.standard_deviation()))
-            warnings.push_back("The distribution of " + c.id +
-                               " has no finite standard deviation: Monte Carlo standard uncertainties that "
-                               "depend on it are not meaningful; use the coverage intervals.");
+            warnings.push_back(
+                "The distribution of " + c.id +
+                " has no finite standard deviation: standard uncertainties by Monte Carlo that "
+                "depend on it are infinite; U is half the width of the coverage interval.");
     for (const OutputResult& output : result_.outputs)
         if (output.quantity.periodic && output.standard_uncertainty > 1.0 &&
             output.first_order.standard_uncertainty <= 1.0)
