@@ -36,7 +36,8 @@ Result<void> write_results(const std::filesystem::path& folder, const Project& p
         !written)
         return written;
     for (const EvaluatedAnalysis& evaluated : analyses)
-        if (auto written = write_tables(folder, evaluated.analysis->id + "-", result_tables(evaluated));
+        if (auto written =
+                write_tables(folder, evaluated.analysis->id + "-", result_tables(project, evaluated));
             !written)
             return written;
     return write_tables(folder, "", asset_tables(assets));

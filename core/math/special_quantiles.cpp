@@ -39,6 +39,13 @@ double t_quantile(double p, double nu) {
     return boost::math::quantile(boost::math::students_t_distribution<double, Quiet>(nu), p);
 }
 
+double t_distribution_function(double t, double nu) {
+    if (!(nu > 0.0) || std::isnan(t)) return nan_value;
+    if (std::isinf(t)) return t > 0.0 ? 1.0 : 0.0;
+    if (nu > 1e15) return normal_distribution_function(t);
+    return boost::math::cdf(boost::math::students_t_distribution<double, Quiet>(nu), t);
+}
+
 double chi_squared_quantile(double p, double dof) {
     if (!is_probability(p) || !(dof > 0.0) || std::isinf(dof)) return nan_value;
     return boost::math::quantile(boost::math::chi_squared_distribution<double, Quiet>(dof), p);

@@ -8,6 +8,9 @@ namespace covaria {
 
 /// t_p(nu) for 0 < p < 1; `nu` may be infinite (the normal distribution). NaN unless 0 < p < 1 and nu > 0.
 double t_quantile(double p, double nu);
+/// Distribution function of Student's t; `nu` may be infinite. To full relative precision in the lower tail.
+/// NaN unless nu > 0.
+double t_distribution_function(double t, double nu);
 /// Quantile of chi-squared with `dof` degrees of freedom. NaN unless 0 < p < 1 and 0 < dof < infinity.
 double chi_squared_quantile(double p, double dof);
 /// Quantile of F; `nu2` may be infinite (chi-squared over nu1). NaN unless 0 < p < 1 and both are positive.

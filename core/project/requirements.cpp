@@ -75,6 +75,20 @@ private:
 
 }  // namespace
 
+std::vector<RequirementResult> judge(const UncertaintyResult& result, const AnalysisEntry& entry) {
+    std::vector<OutputQuantity> outputs;
+    for (const OutputResult& output : result.outputs) outputs.push_back(output.quantity);
+    std::vector<OutputRequirement> readable;
+    for (const Requirement& typed : entry.requirements) {
+        AnalysisEntry one;
+        one.requirements = {typed};
+        Problems problems;
+        const auto read = read_requirements(one, outputs, problems);
+        if (!problems.has_errors()) readable.insert(readable.end(), read.begin(), read.end());
+    }
+    return judge(result, readable);
+}
+
 std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
                                                  const std::vector<OutputQuantity>& outputs,
                                                  Problems& problems) {

@@ -9,6 +9,10 @@
 
 namespace covaria {
 
+/// The verdicts on a result of the analysis by its requirements as they are now. What cannot be read is left
+/// out: it is a problem of the project.
+std::vector<RequirementResult> judge(const UncertaintyResult& result, const AnalysisEntry& entry);
+
 /// Problems: paths relative to the analysis ("/requirements/0/targetUncertainty").
 std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
                                                  const std::vector<OutputQuantity>& outputs,

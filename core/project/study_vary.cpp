@@ -3,6 +3,7 @@
 
 #include "core/project/registered.h"
 #include "core/project/study_target.h"
+#include "core/propagation/reverse_budget.h"
 
 namespace covaria {
 
@@ -43,12 +44,6 @@ void vary_table(const StudyTarget& target, const StudyAxis& axis, double value, 
     }
 }
 
-// Scales a share and keeps the estimate where it was.
-void scale(InputSet& inputs, InputQuantity& quantity, Share& share, double factor) {
-    quantity.offset += (1.0 - factor) * share.factor * inputs.components[share.component].distribution.mean();
-    share.factor *= factor;
-}
-
 }  // namespace
 
 std::vector<double> axis_values(const StudyAxis& axis, bool whole_numbers) {
@@ -85,14 +80,12 @@ void vary_setup(const StudyTarget& target, const StudyAxis& axis, double value, 
 
 void vary_inputs(const StudyTarget& target, const StudyAxis& axis, double value, InputSet& inputs) {
     if (target.kind == StudyTarget::Kind::component) {
-        for (InputQuantity& quantity : inputs.quantities)
-            for (Share& share : quantity.shares)
-                if (share.component == target.index) scale(inputs, quantity, share, value);
+        scale_component(inputs, target.index, value);
         return;
     }
     InputQuantity& quantity = inputs.quantities[target.index];
     if (target.kind == StudyTarget::Kind::components) {
-        for (Share& share : quantity.shares) scale(inputs, quantity, share, value);
+        for (Share& share : quantity.shares) scale_share(inputs, quantity, share, value);
         return;
     }
     const double before = estimate_of(inputs, target.index);

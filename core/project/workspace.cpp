@@ -164,7 +164,7 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
     if (!made.model) return nullptr;
     prepared->model = std::move(made.model);
     prepared->inputs = std::move(made.inputs);
-    prepared->requirements = read_requirements(entry, prepared->model->outputs(), problems);
+    read_requirements(entry, prepared->model->outputs(), problems);
     if (problems.has_errors()) return nullptr;
     prepared->forecast = forecast_trials(*prepared->model, prepared->inputs, entry.options, problems);
     prepared->id = entry.id;
@@ -261,9 +261,6 @@ void check_project(const Project& project, Problems& problems) {
 Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control) {
     auto result = evaluate(*analysis.model, analysis.inputs, analysis.options, control);
     if (!result) return result;
-    auto requirements = check_requirements(*analysis.model, *result, analysis.requirements, control);
-    if (!requirements) return fail(requirements.error());
-    result->requirements = std::move(*requirements);
     result->provenance.project_fingerprint = analysis.fingerprint;
     result->provenance.covaria_version = COVARIA_VERSION;
     result->provenance.seed = analysis.options.seed;

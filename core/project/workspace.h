@@ -11,7 +11,7 @@
 #include "core/model/asset.h"
 #include "core/model/model_descriptor.h"
 #include "core/project/project.h"
-#include "core/propagation/requirements.h"
+#include "core/propagation/options.h"
 #include "core/result/uncertainty_result.h"
 
 namespace covaria {
@@ -25,7 +25,6 @@ struct PreparedAnalysis {
     std::shared_ptr<const MeasurementModel> model;
     InputSet inputs;  ///< the model's, with the analysis' edits and correlations applied
     EvaluationOptions options;
-    std::vector<OutputRequirement> requirements = {};
     std::string fingerprint;  ///< of everything that influences this analysis' numbers (its assets included)
     std::string forecast = {};  ///< how many trials an adaptive run needs, in words; empty for other methods
 };

@@ -13,6 +13,7 @@
 #include "core/propagation/monte_carlo.h"
 #include "core/propagation/second_order.h"
 #include "core/propagation/sobol.h"
+#include "core/propagation/take_trials.h"
 #include "core/propagation/validation.h"
 
 namespace covaria::detail {
@@ -192,10 +193,8 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
         output.first_order.validation =
             validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
                           output.quantity.unit, options_.significant_digits);
-        output.estimate = outputs[j].mean;
-        output.standard_uncertainty = outputs[j].standard_uncertainty;
-        output.expanded_uncertainty = output.coverage_factor * output.standard_uncertainty;
-        output.monte_carlo = std::move(outputs[j]);
+        const double nu = smallest_degrees_of_freedom(inputs_, law_, j, output.quantity);
+        take_trials(output, std::move(outputs[j]), nu, result_);
     }
 }
 

@@ -6,27 +6,10 @@
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/evaluation.h"
 #include "core/quantity/isotropic_vector.h"
+#include "core/result/result_line.h"
 
 namespace covaria::detail {
 namespace {
-
-OutputResult output_result(const OutputQuantity& quantity, const LawOfPropagation& law, Eigen::Index j,
-                           const EvaluationOptions& options) {
-    OutputResult output;
-    output.quantity = quantity;
-    FirstOrderOutput& first = output.first_order;
-    first.estimate = law.estimate(j);
-    first.standard_uncertainty = law.uncertainty(j);
-    first.effective_degrees_of_freedom = law.degrees_of_freedom(j);
-    first.coverage_factor = options.coverage_factor.value_or(
-        coverage_factor_of(options.coverage_probability, first.effective_degrees_of_freedom));
-    first.expanded_uncertainty = first.coverage_factor * first.standard_uncertainty;
-    output.estimate = first.estimate;
-    output.standard_uncertainty = first.standard_uncertainty;
-    output.coverage_factor = first.coverage_factor;
-    output.expanded_uncertainty = first.expanded_uncertainty;
-    return output;
-}
 
 std::string label(const OutputQuantity& quantity) {
     return quantity.group.empty() ? quantity.symbol : quantity.symbol + " (" + quantity.group + ")";
@@ -66,16 +49,34 @@ void warn(const LawOfPropagation& law, UncertaintyResult& result) {
 
 }  // namespace
 
+OutputResult output_result(const OutputQuantity& quantity, const LawOfPropagation& law, Eigen::Index j,
+                           const EvaluationOptions& options) {
+    OutputResult output;
+    output.quantity = quantity;
+    FirstOrderOutput& first = output.first_order;
+    first.estimate = law.estimate(j);
+    first.standard_uncertainty = law.uncertainty(j);
+    first.effective_degrees_of_freedom = law.degrees_of_freedom(j);
+    first.coverage_factor = options.coverage_factor.value_or(
+        coverage_factor_of(options.coverage_probability, first.effective_degrees_of_freedom));
+    first.expanded_uncertainty = first.coverage_factor * first.standard_uncertainty;
+    output.estimate = first.estimate;
+    output.standard_uncertainty = first.standard_uncertainty;
+    return output;
+}
+
 Result<UncertaintyResult> first_order_result(const MeasurementModel& model, const InputSet& inputs,
                                              const EvaluationOptions& options, const LawOfPropagation& law) {
     UncertaintyResult result;
     result.inputs = inputs;
     result.coverage_probability = options.coverage_probability;
+    result.fixed_coverage_factor = options.coverage_factor;
     result.provenance.covaria_version = COVARIA_VERSION;
     result.provenance.seed = options.seed;
     for (Eigen::Index j = 0; j < law.estimate.size(); ++j)
         result.outputs.push_back(
             output_result(model.outputs()[static_cast<std::size_t>(j)], law, j, options));
+    for (OutputResult& output : result.outputs) state_expanded_uncertainty(output, result);
     result.covariance_first_order = result.covariance = law.covariance;
     result.budget = budget_of(inputs, law);
     result.regions = declare_regions(model.outputs(), options.coverage_probability);

@@ -10,16 +10,10 @@
 namespace covaria::detail {
 namespace {
 
-/// Thresholds that keep (almost) every value, for outputs whose tails proved too short.
+/// For outputs whose tails proved too short.
 Pilot widened(const Pilot& pilot, const std::vector<std::size_t>& outputs) {
     Pilot wide;
-    for (std::size_t j : outputs) {
-        OutputPilot p = pilot.outputs[j];
-        const double scale = std::max(p.maximum - p.minimum, std::abs(p.median) * 1e-12);
-        p.low = {p.maximum, scale};
-        p.high = {p.minimum, scale};
-        wide.outputs.push_back(p);
-    }
+    for (std::size_t j : outputs) wide.outputs.push_back(widened(pilot.outputs[j]));
     return wide;
 }
 

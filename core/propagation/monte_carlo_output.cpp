@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/propagation/kept_distribution.h"
 #include "core/propagation/monte_carlo.h"
 #include "core/propagation/normality.h"
 #include "core/propagation/parallel_blocks.h"
@@ -33,6 +34,7 @@ MonteCarloOutput output_of(MonteCarloRun& run, std::size_t j, double probability
     output.maximum = tails.high.value(1);
     output.histogram = histogram_of(run.pilot.outputs[j].grid, run.cells[j]);
     output.quantiles = quantile_list(run.pilot.outputs[j].grid, run.cells[j], tails, quantile_count);
+    output.distribution = kept_distribution(run.pilot.outputs[j], run.cells[j], tails);
     output.normality = normality_of(output, n, probability);
     return output;
 }

@@ -55,6 +55,19 @@ CellGrid grid_of(const std::vector<double>& sorted) {
     return grid;
 }
 
+std::vector<RepeatedValue> repeated_values(const std::vector<double>& sorted) {
+    std::vector<RepeatedValue> repeated;
+    for (auto from = sorted.begin(); from != sorted.end();) {
+        const auto to = std::upper_bound(from, sorted.end(), *from);
+        if (to - from > 1)
+            repeated.push_back({*from, static_cast<double>(to - from) / static_cast<double>(sorted.size())});
+        from = to;
+    }
+    return repeated;
+}
+
+}  // namespace
+
 OutputPilot look_at(std::vector<double>& values, double tail_fraction) {
     std::sort(values.begin(), values.end());
     OutputPilot pilot;
@@ -62,6 +75,7 @@ OutputPilot look_at(std::vector<double>& values, double tail_fraction) {
     pilot.minimum = values.front();
     pilot.maximum = values.back();
     pilot.grid = grid_of(values);
+    pilot.repeated = repeated_values(values);
     const auto rank = static_cast<std::size_t>(tail_fraction * static_cast<double>(values.size()));
     if (rank >= values.size()) {
         pilot.low = {infinity, 0.0};
@@ -75,7 +89,19 @@ OutputPilot look_at(std::vector<double>& values, double tail_fraction) {
     return pilot;
 }
 
-}  // namespace
+OutputPilot widened(const OutputPilot& pilot) {
+    OutputPilot wide = pilot;
+    const double scale = std::max(pilot.maximum - pilot.minimum, std::abs(pilot.median) * 1e-12);
+    wide.low = {pilot.maximum, scale};
+    wide.high = {pilot.minimum, scale};
+    return wide;
+}
+
+double tail_fraction_of(std::size_t values, double probability, double margin) {
+    const double f = 1.0 - probability;
+    const auto n = static_cast<double>(values);
+    return std::clamp(f + margin * (std::sqrt(f * (1 - f) / n) + 1 / n), 0.0, 1.0);
+}
 
 Eigen::VectorXd Pilot::shift() const {
     Eigen::VectorXd shift(static_cast<Eigen::Index>(outputs.size()));
@@ -97,12 +123,8 @@ Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit) {
                     "none of the trials has a value: the measurement model cannot be evaluated within the "
                     "uncertainties of its inputs; check the standard uncertainties and the geometry");
     Pilot pilot;
-    if (n >= enough_values) {
-        const double f = 1.0 - context.probability;
-        const auto m = static_cast<double>(n);
-        pilot.tail_fraction =
-            std::clamp(f + context.settings.tail_margin * (std::sqrt(f * (1 - f) / m) + 1 / m), 0.0, 1.0);
-    }
+    if (n >= enough_values)
+        pilot.tail_fraction = tail_fraction_of(n, context.probability, context.settings.tail_margin);
     for (auto& column : columns) pilot.outputs.push_back(look_at(column, pilot.tail_fraction));
     return pilot;
 }

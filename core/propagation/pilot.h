@@ -12,6 +12,12 @@
 
 namespace covaria::detail {
 
+/// A value that recurs: the output has a discrete part.
+struct RepeatedValue {
+    double value = 0.0;
+    double share = 0.0;  ///< of the pilot's trials
+};
+
 /// Of one output. Decides about memory and speed, never about a result: what is kept by these thresholds is
 /// checked afterwards, and kept again if it was too little.
 struct OutputPilot {
@@ -21,7 +27,15 @@ struct OutputPilot {
     double maximum = 0.0;
     TailShape low, high;
     CellGrid grid;
+    std::vector<RepeatedValue> repeated;  ///< rising
 };
+
+/// Of these values, which are sorted; `tail_fraction` of them in each tail.
+OutputPilot look_at(std::vector<double>& values, double tail_fraction);
+/// With thresholds that keep (almost) every value, where tails proved too short.
+OutputPilot widened(const OutputPilot& pilot);
+/// 1 - probability, and `margin` standard errors from so many values more.
+double tail_fraction_of(std::size_t values, double probability, double margin);
 
 struct Pilot {
     std::vector<OutputPilot> outputs;

@@ -3,41 +3,60 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "core/math/normal_quantile.h"
-#include "core/propagation/evaluation.h"
-#include "core/propagation/parallel_blocks.h"
-#include "core/propagation/trial_block_runner.h"
+#include "core/math/special_quantiles.h"
 
 namespace covaria {
 
 namespace {
 
-using detail::block_trials;
-
-constexpr std::uint64_t most_trials = 1'000'000;
 constexpr int pieces = 400;  ///< of an interval of integration
 
-bool has_limits(const OutputRequirement& r) {
-    return r.lower_limit || r.upper_limit;
-}
+using Distribution = RequirementResult::Distribution;
+using Decision = RequirementResult::Decision;
 
 ToleranceLimits limits_of(const OutputRequirement& r, double guard_band) {
-    ToleranceLimits limits;
-    limits.lower = r.lower_limit.value_or(-infinity);
-    limits.upper = r.upper_limit.value_or(infinity);
-    limits.accept_lower = limits.lower + guard_band;
-    limits.accept_upper = limits.upper - guard_band;
+    const double lower = r.lower_limit.value_or(-infinity), upper = r.upper_limit.value_or(infinity);
+    return {lower, upper, lower + guard_band, upper - guard_band};
+}
+
+/// F((high - x)/u) - F((low - x)/u) of Student's t, normal for infinite nu; a step where u is zero.
+double probability_inside(double x, double u, double nu, double low, double high) {
+    if (!(u > 0.0)) return x >= low && x <= high ? 1.0 : 0.0;
+    const double below = t_distribution_function((low - x) / u, nu);
+    const double above = t_distribution_function((x - high) / u, nu);
+    return std::clamp(1.0 - below - above, 0.0, 1.0);
+}
+
+/// Of the distribution that the result line states.
+double probability_inside(const OutputResult& output, double low, double high) {
+    if (output.monte_carlo) return output.monte_carlo->distribution.inside(low, high);
+    return probability_inside(output.estimate, output.standard_uncertainty,
+                              output.first_order.effective_degrees_of_freedom, low, high);
+}
+
+/// An angle is the same after a full turn: two limits are moved by whole turns to where the estimate is.
+ToleranceLimits at_branch_of(const OutputResult& output, ToleranceLimits limits) {
+    const double turn = 2.0 * std::numbers::pi;
+    const double middle = 0.5 * (limits.lower + limits.upper);
+    if (!output.quantity.periodic || !std::isfinite(middle)) return limits;
+    const double moved = turn * std::round((output.estimate - middle) / turn);
+    for (double* limit : {&limits.lower, &limits.upper, &limits.accept_lower, &limits.accept_upper})
+        *limit += moved;
     return limits;
 }
 
-/// Phi((high - x)/u) - Phi((low - x)/u); a step where u is zero.
-double probability_inside(double x, double u, double low, double high) {
-    if (!(u > 0.0)) return x >= low && x <= high ? 1.0 : 0.0;
-    const auto below = [&](double limit) {
-        return std::isinf(limit) ? (limit > 0.0 ? 1.0 : 0.0) : normal_distribution_function((limit - x) / u);
-    };
-    return std::max(0.0, below(high) - below(low));
+/// With the neighbouring turns, where an angle has both limits.
+double conformance(const OutputResult& output, const ToleranceLimits& limits) {
+    double p = probability_inside(output, limits.lower, limits.upper);
+    const double width = limits.upper - limits.lower, turn = 2.0 * std::numbers::pi;
+    if (!output.quantity.periodic || !std::isfinite(width)) return p;
+    if (width >= turn) return 1.0;
+    for (const double by : {-turn, turn})
+        p += probability_inside(output, limits.lower + by, limits.upper + by);
+    return std::min(p, 1.0);
 }
 
 /// Gauss' rule of two points in equal pieces: the ends, where a decision changes, are not asked for.
@@ -51,114 +70,45 @@ double integral(const std::function<double(double)>& f, double from, double to) 
     return sum * half;
 }
 
-/// Trials inside the tolerance of each requirement, over all valid ones.
-class InsideCount {
-public:
-    InsideCount(const std::vector<OutputRequirement>& requirements)
-        : requirements_(requirements), inside_(requirements.size(), 0) {}
-
-    void add(const detail::TrialBlockRunner& runner) {
-        valid_ += runner.valid();
-        for (std::size_t r = 0; r < requirements_.size(); ++r) {
-            const double low = requirements_[r].lower_limit.value_or(-infinity);
-            const double high = requirements_[r].upper_limit.value_or(infinity);
-            const double* y = runner.output(requirements_[r].output);
-            for (std::size_t t = 0; t < runner.valid(); ++t)
-                inside_[r] += y[t] >= low && y[t] <= high ? 1 : 0;
-        }
-    }
-    void merge(const InsideCount& other) {
-        valid_ += other.valid_;
-        for (std::size_t r = 0; r < inside_.size(); ++r) inside_[r] += other.inside_[r];
-    }
-    double share(std::size_t r) const {
-        return valid_ == 0 ? 0.0 : static_cast<double>(inside_[r]) / static_cast<double>(valid_);
-    }
-
-private:
-    const std::vector<OutputRequirement>& requirements_;
-    std::uint64_t valid_ = 0;
-    std::vector<std::uint64_t> inside_;
-};
-
-Result<InsideCount> count_inside(const MeasurementModel& model, const UncertaintyResult& result,
-                                 const std::vector<OutputRequirement>& requirements,
-                                 const RunControl& control) {
-    using namespace detail;
-    const auto correlations = checked_correlations(model, result.inputs);
-    if (!correlations) return fail(correlations.error());
-    const auto law = law_of_propagation(model, result.inputs, *correlations);
-    if (!law) return fail(law.error());
-    const DrawPlan plan(result.inputs, *correlations);
-    const TrialSource source{&model, &plan, result.provenance.seed, law->estimate};
-    const std::uint64_t trials = std::min(result.trials, most_trials);
-    const std::uint64_t units = (trials + unit_trials - 1) / unit_trials;
-    std::vector<InsideCount> counts(units, InsideCount(requirements));
-    const RunControl quiet{control.stop, {}, control.threads};
-    RunMonitor monitor(quiet, 0);
-    const WorkEnd end = run_each(units, monitor, [&](std::uint64_t unit) {
-        TrialBlockRunner runner(source);
-        const std::uint64_t last = std::min((unit + 1) * unit_trials, trials);
-        for (std::uint64_t first = unit * unit_trials; first < last; first += block_trials) {
-            runner.run(first, static_cast<std::size_t>(std::min<std::uint64_t>(block_trials, last - first)));
-            counts[unit].add(runner);
-        }
-    });
-    if (end == WorkEnd::cancelled) return fail(ErrorCode::cancelled, "the evaluation was stopped");
-    InsideCount all(requirements);
-    for (const InsideCount& count : counts) all.merge(count);
-    return all;
+Distribution distribution_of(const OutputResult& output) {
+    if (output.monte_carlo) return Distribution::trials;
+    return std::isfinite(output.first_order.effective_degrees_of_freedom) ? Distribution::student_t
+                                                                          : Distribution::normal;
 }
 
-void judge_target(RequirementResult& made, const OutputRequirement& r, const UncertaintyResult& result) {
-    if (!r.target_uncertainty) return;
-    const OutputResult& output = result.outputs[r.output];
-    made.target_uncertainty = r.target_uncertainty;
-    made.meets_target = output.expanded_uncertainty <= *r.target_uncertainty;
-    if (made.meets_target || !(output.expanded_uncertainty > 0.0)) return;
-    // The law of propagation says by which part u has to fall.
-    const double part = *r.target_uncertainty / output.expanded_uncertainty;
-    made.reductions = reductions(result, r.output, part * output.first_order.standard_uncertainty);
-}
-
-void judge_conformity(RequirementResult& made, const OutputRequirement& r, const UncertaintyResult& result) {
-    if (!has_limits(r)) return;
-    const OutputResult& output = result.outputs[r.output];
+void judge_conformity(RequirementResult& made, const OutputRequirement& r, const OutputResult& output) {
     const double y = output.estimate, u = output.standard_uncertainty;
     made.lower_limit = r.lower_limit;
     made.upper_limit = r.upper_limit;
     made.guard_band = r.guard_factor * output.expanded_uncertainty;
-    const ToleranceLimits limits = limits_of(r, made.guard_band);
-    made.decision = y >= limits.accept_lower && y <= limits.accept_upper
-                        ? RequirementResult::Decision::accept
-                        : RequirementResult::Decision::reject;
-    made.conformance_normal = probability_inside(y, u, limits.lower, limits.upper);
+    const ToleranceLimits stated = limits_of(r, made.guard_band), limits = at_branch_of(output, stated);
+    made.decision =
+        y >= limits.accept_lower && y <= limits.accept_upper ? Decision::accept : Decision::reject;
+    made.conformance = conformance(output, limits);
+    made.conformance_by = distribution_of(output);
     if (r.lower_limit && r.upper_limit && u > 0.0)
         made.capability_index = (*r.upper_limit - *r.lower_limit) / (4.0 * u);
-    if (r.prior_mean && r.prior_standard_deviation)
-        made.global_risks = global_risks(limits, *r.prior_mean, *r.prior_standard_deviation, u);
+    if (r.prior_mean && r.prior_standard_deviation && std::isfinite(u))
+        made.global_risks = global_risks(stated, *r.prior_mean, *r.prior_standard_deviation, u);
 }
 
 }  // namespace
 
-std::vector<RequirementResult::Reduction> reductions(const UncertaintyResult& result, std::size_t output,
-                                                     double wanted) {
-    const double variance = std::pow(result.outputs[output].first_order.standard_uncertainty, 2);
-    std::vector<RequirementResult::Reduction> found;
-    for (const BudgetRow& row : result.budget.rows[output]) {
-        const BudgetComponent& component = result.budget.components[row.component];
-        if (!(row.contribution > 0.0) || component.held) continue;
-        // With its u times s: u^2(y) = rest + 2 mixed s + own s^2, where mixed comes from its correlations.
-        const double own = row.contribution * row.contribution;
-        const double mixed = row.share * variance - own;
-        const double rest = variance - own - 2.0 * mixed;
-        const double inside = mixed * mixed - own * (rest - wanted * wanted);
-        RequirementResult::Reduction reduction{row.component, component.standard_uncertainty, std::nullopt};
-        const double s = inside >= 0.0 ? (-mixed + std::sqrt(inside)) / own : -1.0;
-        if (s >= 0.0 && s < 1.0) reduction.needed = s * component.standard_uncertainty;
-        found.push_back(reduction);
-    }
-    return found;
+RequirementResult judge(const UncertaintyResult& result, const OutputRequirement& requirement) {
+    const OutputResult& output = result.outputs[requirement.output];
+    RequirementResult made{requirement.output};
+    made.target_uncertainty = requirement.target_uncertainty;
+    if (requirement.target_uncertainty)
+        made.meets_target = output.expanded_uncertainty <= *requirement.target_uncertainty;
+    if (requirement.lower_limit || requirement.upper_limit) judge_conformity(made, requirement, output);
+    return made;
+}
+
+std::vector<RequirementResult> judge(const UncertaintyResult& result,
+                                     const std::vector<OutputRequirement>& requirements) {
+    std::vector<RequirementResult> all;
+    for (const OutputRequirement& r : requirements) all.push_back(judge(result, r));
+    return all;
 }
 
 RequirementResult::GlobalRisks global_risks(const ToleranceLimits& limits, double prior_mean,
@@ -176,7 +126,7 @@ RequirementResult::GlobalRisks global_risks(const ToleranceLimits& limits, doubl
         return normal_density((x - prior_mean) / prior_standard_deviation) / prior_standard_deviation;
     };
     const auto accepted = [&](double x) {
-        return probability_inside(x, u, limits.accept_lower, limits.accept_upper);
+        return probability_inside(x, u, infinity, limits.accept_lower, limits.accept_upper);
     };
     RequirementResult::GlobalRisks risks;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -189,25 +139,6 @@ RequirementResult::GlobalRisks global_risks(const ToleranceLimits& limits, doubl
                 integral([&](double x) { return density(x) * accepted(x); }, points[i], points[i + 1]);
     }
     return risks;
-}
-
-Result<std::vector<RequirementResult>> check_requirements(const MeasurementModel& model,
-                                                          const UncertaintyResult& result,
-                                                          const std::vector<OutputRequirement>& requirements,
-                                                          const RunControl& control) {
-    std::vector<RequirementResult> all;
-    for (const OutputRequirement& r : requirements) {
-        RequirementResult made{r.output};
-        judge_target(made, r, result);
-        judge_conformity(made, r, result);
-        all.push_back(std::move(made));
-    }
-    if (result.trials == 0 || std::none_of(requirements.begin(), requirements.end(), has_limits)) return all;
-    const auto counts = count_inside(model, result, requirements, control);
-    if (!counts) return fail(counts.error());
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (has_limits(requirements[i])) all[i].conformance_monte_carlo = counts->share(i);
-    return all;
 }
 
 }  // namespace covaria

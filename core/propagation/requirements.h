@@ -1,13 +1,9 @@
-// Results against requirements: target uncertainty and what it takes, conformity with a tolerance (JCGM 106,
-// ISO 14253-1).
+// Results against requirements: target uncertainty, conformity with a tolerance (JCGM 106, ISO 14253-1).
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "core/base/error.h"
-#include "core/base/run_control.h"
-#include "core/model/measurement_model.h"
 #include "core/result/uncertainty_result.h"
 
 namespace covaria {
@@ -21,17 +17,11 @@ struct OutputRequirement {
     std::optional<double> prior_mean = {}, prior_standard_deviation = {};
 };
 
-/// `result` is that of `model` with its inputs. Where Monte Carlo ran, the probability of conformance is also
-/// counted in its first (at most 10^6) trials, made again. Error: cancelled, numeric.
-Result<std::vector<RequirementResult>> check_requirements(const MeasurementModel& model,
-                                                          const UncertaintyResult& result,
-                                                          const std::vector<OutputRequirement>& requirements,
-                                                          const RunControl& control = {});
-
-/// What the standard uncertainty of each component, alone, must become so that u(y) does not exceed
-/// `wanted`, by the law of propagation with its correlations: the largest such u, below that of now.
-std::vector<RequirementResult::Reduction> reductions(const UncertaintyResult& result, std::size_t output,
-                                                     double wanted);
+/// The verdict is a function of the result and the requirement, and is kept nowhere: a changed requirement is
+/// judged at once, without another run. What it takes to meet a target is in reverse_budget.h.
+RequirementResult judge(const UncertaintyResult& result, const OutputRequirement& requirement);
+std::vector<RequirementResult> judge(const UncertaintyResult& result,
+                                     const std::vector<OutputRequirement>& requirements);
 
 /// Tolerance and acceptance limits; infinite where there is none.
 struct ToleranceLimits {

@@ -1,5 +1,5 @@
-// The essentials of an evaluation - estimates, uncertainties, covariance of some outputs - without budget,
-// intervals and regions: for evaluations by the thousand (studies).
+// The essentials of an evaluation - estimates, uncertainties, covariance of some outputs - without budget
+// and regions: for evaluations by the thousand (studies).
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +16,8 @@ namespace covaria {
 struct EvaluationSummary {
     Eigen::VectorXd estimate;
     Eigen::VectorXd standard_uncertainty;
-    Eigen::VectorXd coverage_factor;  ///< of the law of propagation, or the fixed one: U = k u
-    Eigen::MatrixXd covariance;       ///< of the chosen outputs
+    Eigen::VectorXd expanded_uncertainty;  ///< as on the result line: see core/result/result_line.h
+    Eigen::MatrixXd covariance;            ///< of the chosen outputs
     std::uint64_t failed_trials = 0;
 };
 

@@ -11,7 +11,9 @@
 namespace covaria {
 namespace {
 
-constexpr int unmatched_digits = 7;  // of a value without an uncertainty to match
+constexpr int unmatched_digits = 7;  // of a computed value without an uncertainty to match
+constexpr int most_typed_digits = 13;
+constexpr double conversion_error = 6e-16;  // relative, of a unit and back
 
 std::string fixed(double value, int decimals) {
     std::array<char, 400> text{};
@@ -41,6 +43,15 @@ int rounded_exponent(double value, int digits) {
 std::string without_negative_zero(std::string text) {
     const bool zero = text.find_first_of("123456789") == std::string::npos;
     return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+/// With few digits, up to the rounding of a conversion of units.
+bool is_typed(double value) {
+    if (!std::isfinite(value) || value == 0.0) return true;
+    const std::string text = scientific(value, most_typed_digits - 1);
+    double kept = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), kept);
+    return std::abs(kept - value) <= conversion_error * std::abs(value);
 }
 
 std::string without_trailing_zeros(std::string text) {
@@ -87,14 +98,26 @@ std::string format_to_match(double value, double uncertainty, int digits) {
     return format_decimals(value, decimals);
 }
 
+std::string format_typed(double value) {
+    // A large whole number loses no digits: 50000623 nm.
+    const double whole = std::round(value), size = std::abs(value);
+    if (std::abs(value - whole) <= conversion_error * size && size >= 1e7 && size < 1e12)
+        return fixed(whole, 0);
+    if (is_typed(value)) return without_trailing_zeros(format_significant(value, most_typed_digits));
+    return without_trailing_zeros(format_significant(value, unmatched_digits));
+}
+
+std::string format_estimate(double value, double uncertainty) {
+    if (is_typed(value) || !(uncertainty > 0.0) || !std::isfinite(uncertainty)) return format_typed(value);
+    const std::string plain = format_typed(value), matched = format_to_match(value, uncertainty, 3);
+    return matched.size() > plain.size() ? matched : plain;
+}
+
 std::string format_cell(const TableCell& cell, const TableColumn& column) {
     const auto number = [&column](double value) {
         if (column.decimals >= 0) return format_decimals(value, column.decimals);
         if (column.digits > 0) return format_significant(value, column.digits);
-        // A large whole number loses no digits: 50000623 nm.
-        if (value == std::round(value) && std::abs(value) >= 1e7 && std::abs(value) < 1e12)
-            return fixed(value, 0);
-        return without_trailing_zeros(format_significant(value, unmatched_digits));
+        return format_typed(value);
     };
     if (const auto* text = std::get_if<std::string>(&cell)) return *text;
     if (const auto* value = std::get_if<double>(&cell)) return number(column.unit.from_si(*value));

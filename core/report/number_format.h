@@ -16,6 +16,11 @@ std::string format_decimals(double value, int decimals);
 int decimals_for(double uncertainty, int digits = 2);
 /// Value rounded to match its uncertainty: "1 174.91" style without spaces.
 std::string format_to_match(double value, double uncertainty, int digits = 2);
+/// Every digit of a value that was typed ("10.000172"): all of them where there are at most 13, else (a
+/// computed value) seven.
+std::string format_typed(double value);
+/// As `format_typed`; a computed value is rounded to match its uncertainty where that shows more.
+std::string format_estimate(double value, double uncertainty);
 /// Cell as people read it, in the column's unit.
 std::string format_cell(const TableCell& cell, const TableColumn& column);
 /// Shortest text that reads back to the same double: for CSV.

@@ -29,6 +29,12 @@ std::string missing_distribution(const PlottedOutput& y, const std::string& what
     return {};
 }
 
+/// What the width of a picture is measured by: u, or a quarter of the interval where u is infinite.
+double spread_of(const MonteCarloOutput& mc) {
+    return std::isfinite(mc.standard_uncertainty) ? mc.standard_uncertainty
+                                                  : 0.25 * (mc.symmetric.high - mc.symmetric.low);
+}
+
 /// How many cells are joined into one, so that their width suits the number of trials: 3.49 u N^(-1/3), D. W.
 /// Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
 std::size_t cells_to_join(const Histogram& histogram, double u, double trials) {
@@ -49,7 +55,7 @@ PlotSeries bars_of(const PlottedOutput& y) {
     const Histogram& histogram = mc.histogram;
     const double all = trials_of(histogram);
     const std::size_t cells = histogram.counts.size();
-    const std::size_t join = cells_to_join(histogram, mc.standard_uncertainty, all);
+    const std::size_t join = cells_to_join(histogram, spread_of(mc), all);
     const double step = (histogram.high - histogram.low) / static_cast<double>(cells);
     PlotSeries bars{"Monte Carlo", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.0};
     bars.bar_width = y.interval(step * static_cast<double>(join));
@@ -74,7 +80,7 @@ void set_range(PlotAxis& axis, const PlotSeries& bars, const PlottedOutput& y) {
         if (before < 1.0 - tail_left_out && bars.y[i] > 0.0) high = std::max(high, bars.x[i] + half);
     }
     const MonteCarloOutput& mc = *y.trials();
-    const double margin = 0.3 * y.interval(mc.standard_uncertainty);
+    const double margin = 0.3 * y.interval(spread_of(mc));
     axis.low = std::min(low, y.value(mc.symmetric.low)) - margin;
     axis.high = std::max(high, y.value(mc.symmetric.high)) + margin;
 }
@@ -87,10 +93,12 @@ PlotSeries normal_curve(const PlotAxis& axis, double mean, double u) {
 void add_normal_curves(PlotSpecification& plot, const PlottedOutput& y) {
     const MonteCarloOutput& mc = *y.trials();
     const FirstOrderOutput& first = y.output().first_order;
-    PlotSeries fit = normal_curve(plot.x, y.value(mc.mean), y.interval(mc.standard_uncertainty));
-    fit.name = "normal, same mean and u";
-    fit.role = SeriesRole::fit;
-    plot.series.push_back(std::move(fit));
+    if (std::isfinite(mc.standard_uncertainty)) {
+        PlotSeries fit = normal_curve(plot.x, y.value(mc.mean), y.interval(mc.standard_uncertainty));
+        fit.name = "normal, same mean and u";
+        fit.role = SeriesRole::fit;
+        plot.series.push_back(std::move(fit));
+    }
     if (!(first.standard_uncertainty > 0.0)) return;
     PlotSeries other = normal_curve(plot.x, y.value(first.estimate), y.interval(first.standard_uncertainty));
     other.name = "normal, first order";
@@ -151,9 +159,9 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
         points.y.push_back(y.value(mc.quantiles[i]));
     }
     const double reach = 1.04 * points.x.back();
-    const double mean = y.value(mc.mean), u = y.interval(mc.standard_uncertainty);
+    const double mean = y.value(mc.mean), u = y.interval(spread_of(mc));
     PlotSeries line = curve(-reach, reach, 2, [&](double z) { return mean + z * u; });
-    line.name = "normal, same mean and u";
+    line.name = std::isfinite(mc.standard_uncertainty) ? "normal, same mean and u" : "normal, same interval";
     line.role = SeriesRole::fit;
     plot.series = {std::move(line), std::move(points)};
     return plot;

@@ -46,8 +46,9 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
         high.y.push_back(u + 2.0 * error);
     }
     plot.series = {std::move(running), std::move(low), std::move(high)};
-    plot.marks.push_back({"final u " + y.uncertainty_text(mc.standard_uncertainty, 3),
-                          y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
+    if (std::isfinite(mc.standard_uncertainty))
+        plot.marks.push_back({"final u " + y.uncertainty_text(mc.standard_uncertainty, 3),
+                              y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
     return plot;
 }
 

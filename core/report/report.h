@@ -27,7 +27,8 @@ ReportDocument build_report(const Project& project, const AssetLibrary& assets,
 
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
-std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated);
+/// `project`: whose requirements are judged.
+std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
 /// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
 DataTable study_table(const StudyResult& study);
 /// The evaluation of each asset; ids start with the asset's.

@@ -38,6 +38,7 @@ struct ColumnStyle {
     bool bare = false;    ///< quantities without their units, which another column gives
     int match = -1;       ///< column whose number (an uncertainty) decides the decimals of this one
     int decimals = -1;    ///< fixed number of decimals; -1: from `match` or the column's digits
+    bool input = false;   ///< matched only where it was computed: a typed estimate keeps its digits
 };
 /// Cells are SI numbers or quantities; writers set them with `cell_text` (table_text.h). A row of one cell is
 /// a sub-head that spans the table.

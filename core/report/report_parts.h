@@ -76,6 +76,8 @@ public:
     int number(const std::string& header, int digits = 0, int match = -1);
     int symbol(const std::string& header, int digits = 0, int match = -1);
     int fixed(const std::string& header, int decimals);
+    /// Of input quantities: typed ones with all their digits, computed ones to match their u.
+    int estimate(const std::string& header, bool symbol, int match);
     void row(std::vector<TableCell> cells) { block_.table.rows.push_back(std::move(cells)); }
     void subhead(const std::string& text) { block_.table.rows.push_back({TableCell(text)}); }
     void note(std::string text) { block_.table.notes.push_back(std::move(text)); }

@@ -22,19 +22,23 @@ int TableBuilder::add(TableColumn column, ColumnStyle style) {
 }
 
 int TableBuilder::text(const std::string& header, bool symbol_cells) {
-    return add({header, {}, false, 0}, {symbol_cells, false, -1, -1});
+    return add({header, {}, false, 0}, {symbol_cells, false, -1, -1, false});
 }
 
 int TableBuilder::number(const std::string& header, int digits, int match) {
-    return add({header, {}, false, digits}, {false, true, match, -1});
+    return add({header, {}, false, digits}, {false, true, match, -1, false});
 }
 
 int TableBuilder::symbol(const std::string& header, int digits, int match) {
-    return add({header, {}, true, digits}, {false, true, match, -1});
+    return add({header, {}, true, digits}, {false, true, match, -1, false});
 }
 
 int TableBuilder::fixed(const std::string& header, int decimals) {
-    return add({header, {}, looks_like_symbol(header), 0}, {false, true, -1, decimals});
+    return add({header, {}, looks_like_symbol(header), 0}, {false, true, -1, decimals, false});
+}
+
+int TableBuilder::estimate(const std::string& header, bool symbol, int match) {
+    return add({header, {}, symbol, 0}, {false, true, match, -1, true});
 }
 
 std::string count_text(std::uint64_t count) {

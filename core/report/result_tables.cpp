@@ -1,7 +1,9 @@
 // The tables of one analysis for CSV: every output, input, component, budget row, covariance and cell of a
 // histogram.
+#include "core/project/requirements.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
+#include "core/result/result_line.h"
 
 namespace covaria {
 namespace {
@@ -45,16 +47,21 @@ std::vector<TableCell> monte_carlo_cells(const OutputResult& output) {
 std::vector<TableCell> first_order_cells(const OutputResult& output) {
     const Unit& unit = output.quantity.unit;
     const FirstOrderOutput& first = output.first_order;
-    std::vector<TableCell> cells = {interval_in(unit, first.standard_uncertainty),
+    std::vector<TableCell> cells = {value_in(unit, first.estimate),
+                                    interval_in(unit, first.standard_uncertainty),
                                     first.effective_degrees_of_freedom, first.coverage_factor,
                                     interval_in(unit, first.expanded_uncertainty)};
     if (!first.validation) {
         cells.resize(cells.size() + 4);
-        return cells;
+    } else {
+        for (const double d :
+             {first.validation->tolerance, first.validation->d_low, first.validation->d_high})
+            cells.emplace_back(interval_in(unit, d));
+        cells.emplace_back(std::string(first.validation->validated ? "validated" : "not validated"));
     }
-    for (const double d : {first.validation->tolerance, first.validation->d_low, first.validation->d_high})
-        cells.emplace_back(interval_in(unit, d));
-    cells.emplace_back(std::string(first.validation->validated ? "validated" : "not validated"));
+    for (const auto& of_second_order :
+         {first.second_order_standard_uncertainty, first.second_order_estimate_shift})
+        cells.push_back(of_second_order ? TableCell(interval_in(unit, *of_second_order)) : TableCell{});
     return cells;
 }
 
@@ -82,6 +89,7 @@ DataTable results_table(const UncertaintyResult& result) {
                                   "excess kurtosis",
                                   "coverage ratio",
                                   "distribution",
+                                  "estimate first order",
                                   "u first order",
                                   "nu_eff",
                                   "k first order",
@@ -89,7 +97,10 @@ DataTable results_table(const UncertaintyResult& result) {
                                   "delta",
                                   "d_low",
                                   "d_high",
-                                  "clause 8"});
+                                  "clause 8",
+                                  "u second order",
+                                  "shift second order",
+                                  "U by"});
     for (const OutputResult& output : result.outputs) {
         const OutputQuantity& q = output.quantity;
         std::vector<TableCell> row = {q.group,
@@ -104,6 +115,7 @@ DataTable results_table(const UncertaintyResult& result) {
                                       result.coverage_probability};
         for (auto& cell : monte_carlo_cells(output)) row.push_back(std::move(cell));
         for (auto& cell : first_order_cells(output)) row.push_back(std::move(cell));
+        row.emplace_back(expanded_key(result));
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -267,12 +279,13 @@ DataTable sobol_table(const UncertaintyResult& result) {
     return table;
 }
 
-DataTable requirements_table(const UncertaintyResult& result) {
-    DataTable table = table_with("requirements", "Requirements",
-                                 {"group", "symbol", "unit", "U", "target", "target_met", "lower_limit",
-                                  "upper_limit", "guard_band", "decision", "p_conforming_normal",
-                                  "p_conforming_trials", "global_consumer_risk", "global_producer_risk"});
-    for (const RequirementResult& r : result.requirements) {
+DataTable requirements_table(const UncertaintyResult& result,
+                             const std::vector<RequirementResult>& verdicts) {
+    DataTable table = table_with(
+        "requirements", "Requirements",
+        {"group", "symbol", "unit", "U", "target", "target_met", "lower_limit", "upper_limit", "guard_band",
+         "decision", "p_conforming", "p_conforming_by", "global_consumer_risk", "global_producer_risk"});
+    for (const RequirementResult& r : verdicts) {
         const OutputResult& output = result.outputs[r.output];
         const OutputQuantity& q = output.quantity;
         const bool limited = r.lower_limit || r.upper_limit;
@@ -289,8 +302,8 @@ DataTable requirements_table(const UncertaintyResult& result) {
              limited ? TableCell(std::string(r.decision == RequirementResult::Decision::accept ? "accept"
                                                                                                : "reject"))
                      : TableCell{},
-             number(limited, r.conformance_normal),
-             number(r.conformance_monte_carlo.has_value(), r.conformance_monte_carlo.value_or(0.0)),
+             number(limited, r.conformance),
+             limited ? TableCell(distribution_key(r.conformance_by)) : TableCell{},
              number(r.global_risks.has_value(), r.global_risks ? r.global_risks->consumer : 0.0),
              number(r.global_risks.has_value(), r.global_risks ? r.global_risks->producer : 0.0)});
     }
@@ -299,7 +312,7 @@ DataTable requirements_table(const UncertaintyResult& result) {
 
 }  // namespace
 
-std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated) {
+std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     std::vector<DataTable> tables = {
         results_table(result),
@@ -313,7 +326,9 @@ std::vector<DataTable> result_tables(const EvaluatedAnalysis& evaluated) {
         tables.push_back(convergence_table(result));
     }
     if (!result.sobol.empty()) tables.push_back(sobol_table(result));
-    if (!result.requirements.empty()) tables.push_back(requirements_table(result));
+    const AnalysisEntry* entry = evaluated.analysis ? project.find_analysis(evaluated.analysis->id) : nullptr;
+    if (entry && !entry->requirements.empty())
+        tables.push_back(requirements_table(result, judge(result, *entry)));
     if (!result.contributors.empty()) tables.push_back(contributors_table(result));
     if (evaluated.analysis && evaluated.analysis->model)
         for (DataTable& table : evaluated.analysis->model->evaluation()) tables.push_back(std::move(table));

@@ -1,10 +1,13 @@
 // results.json: the contract of the command line for scripts (DESIGN 9). No clock, no host: equal runs, equal
 // bytes.
 #include "core/project/project_file.h"
+#include "core/project/requirements.h"
+#include "core/propagation/reverse_budget.h"
 #include "core/report/json_values.h"
 #include "core/report/number_format.h"
 #include "core/report/report.h"
 #include "core/report/study_json.h"
+#include "core/result/result_line.h"
 
 namespace covaria {
 namespace {
@@ -52,28 +55,31 @@ std::string pretty(const OrderedJson& value, const std::string& indent) {
     return (value.is_object() ? "{" : "[") + out + "\n" + indent + (value.is_object() ? "}" : "]");
 }
 
-OrderedJson interval_json(const OutputResult& output, double probability) {
+OrderedJson interval_json(const OutputResult& output, const UncertaintyResult& result) {
     const Unit& unit = output.quantity.unit;
-    double low = output.estimate - output.expanded_uncertainty;
-    double high = output.estimate + output.expanded_uncertainty;
-    if (output.monte_carlo) {
-        low = output.monte_carlo->symmetric.low;
-        high = output.monte_carlo->symmetric.high;
-    }
+    const CoverageInterval interval = coverage_interval_of(output, result);
     return {{"kind", output.monte_carlo ? "symmetric" : "first-order"},
-            {"probability", probability},
-            {"low", json_number(unit.from_si(low))},
-            {"high", json_number(unit.from_si(high))}};
+            {"probability", result.coverage_probability},
+            {"low", json_number(unit.from_si(interval.low))},
+            {"high", json_number(unit.from_si(interval.high))}};
 }
 
 OrderedJson first_order_json(const OutputResult& output) {
     const FirstOrderOutput& first = output.first_order;
     const Unit& unit = output.quantity.unit;
-    return {
+    OrderedJson json = {
+        {"estimate", json_number(unit.from_si(first.estimate))},
         {"standardUncertainty", json_number(unit.interval_from_si(first.standard_uncertainty))},
         {"effectiveDegreesOfFreedom", json_number(first.effective_degrees_of_freedom)},
         {"coverageFactor", json_number(first.coverage_factor)},
+        {"expandedUncertainty", json_number(unit.interval_from_si(first.expanded_uncertainty))},
         {"validated", first.validation ? OrderedJson(first.validation->validated) : OrderedJson(nullptr)}};
+    if (first.second_order_standard_uncertainty)
+        json["secondOrder"] = {
+            {"standardUncertainty",
+             json_number(unit.interval_from_si(*first.second_order_standard_uncertainty))},
+            {"estimateShift", json_number(unit.interval_from_si(*first.second_order_estimate_shift))}};
+    return json;
 }
 
 OrderedJson shortest_json(const OutputResult& output) {
@@ -83,7 +89,7 @@ OrderedJson shortest_json(const OutputResult& output) {
             {"high", json_number(unit.from_si(output.monte_carlo->shortest.high))}};
 }
 
-OrderedJson output_json(const OutputResult& output, double probability) {
+OrderedJson output_json(const OutputResult& output, const UncertaintyResult& result) {
     const OutputQuantity& quantity = output.quantity;
     const Unit& unit = quantity.unit;
     const auto& trials = output.monte_carlo;
@@ -96,10 +102,12 @@ OrderedJson output_json(const OutputResult& output, double probability) {
             {"standardUncertainty", json_number(unit.interval_from_si(output.standard_uncertainty))},
             {"expandedUncertainty", json_number(unit.interval_from_si(output.expanded_uncertainty))},
             {"coverageFactor", json_number(output.coverage_factor)},
-            {"interval", interval_json(output, probability)},
+            {"expandedUncertaintyBy", expanded_key(result)},
+            {"interval", interval_json(output, result)},
             {"shortestInterval", shortest_json(output)},
             {"skewness", trials ? json_number(trials->skewness) : OrderedJson(nullptr)},
-            {"kurtosis", trials ? json_number(trials->kurtosis) : OrderedJson(nullptr)},
+            {"kurtosis", trials ? json_number(3.0 + trials->kurtosis) : OrderedJson(nullptr)},
+            {"excessKurtosis", trials ? json_number(trials->kurtosis) : OrderedJson(nullptr)},
             {"firstOrder", first_order_json(output)}};
 }
 
@@ -164,39 +172,47 @@ OrderedJson sobol_json(const UncertaintyResult& result) {
     return list;
 }
 
-OrderedJson requirement_json(const UncertaintyResult& result, const RequirementResult& r) {
-    const OutputQuantity& q = result.outputs[r.output].quantity;
+/// What it takes to meet a target; nothing where that cannot be said.
+void add_reductions(const EvaluatedAnalysis& evaluated, const RequirementResult& r, OrderedJson& json) {
+    const UncertaintyResult& result = *evaluated.result;
+    const auto budget =
+        reverse_budget(evaluated.analysis->model.get(), result, r.output, *r.target_uncertainty);
+    if (!budget) return;
+    for (const ReverseBudget::Reduction& reduction : budget->reductions) {
+        const BudgetComponent& c = result.budget.components[reduction.component];
+        json["reductions"].push_back(
+            {{"component", c.id},
+             {"unit", c.unit.text()},
+             {"now", json_number(c.unit.interval_from_si(reduction.now))},
+             {"needed", reduction.needed ? json_number(c.unit.interval_from_si(*reduction.needed))
+                                         : OrderedJson(nullptr)}});
+    }
+    if (budget->common_factor) json["commonFactor"] = json_number(*budget->common_factor);
+}
+
+OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const RequirementResult& r) {
+    const OutputQuantity& q = evaluated.result->outputs[r.output].quantity;
     OrderedJson json = {{"symbol", q.symbol}, {"group", q.group}, {"unit", q.unit.text()}};
     if (r.target_uncertainty) {
         json["targetUncertainty"] = json_number(q.unit.interval_from_si(*r.target_uncertainty));
         json["targetMet"] = r.meets_target;
-        for (const RequirementResult::Reduction& reduction : r.reductions) {
-            const BudgetComponent& c = result.budget.components[reduction.component];
-            json["reductions"].push_back(
-                {{"component", c.id},
-                 {"unit", c.unit.text()},
-                 {"now", json_number(c.unit.interval_from_si(reduction.now))},
-                 {"needed", reduction.needed ? json_number(c.unit.interval_from_si(*reduction.needed))
-                                             : OrderedJson(nullptr)}});
-        }
+        if (!r.meets_target) add_reductions(evaluated, r, json);
     }
     if (!r.lower_limit && !r.upper_limit) return json;
     json["decision"] = r.decision == RequirementResult::Decision::accept ? "accept" : "reject";
     json["guardBand"] = json_number(q.unit.interval_from_si(r.guard_band));
-    json["conformance"] = {{"normal", json_number(r.conformance_normal)},
-                           {"monteCarlo", r.conformance_monte_carlo ? json_number(*r.conformance_monte_carlo)
-                                                                    : OrderedJson(nullptr)}};
+    json["conformance"] = {{"probability", json_number(r.conformance)},
+                           {"distribution", distribution_key(r.conformance_by)}};
     if (r.global_risks)
         json["globalRisks"] = {{"consumer", json_number(r.global_risks->consumer)},
                                {"producer", json_number(r.global_risks->producer)}};
     return json;
 }
 
-OrderedJson analysis_json(const EvaluatedAnalysis& evaluated) {
+OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     OrderedJson outputs = OrderedJson::array();
-    for (const OutputResult& output : result.outputs)
-        outputs.push_back(output_json(output, result.coverage_probability));
+    for (const OutputResult& output : result.outputs) outputs.push_back(output_json(output, result));
     OrderedJson json = {{"id", evaluated.analysis->id},
                         {"model", evaluated.analysis->descriptor ? evaluated.analysis->descriptor->id : ""},
                         {"trials", result.trials},
@@ -207,8 +223,9 @@ OrderedJson analysis_json(const EvaluatedAnalysis& evaluated) {
                         {"covariance", covariance_json(result)}};
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
-    for (const RequirementResult& r : result.requirements)
-        json["requirements"].push_back(requirement_json(result, r));
+    if (const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id))
+        for (const RequirementResult& r : judge(result, *entry))
+            json["requirements"].push_back(requirement_json(evaluated, r));
     for (const auto& study : evaluated.studies) json["studies"].push_back(study_json(*study));
     return json;
 }
@@ -217,7 +234,7 @@ OrderedJson analysis_json(const EvaluatedAnalysis& evaluated) {
 
 std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses) {
     OrderedJson list = OrderedJson::array();
-    for (const EvaluatedAnalysis& evaluated : analyses) list.push_back(analysis_json(evaluated));
+    for (const EvaluatedAnalysis& evaluated : analyses) list.push_back(analysis_json(project, evaluated));
     const OrderedJson document = {{"format", "covaria-results"},
                                   {"schemaVersion", 1},
                                   {"project",

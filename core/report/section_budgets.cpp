@@ -61,7 +61,7 @@ public:
         table_.text("Symbol", true);
         table_.text("Component");
         table_.text("Unit");
-        table_.symbol("x_i", 0, 4);  // rounded to match u(x_i)
+        table_.estimate("x_i", true, 4);
         table_.symbol("u(x_i)", 3);
         table_.text("Distribution");
         table_.text("Type");

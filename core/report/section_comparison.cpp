@@ -24,7 +24,10 @@ std::vector<TableCell> comparison_row(const OutputResult& output) {
     const Unit& unit = output.quantity.unit;
     const FirstOrderOutput& first = output.first_order;
     const MonteCarloOutput& trials = *output.monte_carlo;
-    std::vector<TableCell> row = {output.quantity.symbol, unit_text(unit),
+    std::vector<TableCell> row = {output.quantity.symbol,
+                                  unit_text(unit),
+                                  value_in(unit, first.estimate),
+                                  value_in(unit, trials.mean),
                                   interval_in(unit, first.standard_uncertainty),
                                   interval_in(unit, trials.standard_uncertainty)};
     row.push_back(trials.standard_uncertainty > 0.0
@@ -63,15 +66,18 @@ void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     if (result.trials == 0) return;
     blocks.push_back(HeadingBlock{2, "Law of propagation beside Monte Carlo"});
     add_verdict_words(blocks, result);
-    TableBuilder table("comparison-" + evaluated.analysis->id, "Standard uncertainties by both methods");
+    TableBuilder table("comparison-" + evaluated.analysis->id,
+                       "Estimates and standard uncertainties by both methods");
     table.text("Quantity", true);
     table.text("Unit");
+    table.number("y at the estimates", 0, 4);
+    table.number("mean Monte Carlo", 0, 5);
     table.number("u law of prop.", 3);
     table.number("u Monte Carlo", 3);
     table.fixed("ratio", 3);
     table.symbol("delta", 1);
-    table.symbol("d_low", 0, 5);
-    table.symbol("d_high", 0, 5);
+    table.symbol("d_low", 0, 7);
+    table.symbol("d_high", 0, 7);
     table.text("Clause 8");
     table.fixed("skewness", 3);
     table.fixed("excess kurtosis", 3);

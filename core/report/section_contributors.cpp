@@ -1,14 +1,11 @@
 // U with everything of one contributor held ("ideal robot"), and of that contributor alone.
 #include "core/report/report_parts.h"
+#include "core/result/result_line.h"
 
 namespace covaria::report_parts {
 namespace {
 
 constexpr std::size_t most_columns = 4;  ///< of contributors in one table
-
-double expanded(const OutputResult& output, const ContributorResult::Uncertainties& part, std::size_t j) {
-    return output.coverage_factor * (part.monte_carlo.empty() ? part.first_order[j] : part.monte_carlo[j]);
-}
 
 void add_words(Blocks& blocks, const UncertaintyResult& result) {
     std::string words =
@@ -51,8 +48,8 @@ TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t fir
                                       interval_in(unit, output.expanded_uncertainty)};
         for (std::size_t i = first; i < last; ++i) {
             const ContributorResult& c = result.contributors[i];
-            row.emplace_back(interval_in(unit, expanded(output, c.without, j)));
-            if (!two) row.emplace_back(interval_in(unit, expanded(output, c.alone, j)));
+            row.emplace_back(interval_in(unit, expanded_with(output, c.without, j)));
+            if (!two) row.emplace_back(interval_in(unit, expanded_with(output, c.alone, j)));
         }
         table.row(std::move(row));
     }

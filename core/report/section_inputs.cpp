@@ -134,7 +134,7 @@ void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
                        "Input quantities and the origin of their uncertainties");
     table.text("Symbol", true);
     table.text("Quantity");
-    table.number("Estimate", 0, 4);
+    table.estimate("Estimate", false, 4);
     table.text("Unit");
     table.symbol("u(x_i)", 3);
     table.text("Distribution");

@@ -2,17 +2,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/project/requirements.h"
+#include "core/propagation/reverse_budget.h"
 #include "core/report/number_format.h"
 #include "core/report/report_parts.h"
+#include "core/result/result_line.h"
 
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t most_reductions = 12;
-
 using Decision = RequirementResult::Decision;
 
-void add_targets(Blocks& blocks, const AnalysisEntry& entry, const EvaluatedAnalysis& evaluated) {
+using Verdicts = std::vector<RequirementResult>;
+
+void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
     TableBuilder table("requirements-" + evaluated.analysis->id, "Target uncertainties");
     table.text("Group");
     table.text("Quantity", true);
@@ -21,25 +24,38 @@ void add_targets(Blocks& blocks, const AnalysisEntry& entry, const EvaluatedAnal
     table.number("Target");
     table.text("Verdict");
     bool any = false;
-    for (const Requirement& requirement : entry.requirements)
-        for (const OutputResult& output : evaluated.result->outputs) {
-            const OutputQuantity& quantity = output.quantity;
-            if (quantity.group != requirement.group || quantity.symbol != requirement.symbol) continue;
-            if (!requirement.target_uncertainty) continue;
-            any = true;
-            const Quantity& typed = *requirement.target_uncertainty;
-            const double target = typed.unit.interval_to_si(typed.value);
-            table.row({quantity.group, quantity.symbol, unit_text(quantity.unit),
-                       interval_in(quantity.unit, output.expanded_uncertainty),
-                       interval_in(quantity.unit, target),
-                       std::string(output.expanded_uncertainty <= target ? "met" : "not met")});
-        }
+    for (const RequirementResult& r : verdicts) {
+        if (!r.target_uncertainty) continue;
+        any = true;
+        const OutputResult& output = evaluated.result->outputs[r.output];
+        const OutputQuantity& quantity = output.quantity;
+        table.row({quantity.group, quantity.symbol, unit_text(quantity.unit),
+                   interval_in(quantity.unit, output.expanded_uncertainty),
+                   interval_in(quantity.unit, *r.target_uncertainty),
+                   std::string(r.meets_target ? "met" : "not met")});
+    }
     if (any) blocks.push_back(table.take());
 }
 
-TableBlock reduction_table(const EvaluatedAnalysis& evaluated, const RequirementResult& requirement) {
+std::string reduction_words(const ReverseBudget& budget) {
+    std::string words =
+        budget.trials == 0
+            ? "With the figure put in, U by the law of propagation is the target; k follows the "
+              "effective degrees of freedom."
+            : "With the figure put in, U by Monte Carlo is the target; found with " +
+                  count_text(budget.trials) + " trials of the same draws.";
+    if (budget.common_factor)
+        words += " No component suffices alone: all standard uncertainties multiplied by " +
+                 format_significant(*budget.common_factor, 3) + " do.";
+    return words;
+}
+
+void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
-    const OutputQuantity& quantity = result.outputs[requirement.output].quantity;
+    const auto budget =
+        reverse_budget(evaluated.analysis->model.get(), result, r.output, *r.target_uncertainty);
+    if (!budget || budget->reductions.empty()) return;
+    const OutputQuantity& quantity = result.outputs[r.output].quantity;
     TableBuilder table(
         "reductions-" + evaluated.analysis->id + "-" + file_name_part(quantity.symbol + " " + quantity.group),
         "What one component alone must be reduced to for U(" + output_label(quantity) +
@@ -49,16 +65,14 @@ TableBlock reduction_table(const EvaluatedAnalysis& evaluated, const Requirement
     table.symbol("u(x_i)", 3);
     table.number("needed", 3);
     table.text("Remark");
-    const std::size_t shown = std::min(requirement.reductions.size(), most_reductions);
-    for (std::size_t i = 0; i < shown; ++i) {
-        const RequirementResult::Reduction& r = requirement.reductions[i];
-        const BudgetComponent& c = result.budget.components[r.component];
-        table.row({c.name + " (" + c.id + ")", unit_text(c.unit), interval_in(c.unit, r.now),
-                   r.needed ? TableCell(interval_in(c.unit, *r.needed)) : TableCell{},
-                   std::string(r.needed ? "" : "not enough by itself, even if it vanished")});
+    for (const ReverseBudget::Reduction& reduction : budget->reductions) {
+        const BudgetComponent& c = result.budget.components[reduction.component];
+        table.row({c.name + " (" + c.id + ")", unit_text(c.unit), interval_in(c.unit, reduction.now),
+                   reduction.needed ? TableCell(interval_in(c.unit, *reduction.needed)) : TableCell{},
+                   std::string(reduction.needed ? "" : "not enough by itself, even if it vanished")});
     }
-    table.note("By the law of propagation with correlations, and with the same coverage factor.");
-    return table.take();
+    table.note(reduction_words(*budget));
+    blocks.push_back(table.take());
 }
 
 /// With the digits that U lets mean something, and one more.
@@ -72,6 +86,10 @@ std::string limits_text(const RequirementResult& r, const OutputResult& output, 
     return r.lower_limit ? "≥ " + number(*r.lower_limit + guard) : "≤ " + number(*r.upper_limit - guard);
 }
 
+std::string by_words(RequirementResult::Distribution by) {
+    return by == RequirementResult::Distribution::student_t ? "Student t" : distribution_key(by);
+}
+
 std::string percent(double probability) {
     const double in_percent = 100.0 * probability;
     if (in_percent > 0.0 && in_percent < 0.001) return "< 0.001 %";
@@ -79,7 +97,7 @@ std::string percent(double probability) {
     return value_words(std::round(1000.0 * in_percent) / 1000.0) + " %";
 }
 
-void add_conformity(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     TableBuilder table("conformity-" + evaluated.analysis->id, "Conformity with tolerances");
     table.text("Quantity");
@@ -87,27 +105,25 @@ void add_conformity(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     table.text("Tolerance");
     table.text("Acceptance");
     table.text("Decision");
-    table.text("Conforming, normal");
-    table.text("Conforming, trials");
+    table.text("Conforming");
+    table.text("by");
     table.symbol("C_m", 3);
     bool any = false;
     Blocks risks;
-    for (const RequirementResult& r : result.requirements) {
+    for (const RequirementResult& r : verdicts) {
         if (!r.lower_limit && !r.upper_limit) continue;
         any = true;
         const OutputQuantity& quantity = result.outputs[r.output].quantity;
-        table.row({output_label(quantity), unit_text(quantity.unit),
-                   limits_text(r, result.outputs[r.output], 0.0),
-                   limits_text(r, result.outputs[r.output], r.guard_band),
-                   std::string(r.decision == Decision::accept ? "accepted" : "rejected"),
-                   percent(r.conformance_normal),
-                   r.conformance_monte_carlo ? TableCell(percent(*r.conformance_monte_carlo)) : TableCell{},
-                   r.capability_index ? TableCell(*r.capability_index) : TableCell{}});
-        const double conforming = r.conformance_monte_carlo.value_or(r.conformance_normal);
-        std::string words = output_label(quantity) + ": specific " +
-                            (r.decision == Decision::accept ? "consumer's risk " + percent(1.0 - conforming)
-                                                            : "producer's risk " + percent(conforming)) +
-                            " of this decision";
+        table.row(
+            {output_label(quantity), unit_text(quantity.unit), limits_text(r, result.outputs[r.output], 0.0),
+             limits_text(r, result.outputs[r.output], r.guard_band),
+             std::string(r.decision == Decision::accept ? "accepted" : "rejected"), percent(r.conformance),
+             by_words(r.conformance_by), r.capability_index ? TableCell(*r.capability_index) : TableCell{}});
+        std::string words =
+            output_label(quantity) + ": specific " +
+            (r.decision == Decision::accept ? "consumer's risk " + percent(1.0 - r.conformance)
+                                            : "producer's risk " + percent(r.conformance)) +
+            " of this decision";
         if (r.global_risks)
             words += "; global risks of the rule for its prior: consumer's " +
                      percent(r.global_risks->consumer) + ", producer's " + percent(r.global_risks->producer);
@@ -115,9 +131,10 @@ void add_conformity(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     }
     if (!any) return;
     table.note(
-        "JCGM 106: probability that the measurand lies inside the tolerance, given the result. The "
-        "acceptance "
-        "interval is the tolerance less guard bands of the guard factor times U (ISO 14253-1).");
+        "JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the "
+        "result: its trials, or by the law of propagation Student's t for the effective degrees of freedom. "
+        "The acceptance interval is the tolerance less guard bands of the guard factor times U (ISO "
+        "14253-1).");
     blocks.push_back(table.take());
     blocks.insert(blocks.end(), risks.begin(), risks.end());
 }
@@ -127,10 +144,11 @@ void add_conformity(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
     const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
     if (!entry || entry->requirements.empty()) return;
-    add_targets(blocks, *entry, evaluated);
-    for (const RequirementResult& requirement : evaluated.result->requirements)
-        if (!requirement.reductions.empty()) blocks.push_back(reduction_table(evaluated, requirement));
-    add_conformity(blocks, evaluated);
+    const Verdicts verdicts = judge(*evaluated.result, *entry);
+    add_targets(blocks, verdicts, evaluated);
+    for (const RequirementResult& r : verdicts)
+        if (!r.meets_target) add_reductions(blocks, r, evaluated);
+    add_conformity(blocks, verdicts, evaluated);
 }
 
 }  // namespace covaria::report_parts

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/report/report_parts.h"
+#include "core/result/result_line.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -69,7 +70,8 @@ std::vector<TableCell> result_row(const OutputResult& output, bool intervals) {
 }
 
 void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
-    std::string words = "Coverage probability " + percent_text(result.coverage_probability) + ". ";
+    std::string words = "Coverage probability " + percent_text(result.coverage_probability) + ". " +
+                        expanded_words(result) + " ";
     if (result.trials == 0) {
         words += "Values from the law of propagation of uncertainty (JCGM 100).";
     } else {
@@ -78,6 +80,38 @@ void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
                  "The effective degrees of freedom are those of the law of propagation.";
     }
     blocks.push_back(ParagraphBlock{words});
+}
+
+/// Nothing where they were not asked for.
+void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    TableBuilder table("second-order-" + evaluated.analysis->id,
+                       "Law of propagation with second-order terms");
+    table.text("Quantity", true);
+    table.text("Unit");
+    table.number("u first order", 3);
+    table.number("u with second-order terms", 3);
+    table.number("shift of the estimate", 2);
+    std::string group;
+    bool any = false;
+    for (const OutputResult& output : evaluated.result->outputs) {
+        const FirstOrderOutput& first = output.first_order;
+        if (!first.second_order_standard_uncertainty) continue;
+        if (output.quantity.group != group) table.subhead(output.quantity.group);
+        group = output.quantity.group;
+        any = true;
+        const Unit& unit = output.quantity.unit;
+        table.row({output.quantity.symbol, unit_text(unit), interval_in(unit, first.standard_uncertainty),
+                   interval_in(unit, *first.second_order_standard_uncertainty),
+                   interval_in(unit, *first.second_order_estimate_shift)});
+    }
+    if (!any) return;
+    table.note(
+        "JCGM 100 5.1.2, NOTE, for independent components with symmetric distributions. The shift, half the "
+        "sum "
+        "of the second derivatives times the variances, is what the mean of the measurand differs by from "
+        "the "
+        "value at the estimates; neither is part of the results above.");
+    blocks.push_back(table.take());
 }
 
 }  // namespace
@@ -130,6 +164,7 @@ void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnal
         intermediate.table.id = "intermediate-" + evaluated.analysis->id;
         blocks.push_back(std::move(intermediate));
     }
+    add_second_order(blocks, evaluated);
     add_requirements(blocks, source, evaluated);
 }
 

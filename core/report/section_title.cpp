@@ -1,5 +1,6 @@
 // Title block: what was evaluated, and the expanded uncertainties at a glance.
 #include "core/report/report_parts.h"
+#include "core/result/result_line.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -16,10 +17,10 @@ std::string analysis_text(const EvaluatedAnalysis& evaluated) {
            percent_text(result.coverage_probability);
 }
 
-/// One of the common factor, or the range of the factors.
 std::string factor_text(const UncertaintyResult& result) {
-    return "U = k·u(y) for a coverage probability of " + percent_text(result.coverage_probability) +
-           "; k, intervals and the law of propagation are in the results of the analysis.";
+    return "Coverage probability " + percent_text(result.coverage_probability) + ". " +
+           expanded_words(result) +
+           " k, intervals and the law of propagation are in the results of the analysis.";
 }
 
 void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated) {

@@ -86,7 +86,7 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
     if (style.match >= 0) {
         const auto other = static_cast<std::size_t>(style.match);
         if (const auto u = shown_number(cells[other], block.table.columns[other]))
-            return format_to_match(*number, *u);
+            return style.input ? format_estimate(*number, *u) : format_to_match(*number, *u);
     }
     if (style.bare) {
         TableColumn plain = head;

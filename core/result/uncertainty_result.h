@@ -10,6 +10,7 @@
 
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
+#include "core/result/trial_distribution.h"
 
 namespace covaria {
 
@@ -70,6 +71,7 @@ struct MonteCarloOutput {
     NormalityVerdict normality;
     Histogram histogram;
     std::vector<double> quantiles;  ///< at (i - 0.5)/n, i = 1..n (n = 199): for the Q-Q chart
+    TrialDistribution distribution;
 };
 
 struct OutputResult {
@@ -78,9 +80,9 @@ struct OutputResult {
     std::optional<MonteCarloOutput> monte_carlo = {};
     /// The result line: Monte Carlo where it ran, else first order.
     double estimate = 0.0;
-    double standard_uncertainty = 0.0;
-    double coverage_factor = 0.0;       ///< U / u; first order's k, or the fixed one
-    double expanded_uncertainty = 0.0;  ///< k u of the result line
+    double standard_uncertainty = 0.0;  ///< infinite where a component that contributes has no finite one
+    double coverage_factor = 0.0;       ///< U / u; NaN where u is infinite
+    double expanded_uncertainty = 0.0;  ///< see result_line.h: which U it is depends on the method
 };
 
 /// A row of the budget: one component (or all components of one quantity) and its effect on one output.
@@ -143,27 +145,21 @@ struct SobolIndex {
     double total_standard_error = 0.0;
 };
 
-/// How the result stands to a requirement of the analysis.
+/// How the result stands to a requirement of the analysis: made of both whenever it is looked at.
 struct RequirementResult {
     std::size_t output = 0;
     std::optional<double> target_uncertainty = {};
     bool meets_target = true;
-    /// What the standard uncertainty of one component, alone, must be reduced to so that U meets the target;
-    /// only where the target is not met. Empty u: not attainable by this component alone.
-    struct Reduction {
-        std::size_t component = 0;
-        double now = 0.0;
-        std::optional<double> needed = {};
-    };
-    std::vector<Reduction> reductions = {};
 
     std::optional<double> lower_limit = {}, upper_limit = {};
     double guard_band = 0.0;  ///< w = guard factor * U
     /// Of the value that the result line states.
     enum class Decision { none, accept, reject } decision = Decision::none;
-    double conformance_normal = 0.0;  ///< probability of conformance p_c from y and u (JCGM 106 7)
-    std::optional<double> conformance_monte_carlo = {};  ///< share of the trials inside the tolerance
-    std::optional<double> capability_index = {};         ///< C_m = T/(4u) (JCGM 106 7.6)
+    /// Probability of conformance p_c (JCGM 106 7), by the distribution that the result line states: the
+    /// trials, or Student's t with nu_eff about y with scale u, which is normal for infinite nu_eff.
+    double conformance = 0.0;
+    enum class Distribution { trials, student_t, normal } conformance_by = Distribution::normal;
+    std::optional<double> capability_index = {};  ///< C_m = T/(4u) (JCGM 106 7.6)
     struct GlobalRisks {
         double consumer = 0.0;  ///< accepted and not conforming
         double producer = 0.0;  ///< rejected and conforming
@@ -208,8 +204,8 @@ struct UncertaintyResult {
     std::vector<std::vector<SobolIndex>>
         sobol;  ///< [output][...], by falling total index; empty unless asked for
     std::uint64_t sobol_trials = 0;
-    std::vector<RequirementResult> requirements;  ///< filled by the caller that knows the project
     double coverage_probability = 0.95;
+    std::optional<double> fixed_coverage_factor = {};  ///< k that the user fixed
 
     std::uint64_t trials = 0;         ///< 0 = first order only
     std::uint64_t failed_trials = 0;  ///< without a value; not part of the statistics

@@ -175,8 +175,8 @@ EvaluatedPoint GridWalker::of_model(const ModelOfAnalysis& made,
     EvaluatedPoint evaluated;
     evaluated.point.failed_trials = summary->failed_trials;
     for (Eigen::Index k = 0; k < summary->estimate.size(); ++k)
-        evaluated.point.values.push_back({summary->estimate(k), summary->standard_uncertainty(k),
-                                          summary->coverage_factor(k) * summary->standard_uncertainty(k)});
+        evaluated.point.values.push_back(
+            {summary->estimate(k), summary->standard_uncertainty(k), summary->expanded_uncertainty(k)});
     add_places({made.model, std::move(inputs)}, indices, *summary, evaluated.point);
     return evaluated;
 }

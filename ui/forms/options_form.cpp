@@ -70,7 +70,9 @@ void OptionsForm::build_common() {
     add(
         {"coverage_factor",
          tr("Coverage factor"),
-         tr("A fixed k; empty: from the t-distribution and the effective degrees of freedom."),
+         tr("A fixed k for U = k u; empty: U by the effective degrees of freedom (law of propagation), or "
+            "half of the "
+            "coverage interval (Monte Carlo)."),
          false,
          {0.0, Range::infinity_value, true},
          true},

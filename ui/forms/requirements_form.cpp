@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/symbol.h"
+#include "core/project/requirements.h"
 #include "core/report/number_format.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/number_words.h"
@@ -42,37 +43,51 @@ QString percent(double p) {
 
 QString target_words(const UncertaintyResult& result, const RequirementResult& r) {
     const OutputResult& output = result.outputs[r.output];
-    const Unit& unit = output.quantity.unit;
-    QString text = RequirementsForm::tr("U = %1: the target is %2.")
-                       .arg(number(unit, output.expanded_uncertainty),
-                            r.meets_target ? RequirementsForm::tr("met") : RequirementsForm::tr("not met"));
-    if (r.reductions.empty()) return text;
-    text += RequirementsForm::tr("<br>It would be met with one of these alone:");
+    return RequirementsForm::tr("U = %1: the target is %2.")
+        .arg(number(output.quantity.unit, output.expanded_uncertainty),
+             r.meets_target ? RequirementsForm::tr("met") : RequirementsForm::tr("not met"));
+}
+
+QString reduction_words(const UncertaintyResult& result, const ReverseBudget& budget) {
+    if (budget.reductions.empty()) return {};
     QString list;
     std::size_t shown = 0;
-    for (const auto& reduction : r.reductions) {
+    for (const auto& reduction : budget.reductions) {
         if (!reduction.needed || ++shown > most_reductions) continue;
         const BudgetComponent& c = result.budget.components[reduction.component];
         list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3</li>")
                     .arg(to_qt(c.name).toHtmlEscaped(), number(interval_unit(c.unit), reduction.now),
                          number(interval_unit(c.unit), *reduction.needed));
     }
-    if (list.isEmpty())
-        return text + RequirementsForm::tr(" none; several components must be reduced together.");
-    return text + QStringLiteral("<ul>") + list + QStringLiteral("</ul>");
+    if (!list.isEmpty())
+        return RequirementsForm::tr("<br>It would be met with one of these alone:<ul>%1</ul>").arg(list);
+    QString text = RequirementsForm::tr("<br>No component suffices alone.");
+    if (budget.common_factor)
+        text += RequirementsForm::tr(" It would be met with all standard uncertainties multiplied by %1.")
+                    .arg(localized(format_significant(*budget.common_factor, 3)));
+    return text;
+}
+
+QString distribution_words(RequirementResult::Distribution by) {
+    switch (by) {
+        case RequirementResult::Distribution::trials:
+            return RequirementsForm::tr("(trials)");
+        case RequirementResult::Distribution::student_t:
+            return RequirementsForm::tr("(Student t)");
+        case RequirementResult::Distribution::normal:
+            break;
+    }
+    return RequirementsForm::tr("(normal)");
 }
 
 QString conformity_words(const UncertaintyResult& result, const RequirementResult& r) {
     const Unit& unit = result.outputs[r.output].quantity.unit;
     const bool accepted = r.decision == RequirementResult::Decision::accept;
-    const double conforming = r.conformance_monte_carlo.value_or(r.conformance_normal);
     QString text =
         RequirementsForm::tr("Guard band %1: the result is <b>%2</b>. Probability of conformance %3 %4.")
             .arg(number(unit, r.guard_band),
                  accepted ? RequirementsForm::tr("accepted") : RequirementsForm::tr("rejected"),
-                 percent(conforming),
-                 r.conformance_monte_carlo ? RequirementsForm::tr("(trials)")
-                                           : RequirementsForm::tr("(normal)"));
+                 percent(r.conformance), distribution_words(r.conformance_by));
     if (r.global_risks)
         text += RequirementsForm::tr("<br>Global risks of the rule: consumer's %1, producer's %2.")
                     .arg(percent(r.global_risks->consumer), percent(r.global_risks->producer));
@@ -89,7 +104,8 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
       analysis_(std::move(analysis)),
       layout_(new QFormLayout(this)),
       outputs_(new QComboBox(this)),
-      verdict_(new QLabel(this)) {
+      verdict_(new QLabel(this)),
+      jobs_(this, Execution::threads) {
     outputs_->setAccessibleName(tr("Result"));
     outputs_->setObjectName("requirement_of");
     layout_->addRow(tr("Result"), outputs_);
@@ -248,17 +264,51 @@ void RequirementsForm::refresh_problems() {
 
 void RequirementsForm::refresh_verdict() {
     const AnalysisStatus& status = runner_.status(to_qt(analysis_));
+    const Requirement* given = requirement();
+    AnalysisEntry judged;
+    if (given) judged.requirements = {*given};
     QStringList words;
-    if (status.result && status.is_current() && output())
-        for (const RequirementResult& r : status.result->requirements) {
-            const OutputQuantity& of = status.result->outputs[r.output].quantity;
-            if (of.symbol != output()->symbol || of.group != output()->group) continue;
-            if (r.target_uncertainty) words << target_words(*status.result, r);
+    if (status.is_current())
+        for (const RequirementResult& r : judge(*status.result, judged)) {
+            if (r.target_uncertainty) words << target_words(*status.result, r) + reductions(status, r);
             if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r);
         }
-    if (words.isEmpty() && requirement())
-        words << tr("Run the analysis to see whether the requirement is met.");
+    if (!words.isEmpty() && status.stage == ResultStage::first_order &&
+        status.prepared->options.method != Method::first_order)
+        words << tr("By the law of propagation; Monte Carlo is to follow.");
+    if (!words.isEmpty() && status.stage == ResultStage::preview)
+        words << tr("By the trials of a preview; the whole run is to follow.");
+    if (words.isEmpty() && given) words << tr("Run the analysis to see whether the requirement is met.");
     verdict_->setText(words.join(QStringLiteral("<br>")));
+}
+
+// What it takes to meet the target needs trials: found by a worker, shown when it is there.
+QString RequirementsForm::reductions(const AnalysisStatus& status, const RequirementResult& r) {
+    if (r.meets_target) return {};
+    const Sought sought{status.result, r.output, *r.target_uncertainty};
+    if (sought == sought_) return found_ ? reduction_words(*status.result, *found_) : QString();
+    sought_ = sought;
+    found_.reset();
+    search_.request_stop();
+    search_ = std::stop_source();
+    jobs_.push(
+        [this, sought, analysis = status.result_of, stop = search_.get_token()]() -> JobQueue::Delivery {
+            if (stop.stop_requested()) return {};
+            auto budget = reverse_budget(analysis->model.get(), *sought.result, sought.output, sought.target,
+                                         {stop, {}, 0});
+            if (!budget) return {};
+            return [this, sought, budget = std::move(*budget)] {
+                if (!(sought == sought_)) return;
+                found_ = budget;
+                refresh_verdict();
+            };
+        });
+    return {};
+}
+
+RequirementsForm::~RequirementsForm() {
+    search_.request_stop();
+    jobs_.wait();
 }
 
 bool RequirementsForm::focus_field(const std::string& path) {

@@ -7,8 +7,11 @@
 #include <QLabel>
 #include <QWidget>
 #include <functional>
+#include <optional>
+#include <stop_token>
 #include <vector>
 
+#include "core/propagation/reverse_budget.h"
 #include "ui/document/document.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/run/analysis_runner.h"
@@ -20,6 +23,7 @@ class RequirementsForm : public QWidget {
 public:
     RequirementsForm(Document& document, AnalysisRunner& runner, std::string analysis,
                      QWidget* parent = nullptr);
+    ~RequirementsForm() override;
     /// "/analyses/0/requirements/1/lowerLimit". False: not of a requirement.
     bool focus_field(const std::string& path);
 
@@ -34,6 +38,13 @@ private:
         Member member;  ///< null for the guard factor
         bool is_interval;
     };
+    /// A target that is not met, for which the reverse budget is sought.
+    struct Sought {
+        ResultPointer result;
+        std::size_t output = 0;
+        double target = 0.0;
+        bool operator==(const Sought&) const = default;
+    };
     void add_row(const char* key, const QString& title, const QString& help, Member member, bool is_interval);
     void add_guard_factor();
     void refresh();
@@ -41,6 +52,7 @@ private:
     void refresh_values();
     void refresh_problems();
     void refresh_verdict();
+    QString reductions(const AnalysisStatus& status, const RequirementResult& r);
     const OutputQuantity* output() const;
     const Requirement* requirement() const;
     void change(const std::string& key, const std::function<void(Requirement&)>& edit);
@@ -53,6 +65,10 @@ private:
     QLabel* verdict_;
     std::vector<Row> rows_;
     std::vector<OutputQuantity> known_;
+    Sought sought_;
+    std::optional<ReverseBudget> found_;  ///< for `sought_`
+    std::stop_source search_;
+    JobQueue jobs_;
 };
 
 }  // namespace covaria::ui

@@ -124,7 +124,7 @@ void ExportActions::export_results_to(const QString& folder) {
         const std::filesystem::path place = to_path(folder);
         auto written = write_file_atomically(place / "results.json", results_json(*project, analyses));
         for (const EvaluatedAnalysis& one : analyses)
-            for (const DataTable& table : result_tables(one))
+            for (const DataTable& table : result_tables(*project, one))
                 if (written)
                     written = write_file_atomically(place / (one.analysis->id + "-" + table.id + ".csv"),
                                                     to_csv(table));

@@ -6,6 +6,7 @@
 
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
+#include "core/result/result_line.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
@@ -97,11 +98,11 @@ void ResultTableModel::add_result_columns(std::vector<Column>& columns) const {
          [this](std::size_t row) { return uncertainty_text(row, output(row).standard_uncertainty); },
          [this](std::size_t row) { return output(row).standard_uncertainty; }});
     columns.push_back(
-        {QStringLiteral("U"), tr("Expanded uncertainty, U = k·u"),
+        {QStringLiteral("U"), tr("Expanded uncertainty. %1").arg(to_qt(expanded_words(*result_))),
          [this](std::size_t row) { return uncertainty_text(row, output(row).expanded_uncertainty); },
          [this](std::size_t row) { return output(row).expanded_uncertainty; }});
     columns.push_back(
-        {QStringLiteral("k"), tr("Coverage factor"),
+        {QStringLiteral("k"), tr("Coverage factor. %1").arg(to_qt(expanded_words(*result_))),
          [this](std::size_t row) { return localized(format_decimals(output(row).coverage_factor, 2)); },
          [this](std::size_t row) { return output(row).coverage_factor; }});
     columns.push_back(
@@ -137,9 +138,7 @@ void ResultTableModel::add_contributor_columns(std::vector<Column>& columns) con
         const std::string& contributor = result_->contributors[i].contributor;
         const QString name = contributor.empty() ? tr("set-up") : to_qt(contributor);
         const auto remaining = [this, i](std::size_t row) {
-            const ContributorResult::Uncertainties& u = result_->contributors[i].without;
-            const std::vector<double>& values = u.monte_carlo.empty() ? u.first_order : u.monte_carlo;
-            return output(row).coverage_factor * values[shown_[row]];
+            return expanded_with(output(row), result_->contributors[i].without, shown_[row]);
         };
         columns.push_back(
             {tr("U, %1 held").arg(name),
@@ -166,6 +165,7 @@ void ResultTableModel::add_first_order_columns(std::vector<Column>& columns) con
         {tr("U (first order)"), tr("By the law of propagation of uncertainty"),
          [this, first](std::size_t row) { return uncertainty_text(row, first(row).expanded_uncertainty); },
          [first](std::size_t row) { return first(row).expanded_uncertainty; }});
+    add_second_order_columns(columns);
     columns.push_back({tr("First order validated"),
                        tr("JCGM 101 clause 8: agrees with Monte Carlo within the tolerance"),
                        [first](std::size_t row) {
@@ -173,6 +173,29 @@ void ResultTableModel::add_first_order_columns(std::vector<Column>& columns) con
                            if (!validation) return QString();
                            return validation->validated ? tr("yes") : tr("no");
                        }});
+}
+
+void ResultTableModel::add_second_order_columns(std::vector<Column>& columns) const {
+    using Member = std::optional<double> FirstOrderOutput::*;
+    const auto add = [&](const QString& title, const QString& help, Member member) {
+        const auto value = [this, member](std::size_t row) {
+            return (output(row).first_order.*member).value_or(std::nan(""));
+        };
+        columns.push_back({title, help,
+                           [this, value](std::size_t row) {
+                               return std::isnan(value(row)) ? QString() : uncertainty_text(row, value(row));
+                           },
+                           value});
+    };
+    const bool any = std::any_of(shown_.begin(), shown_.end(), [this](std::size_t j) {
+        return result_->outputs[j].first_order.second_order_standard_uncertainty.has_value();
+    });
+    if (!any) return;
+    add(tr("u (second order)"), tr("With the second-order terms of JCGM 100 5.1.2; for information"),
+        &FirstOrderOutput::second_order_standard_uncertainty);
+    add(tr("shift (second order)"),
+        tr("What the curvature of the equation adds to the estimate; for information, not added"),
+        &FirstOrderOutput::second_order_estimate_shift);
 }
 
 QVariant ResultTableModel::extra(std::size_t row, std::size_t, int role) const {

@@ -39,6 +39,8 @@ private:
     /// U with everything of a contributor held, where there are two and not too many.
     void add_contributor_columns(std::vector<Column>& columns) const;
     void add_first_order_columns(std::vector<Column>& columns) const;
+    /// Where they were asked for.
+    void add_second_order_columns(std::vector<Column>& columns) const;
     const OutputResult& output(std::size_t row) const { return result_->outputs[shown_[row]]; }
     const Unit& unit(std::size_t row) const { return units_.of(output(row).quantity.unit); }
     std::optional<CoverageInterval> interval_of(std::size_t row) const;

@@ -50,7 +50,8 @@ std::vector<std::string> ids_of(const std::vector<DataTable>& tables) {
 
 TEST(ResultTables, HoldEverythingOfTheResult) {
     const UncertaintyResult result = test::sample_result();
-    const std::vector<DataTable> tables = result_tables(test::sample_analysis(result));
+    const std::vector<DataTable> tables =
+        result_tables(test::sample_project(), test::sample_analysis(result));
     EXPECT_EQ(ids_of(tables), (std::vector<std::string>{"results", "budget", "covariance", "correlation",
                                                         "inputs", "regions", "histograms", "convergence"}));
     EXPECT_EQ(tables[0].rows.size(), 78U);
@@ -63,7 +64,8 @@ TEST(ResultTables, HoldEverythingOfTheResult) {
 
 TEST(ResultTables, CovarianceIsInTheProductOfUnits) {
     const UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
-    const std::vector<DataTable> tables = result_tables(test::sample_analysis(result));
+    const std::vector<DataTable> tables =
+        result_tables(test::sample_project(), test::sample_analysis(result));
     const DataTable& covariance = tables[2];
     // row x (mm), column alpha (deg)
     const double shown = std::get<double>(covariance.rows[0][2 + 3]);
@@ -74,7 +76,8 @@ TEST(ResultTables, CovarianceIsInTheProductOfUnits) {
 
 TEST(ResultTables, WithoutMonteCarloItsCellsAreEmpty) {
     const UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
-    const std::vector<DataTable> tables = result_tables(test::sample_analysis(result));
+    const std::vector<DataTable> tables =
+        result_tables(test::sample_project(), test::sample_analysis(result));
     EXPECT_EQ(tables.size(), 6U);
     const auto& columns = tables[0].columns;
     const auto shortest = std::find_if(columns.begin(), columns.end(),

@@ -94,6 +94,24 @@ TEST(FormatCell, ConvertsToTheColumnsUnitAndShowsForeignUnits) {
     EXPECT_EQ(format_cell(TableCell(2e-5), TableColumn{}), "2e-05");
 }
 
+// Typed numbers keep their digits, through units and back; computed ones without an uncertainty have seven.
+TEST(FormatTyped, KeepsEveryDigitThatWasTyped) {
+    EXPECT_EQ(
+        format_cell(TableCell(Quantity{10.000172, Unit::of("V")}), TableColumn{"", Unit::of("V"), false, 0}),
+        "10.000172");
+    const Unit mm = Unit::of("mm");
+    for (const double typed : {344.5, 0.066, 1174.91, 10.000172, 9999.99999, 0.1, 123.456789012, 50000623.0})
+        for (const Unit& unit : {mm, Unit::of("deg"), Unit::of("arcsec"), Unit::of("um"), Unit::of("uV")}) {
+            const std::string text = format_typed(unit.from_si(unit.to_si(typed)));
+            EXPECT_EQ(std::stod(text), typed) << unit.text();
+            EXPECT_EQ(text, format_typed(typed)) << unit.text();
+        }
+    EXPECT_EQ(format_typed(1.0 / 3.0), "0.3333333");
+    EXPECT_EQ(format_estimate(10.000172, 0.01), "10.000172");
+    EXPECT_EQ(format_estimate(10.0 / 3.0, 1e-9), "3.33333333333");
+    EXPECT_EQ(format_estimate(10.0 / 3.0, 0.01), "3.333333");
+}
+
 TEST(FormatExact, ReadsBackToTheSameNumber) {
     for (const double value :
          {0.1, 1.0 / 3.0, 1174.9091234567891, 5e-324, -0.0, 1e300, 123456789012345680.0}) {

@@ -32,13 +32,15 @@ TEST(ResultsJson, HasTheKeysOfTheContractInOrder) {
     EXPECT_EQ(keys_of(analysis),
               (Keys{"id", "model", "trials", "failedTrials", "stabilised", "seed", "outputs", "covariance"}));
     const Json& output = analysis["outputs"][0];
-    EXPECT_EQ(keys_of(output), (Keys{"symbol", "group", "unit", "role", "estimate", "mean",
-                                     "standardUncertainty", "expandedUncertainty", "coverageFactor",
-                                     "interval", "shortestInterval", "skewness", "kurtosis", "firstOrder"}));
+    EXPECT_EQ(keys_of(output),
+              (Keys{"symbol", "group", "unit", "role", "estimate", "mean", "standardUncertainty",
+                    "expandedUncertainty", "coverageFactor", "expandedUncertaintyBy", "interval",
+                    "shortestInterval", "skewness", "kurtosis", "excessKurtosis", "firstOrder"}));
     EXPECT_EQ(keys_of(output["interval"]), (Keys{"kind", "probability", "low", "high"}));
     EXPECT_EQ(keys_of(output["shortestInterval"]), (Keys{"low", "high"}));
     EXPECT_EQ(keys_of(output["firstOrder"]),
-              (Keys{"standardUncertainty", "effectiveDegreesOfFreedom", "coverageFactor", "validated"}));
+              (Keys{"estimate", "standardUncertainty", "effectiveDegreesOfFreedom", "coverageFactor",
+                    "expandedUncertainty", "validated"}));
 }
 
 TEST(ResultsJson, NumbersAreInTheUnitThatIsNamed) {
@@ -63,6 +65,29 @@ TEST(ResultsJson, InfinityIsNullAndTheSeedIsText) {
     EXPECT_TRUE(analysis["outputs"][0]["firstOrder"]["effectiveDegreesOfFreedom"].is_null());
     EXPECT_EQ(analysis["seed"], "18446744073709551615");
     EXPECT_EQ(analysis["outputs"][0]["firstOrder"]["validated"], true);
+}
+
+// kurtosis is that of JCGM and of statistics books, 3 for a normal distribution.
+TEST(ResultsJson, KurtosisAndExcessDifferByThree) {
+    const UncertaintyResult result = test::sample_result();
+    const Json x = Json::parse(text_of(result))["analyses"][0]["outputs"][0];
+    EXPECT_NEAR(x["excessKurtosis"].get<double>(), result.outputs[0].monte_carlo->kurtosis, 1e-15);
+    EXPECT_NEAR(x["kurtosis"].get<double>(), 3.0 + result.outputs[0].monte_carlo->kurtosis, 1e-15);
+    EXPECT_EQ(x["expandedUncertaintyBy"], "half-interval");
+    EXPECT_NEAR(x["firstOrder"]["estimate"].get<double>(), 1e3 * result.outputs[0].first_order.estimate,
+                1e-9);
+}
+
+TEST(ResultsJson, SecondOrderTermsStandWhereTheyWereAskedFor) {
+    UncertaintyResult result = test::sample_result();
+    EXPECT_FALSE(
+        Json::parse(text_of(result))["analyses"][0]["outputs"][0]["firstOrder"].contains("secondOrder"));
+    result.outputs[0].first_order.second_order_standard_uncertainty = 0.0004;
+    result.outputs[0].first_order.second_order_estimate_shift = -0.00002;
+    const Json second =
+        Json::parse(text_of(result))["analyses"][0]["outputs"][0]["firstOrder"]["secondOrder"];
+    EXPECT_NEAR(second["standardUncertainty"].get<double>(), 0.4, 1e-12);
+    EXPECT_NEAR(second["estimateShift"].get<double>(), -0.02, 1e-12);
 }
 
 TEST(ResultsJson, WithoutMonteCarloTheIntervalIsFirstOrder) {

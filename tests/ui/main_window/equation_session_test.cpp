@@ -3,9 +3,11 @@
 #include <QDir>
 #include <QLineEdit>
 
+#include "core/report/report.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/forms/lines_editor.h"
 #include "ui/forms/requirements_form.h"
+#include "ui/pages/current_results.h"
 #include "ui/scene_view/equations_view.h"
 
 namespace covaria::ui::equation_session_test {
@@ -83,6 +85,56 @@ TEST_F(EquationSession, ARequirementIsJudged) {
         QTest::keyClick(edit, Qt::Key_Return);
     }
     EXPECT_TRUE(window_->document().project().analyses[0].requirements.empty());
+}
+
+// A verdict is never old: a limit changed after the run is judged at once, in the form and in the report, and
+// the result stays up to date.
+TEST_F(EquationSession, AChangedLimitIsJudgedAtOnce) {
+    open_gauge_block();
+    show_tab(QStringLiteral("Requirements"));
+    auto* form = window_->properties().findChild<RequirementsForm*>();
+    ASSERT_NE(form, nullptr);
+    ASSERT_TRUE(wait_for([&] { return form->outputs()->count() == 1; }));
+    type_into("upperLimit", QStringLiteral("1000"));
+    trigger(QStringLiteral("Run This Analysis"));
+    ASSERT_TRUE(wait_for([&] { return form->verdict()->text().contains(QStringLiteral("accepted")); }));
+    ASSERT_TRUE(wait_for([&] { return status().state == RunState::up_to_date; }));
+    const auto result = status().result;
+    const auto report = [&] {
+        const Project& project = window_->document().project();
+        return to_markdown(build_report(project, {}, current_results(project, window_->runner())));
+    };
+    EXPECT_NE(report().find("accepted"), std::string::npos);
+    type_into("upperLimit", QStringLiteral("850"));
+    EXPECT_TRUE(form->verdict()->text().contains(QStringLiteral("rejected")))
+        << form->verdict()->text().toStdString();
+    EXPECT_EQ(status().state, RunState::up_to_date);
+    EXPECT_EQ(status().result, result) << "a requirement does not change the result";
+    EXPECT_EQ(report().find("accepted"), std::string::npos);
+    EXPECT_NE(report().find("rejected"), std::string::npos);
+    type_into("targetUncertainty", QStringLiteral("80 nm"));
+    EXPECT_TRUE(form->verdict()->text().contains(QStringLiteral("not met")));
+    EXPECT_TRUE(wait_for([&] { return form->verdict()->text().contains(QStringLiteral("reduced from")); }));
+    type_into("targetUncertainty", QStringLiteral("200 nm"));
+    EXPECT_FALSE(form->verdict()->text().contains(QStringLiteral("not met")));
+    EXPECT_EQ(status().result, result);
+}
+
+// 17.4: live mode judges as well, first by the law of propagation, then by the trials.
+TEST_F(EquationSession, LiveModeJudges) {
+    open_gauge_block();
+    show_tab(QStringLiteral("Requirements"));
+    auto* form = window_->properties().findChild<RequirementsForm*>();
+    ASSERT_NE(form, nullptr);
+    ASSERT_TRUE(wait_for([&] { return form->outputs()->count() == 1; }));
+    type_into("upperLimit", QStringLiteral("1000"));
+    window_->runner().set_live(true);
+    ASSERT_TRUE(wait_for([&] { return form->verdict()->text().contains(QStringLiteral("accepted")); }))
+        << form->verdict()->text().toStdString();
+    ASSERT_TRUE(wait_for([&] { return status().state == RunState::up_to_date; }));
+    EXPECT_TRUE(form->verdict()->text().contains(QStringLiteral("(trials)")));
+    type_into("upperLimit", QStringLiteral("850"));
+    EXPECT_TRUE(form->verdict()->text().contains(QStringLiteral("rejected")));
 }
 
 }  // namespace
