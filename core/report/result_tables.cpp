@@ -2,6 +2,7 @@
 // histogram.
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
+#include "core/result/representation.h"
 
 namespace covaria {
 namespace {
@@ -89,7 +90,8 @@ DataTable results_table(const UncertaintyResult& result) {
                                   "delta",
                                   "d_low",
                                   "d_high",
-                                  "clause 8"});
+                                  "clause 8",
+                                  "remark"});
     for (const OutputResult& output : result.outputs) {
         const OutputQuantity& q = output.quantity;
         std::vector<TableCell> row = {q.group,
@@ -104,6 +106,7 @@ DataTable results_table(const UncertaintyResult& result) {
                                       result.coverage_probability};
         for (auto& cell : monte_carlo_cells(output)) row.push_back(std::move(cell));
         for (auto& cell : first_order_cells(output)) row.push_back(std::move(cell));
+        row.emplace_back(std::string(represents_measurand(result) ? "" : does_not_represent));
         table.rows.push_back(std::move(row));
     }
     return table;
