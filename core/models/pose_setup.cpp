@@ -137,6 +137,7 @@ private:
                 rule.u[i] = setup_.number(prefix + "_u_" + "xyz"[i]);
                 rule.common[i] = setup_.flag(prefix + "_common_" + "xyz"[i]);
             }
+            rule.distribution = setup_.text(prefix + "_distribution");
             return rule;
         }
         rule.asset_id = setup_.text(prefix + "_asset");

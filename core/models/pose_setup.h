@@ -43,6 +43,7 @@ struct UncertaintyRule {
     std::string asset_id, asset_name;
     std::array<double, 3> u{};
     std::array<bool, 3> common{};
+    std::string distribution = {};  ///< shape of typed deviations
 };
 
 struct Pose {
