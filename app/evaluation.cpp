@@ -2,6 +2,7 @@
 
 #include "app/terminal.h"
 #include "core/project/project_file.h"
+#include "core/result/representation.h"
 #include "core/study/study.h"
 
 namespace covaria {
@@ -76,6 +77,10 @@ Result<void> evaluate_studies(const Project& project, const AssetLibrary& assets
             print_message(what + ": warning: " + std::to_string(failed) + " of " +
                           std::to_string(result->points.size()) +
                           " grid points have no values: " + result->reasons[1]);
+        if (const std::size_t count = not_representing(*result).size(); count > 0)
+            print_message(what + ": warning: what is given for " + std::to_string(count) + " of " +
+                          std::to_string(result->points.size()) + " grid points " + does_not_represent +
+                          ": more than 1 % of the trials have no value");
         evaluated.studies.push_back(std::make_shared<const StudyResult>(std::move(*result)));
     }
     return {};

@@ -11,6 +11,7 @@
 #include "app/pictures.h"
 #include "app/report_files.h"
 #include "app/terminal.h"
+#include "core/result/representation.h"
 
 namespace covaria {
 namespace {
@@ -28,6 +29,9 @@ Result<void> run(const RunArguments& arguments, const std::stop_token& stop) {
     if (!opened) return fail(opened.error());
     auto evaluated = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluated) return fail(evaluated.error());
+    for (const EvaluatedAnalysis& one : *evaluated)
+        if (!represents_measurand(*one.result))
+            print_message("the result of " + one.analysis->id + " " + does_not_represent);
     if (auto written = write_results(arguments.out, opened->project, opened->assets, *evaluated); !written)
         return written;
     if (arguments.pictures)

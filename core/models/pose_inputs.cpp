@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/assets/specification.h"
 #include "core/models/pose_equations.h"
 
 namespace covaria::pose {
@@ -126,7 +127,8 @@ private:
                 .id = {},
                 .name = "coordinate " + axis,
                 .unit = Unit::of("mm"),
-                .distribution = Distribution::normal(own.value_or(point.uncertainty->u[c])),
+                .distribution = distribution_of_shape(point.uncertainty->distribution,
+                                                      own.value_or(point.uncertainty->u[c])),
                 .origin = "typed"};
             const std::string id = (common ? prefix_of(point.side) : point.symbol()) + "." + axis;
             add_shares(i, component_of(component, id, {}, common), point.axes.col(static_cast<int>(c)));

@@ -1,4 +1,5 @@
 // The fields of "pose from points".
+#include "core/assets/specification.h"
 #include "core/models/pose_setup.h"
 
 namespace covaria::pose {
@@ -122,6 +123,10 @@ std::vector<FieldSpec> uncertainty_fields(const Words& words) {
                           .shown_if = typed,
                           .section = section});
     }
+    FieldSpec distribution =
+        distribution_field(prefix + "_distribution", "typed deviations of the points", section);
+    distribution.shown_if = typed;
+    fields.push_back(distribution);
     fields.push_back(
         {.key = prefix + "_asset",
          .title = "Artefact or instrument",

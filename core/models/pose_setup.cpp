@@ -124,6 +124,7 @@ private:
                 rule.common[i] = setup_.flag(prefix + "_common_" + "xyz"[i]);
             }
             rule.along_base = side == Side::moving && setup_.text("moving_uncertainty_axes") == "base";
+            rule.distribution = setup_.text(prefix + "_distribution");
             return rule;
         }
         rule.asset_id = setup_.text(prefix + "_asset");

@@ -42,6 +42,7 @@ struct UncertaintyRule {
     std::array<double, 3> u{};
     std::array<bool, 3> common{};
     bool along_base = false;  ///< typed ones of the moving points lie along the axes of the base frame
+    std::string distribution = {};  ///< shape of typed deviations
 };
 
 struct Pose {

@@ -15,6 +15,7 @@
 #include "core/propagation/sobol.h"
 #include "core/propagation/take_trials.h"
 #include "core/propagation/validation.h"
+#include "core/result/representation.h"
 
 namespace covaria::detail {
 namespace {
@@ -206,6 +207,10 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
              << 100.0 * static_cast<double>(run.failed()) / static_cast<double>(run.trials)
              << " %) have no value (the measurement model cannot be evaluated there) and are not part of the "
                 "statistics.";
+        if (!represents_measurand(result_))
+            text << " The result " << does_not_represent
+                 << ": more than 1 % of the trials are lost, and they "
+                 << "are not a random choice.";
         warnings.push_back(text.str());
     }
     if (!result_.stabilised)

@@ -3,6 +3,7 @@
 #include "core/project/requirements.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
+#include "core/result/representation.h"
 #include "core/result/result_line.h"
 
 namespace covaria {
@@ -100,7 +101,8 @@ DataTable results_table(const UncertaintyResult& result) {
                                   "clause 8",
                                   "u second order",
                                   "shift second order",
-                                  "U by"});
+                                  "U by",
+                                  "remark"});
     for (const OutputResult& output : result.outputs) {
         const OutputQuantity& q = output.quantity;
         std::vector<TableCell> row = {q.group,
@@ -116,6 +118,7 @@ DataTable results_table(const UncertaintyResult& result) {
         for (auto& cell : monte_carlo_cells(output)) row.push_back(std::move(cell));
         for (auto& cell : first_order_cells(output)) row.push_back(std::move(cell));
         row.emplace_back(expanded_key(result));
+        row.emplace_back(std::string(represents_measurand(result) ? "" : does_not_represent));
         table.rows.push_back(std::move(row));
     }
     return table;

@@ -7,6 +7,7 @@
 #include "core/report/number_format.h"
 #include "core/report/report.h"
 #include "core/report/study_json.h"
+#include "core/result/representation.h"
 #include "core/result/result_line.h"
 
 namespace covaria {
@@ -217,10 +218,14 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
                         {"model", evaluated.analysis->descriptor ? evaluated.analysis->descriptor->id : ""},
                         {"trials", result.trials},
                         {"failedTrials", result.failed_trials},
+                        {"representsMeasurand", represents_measurand(result)},
                         {"stabilised", result.stabilised},
                         {"seed", std::to_string(result.provenance.seed)},
                         {"outputs", std::move(outputs)},
                         {"covariance", covariance_json(result)}};
+    std::vector<std::string> warnings = evaluated.warnings;
+    warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
+    if (!warnings.empty()) json["warnings"] = warnings;
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
     if (const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id))

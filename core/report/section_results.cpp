@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/report/report_parts.h"
+#include "core/result/representation.h"
 #include "core/result/result_line.h"
 
 namespace covaria::report_parts {
@@ -78,6 +79,9 @@ void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
         words += "Values from the propagation of distributions (JCGM 101) with " + count_text(result.trials) +
                  " trials; the interval is probabilistically symmetric, the shortest one beside it. "
                  "The effective degrees of freedom are those of the law of propagation.";
+        if (!represents_measurand(result))
+            words += " This result " + std::string(does_not_represent) + ": " +
+                     count_text(result.failed_trials) + " trials, more than 1 %, have no value.";
     }
     blocks.push_back(ParagraphBlock{words});
 }

@@ -12,6 +12,7 @@
 
 #include "core/base/symbol.h"
 #include "core/report/plots.h"
+#include "core/result/representation.h"
 #include "ui/charts/chart_view.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
@@ -167,6 +168,9 @@ QString ResultsPane::state_words() const {
     if (status.result->failed_trials > 0)
         words += tr("; %1 trials without a value")
                      .arg(QLocale().toString(qulonglong(status.result->failed_trials)));
+    if (!represents_measurand(*status.result))
+        words =
+            tr("<b>Does not represent the measurand</b> (more than 1 % of the trials are lost). ") + words;
     if (!status.result->stabilised) words += tr("; not stabilised");
     if (!status.is_current()) words = tr("<b>Out of date</b>: shown for the project as it was. ") + words;
     return words;
