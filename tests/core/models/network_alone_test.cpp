@@ -246,7 +246,7 @@ TEST(Networks, EqualPlainLeastSquares) {
         for (const char* weights : {"with-stations", "observations"}) {
             Project project;
             for (const char* id : {"a", "b", "c"}) {
-                Setup setup = full_tracker(g, false, false);
+                covaria::Setup setup = full_tracker(g, false, false);
                 for (const char* key : {"u_zero", "u_index", "u_axis_tilt", "u_beam_offset", "u_refraction"})
                     setup.values.erase(key);
                 project.assets.push_back(entry(id, "spherical-instrument", setup));

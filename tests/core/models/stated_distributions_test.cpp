@@ -70,15 +70,14 @@ TEST(StatedDistributions, ReachTheComponentsOfShippedProjects) {
                 ASSERT_TRUE(result) << name;
                 for (std::size_t j = 0; j < result->outputs.size(); ++j) {
                     const double u = result->outputs[j].first_order.standard_uncertainty;
-                    if (shape == "normal")
-                        usual.push_back(u);
-                    else
-                        EXPECT_NEAR(u, usual[j], 1e-9 * usual[j]) << name << ", " << shape;
+                    if (shape == "normal") usual.push_back(u);
+                    EXPECT_NEAR(u, usual[j], 1e-9 * usual[j]) << name << ", " << shape;
                 }
                 if (shape == "normal") continue;
                 for (const UncertaintyComponent& c : prepared->inputs.components)
-                    if (c.id.find("station.") != std::string::npos)
+                    if (c.id.find("station.") != std::string::npos) {
                         EXPECT_EQ(c.distribution.kind(), shape) << c.id;
+                    }
             }
         }
     }
