@@ -51,7 +51,8 @@ double f_quantile(double p, double nu1, double nu2) {
 }
 
 double f_upper_tail(double ratio, double nu1, double nu2) {
-    if (!(ratio >= 0.0) || !(nu1 > 0.0) || !(nu2 > 0.0) || std::isinf(nu1) || std::isinf(nu2)) return nan_value;
+    if (!(ratio >= 0.0) || !(nu1 > 0.0) || !(nu2 > 0.0) || std::isinf(nu1) || std::isinf(nu2))
+        return nan_value;
     return boost::math::cdf(
         boost::math::complement(boost::math::fisher_f_distribution<double, Quiet>(nu1, nu2), ratio));
 }

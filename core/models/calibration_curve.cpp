@@ -61,7 +61,8 @@ public:
         const curve::Polynomials& polynomials = fit_.polynomials;
         for (std::size_t i = 0; i < inverse_.size(); ++i) {
             Real t;
-            valid = curve::place_of(polynomials, change, Real(x[first_observation_ + i]), inverse_[i], t) && valid;
+            valid = curve::place_of(polynomials, change, Real(x[first_observation_ + i]), inverse_[i], t) &&
+                    valid;
             y.set(output++, Real(polynomials.centre) + Real(polynomials.half_width) * t);
         }
         return valid;
@@ -118,7 +119,8 @@ private:
             const bool is_mean = j == 0 && !setup_.through_origin;
             InputQuantity quantity{.symbol = symbol,
                                    .name = is_mean ? "mean of y"
-                                                   : "term of degree " + std::to_string(j + setup_.first_power()) +
+                                                   : "term of degree " +
+                                                         std::to_string(j + setup_.first_power()) +
                                                          " (orthonormal polynomial)",
                                    .unit = is_mean ? setup_.y_unit : curve::interval_unit(setup_.y_unit),
                                    .offset = fit_.q[j],
@@ -221,10 +223,11 @@ std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, 
     if (!setup) return nullptr;
     auto fit = curve::fit_of(*setup);
     if (!fit) {
-        problems.error("/points", setup->has_u_x()
-                                      ? "no curve of this degree was found: the iteration for the uncertainties of "
-                                        "x does not settle on these points"
-                                      : "the points do not determine a curve of this degree");
+        problems.error("/points",
+                       setup->has_u_x()
+                           ? "no curve of this degree was found: the iteration for the uncertainties of "
+                             "x does not settle on these points"
+                           : "the points do not determine a curve of this degree");
         return nullptr;
     }
     std::vector<InversePlace> inverse;
@@ -236,8 +239,9 @@ std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, 
             continue;
         }
         if (found->outside)
-            problems.warning(place, "the x of y = " + curve::place_text(setup->y_unit, setup->observations[i].y) +
-                                        " lies outside of the points of the calibration");
+            problems.warning(place,
+                             "the x of y = " + curve::place_text(setup->y_unit, setup->observations[i].y) +
+                                 " lies outside of the points of the calibration");
         inverse.push_back(*found);
     }
     if (problems.has_errors()) return nullptr;

@@ -24,10 +24,11 @@ void judge_stated(const CurveSetup& setup, const Fit& fit, DataTable& summary) {
     const double limit = chi_squared_quantile(0.95, nu);
     summary.rows.push_back({std::string("chi-squared"), fit.chi_squared});
     summary.rows.push_back({std::string("its 95 % quantile"), limit});
-    summary.notes.push_back(fit.chi_squared <= limit
-                                ? "The residuals agree with the stated uncertainties."
-                                : "The residuals are larger than the stated uncertainties explain: the curve or the "
-                                  "uncertainties do not describe these points.");
+    summary.notes.push_back(
+        fit.chi_squared <= limit
+            ? "The residuals agree with the stated uncertainties."
+            : "The residuals are larger than the stated uncertainties explain: the curve or the "
+              "uncertainties do not describe these points.");
 }
 
 DataTable fit_table_of(const CurveSetup& setup, const Fit& fit) {
@@ -39,15 +40,16 @@ DataTable fit_table_of(const CurveSetup& setup, const Fit& fit) {
                                 Quantity{unit.interval_from_si(fit.standard_deviation), unit}});
     summary.rows.push_back({std::string("degrees of freedom"), nu});
     if (setup.from_residuals)
-        summary.rows.push_back({std::string("coefficient of determination R²"),
-                                fit.sum_of_squares_regression /
-                                    (fit.sum_of_squares_regression + fit.sum_of_squares)});
+        summary.rows.push_back(
+            {std::string("coefficient of determination R²"),
+             fit.sum_of_squares_regression / (fit.sum_of_squares_regression + fit.sum_of_squares)});
     else if (nu > 0.0)
         judge_stated(setup, fit, summary);
     return summary;
 }
 
-DataTable inverse_table_of(const CurveSetup& setup, const Fit& fit, const std::vector<InversePlace>& inverse) {
+DataTable inverse_table_of(const CurveSetup& setup, const Fit& fit,
+                           const std::vector<InversePlace>& inverse) {
     DataTable table{"inverse", "Inverse use", {}, {}, {}};
     table.columns = {{"y", setup.y_unit, true}, {"x", setup.x_unit, true}, {"also reached at x"}};
     for (std::size_t i = 0; i < inverse.size(); ++i) {
@@ -68,10 +70,10 @@ std::vector<DataTable> curve_evaluation(const CurveSetup& setup, const Fit& fit,
                                         const std::vector<InversePlace>& inverse) {
     std::vector<DataTable> tables{points_table_of(setup, fit), fit_table_of(setup, fit)};
     if (setup.from_residuals)
-        tables.push_back(variance_table(
-            "variance", "Analysis of variance of the fit", interval_unit(setup.y_unit),
-            {"curve", fit.sum_of_squares_regression, double(setup.degree)},
-            {"residuals", fit.sum_of_squares, setup.degrees_of_freedom()}));
+        tables.push_back(variance_table("variance", "Analysis of variance of the fit",
+                                        interval_unit(setup.y_unit),
+                                        {"curve", fit.sum_of_squares_regression, double(setup.degree)},
+                                        {"residuals", fit.sum_of_squares, setup.degrees_of_freedom()}));
     if (!inverse.empty()) tables.push_back(inverse_table_of(setup, fit, inverse));
     return tables;
 }

@@ -15,7 +15,8 @@ class Fitter {
 public:
     explicit Fitter(const CurveSetup& setup) : setup_(setup), n_(setup.points.size()) {
         double mean = 0.0;
-        for (const Point& p : setup.points) weights_.push_back(setup.from_residuals ? 1.0 : 1.0 / (p.u_y * p.u_y));
+        for (const Point& p : setup.points)
+            weights_.push_back(setup.from_residuals ? 1.0 : 1.0 / (p.u_y * p.u_y));
         for (const double w : weights_) mean += w / double(n_);
         for (double& w : weights_) w /= mean;
     }
@@ -53,7 +54,9 @@ private:
         for (const Point& p : setup_.points) phi_.push_back(phi_at(p.x));
     }
 
-    Wide residual(std::size_t i) const { return setup_.points[i].y - sum_of(q_, phi_[i], fit_.polynomials.count); }
+    Wide residual(std::size_t i) const {
+        return setup_.points[i].y - sum_of(q_, phi_[i], fit_.polynomials.count);
+    }
 
     /// By projection on the polynomials; repeated, since their coefficients are rounded.
     void solve() {
@@ -90,8 +93,8 @@ private:
             squares += r * r;
             if (setup_.from_residuals) continue;
             const Point& p = setup_.points[i];
-            const auto foot = foot_of<double>(fit_.polynomials, q, fit_.polynomials.t_of(p.x), p.y, p.u_y * p.u_y,
-                                              p.u_x * p.u_x / (width * width));
+            const auto foot = foot_of<double>(fit_.polynomials, q, fit_.polynomials.t_of(p.x), p.y,
+                                              p.u_y * p.u_y, p.u_x * p.u_x / (width * width));
             chi += Wide(foot.residual) * foot.residual * foot.weight;
         }
         fit_.sum_of_squares = double(squares);

@@ -13,15 +13,15 @@ namespace covaria::curve {
 /// neither the origin nor large terms that cancel cost digits.
 struct Fit {
     Polynomials polynomials;
-    std::vector<double> q;          ///< estimates
-    double u_of_q = 0.0;            ///< of each, uncorrelated; from the residuals only
-    Eigen::MatrixXd gain;           ///< [q][point] dq/dy_i; stated uncertainties without u_x only
-    Eigen::MatrixXd powers;         ///< [power][q]: coefficients of powers of x - x_0
+    std::vector<double> q;   ///< estimates
+    double u_of_q = 0.0;     ///< of each, uncorrelated; from the residuals only
+    Eigen::MatrixXd gain;    ///< [q][point] dq/dy_i; stated uncertainties without u_x only
+    Eigen::MatrixXd powers;  ///< [power][q]: coefficients of powers of x - x_0
     std::vector<double> coefficients;
-    Eigen::MatrixXd at_predictions; ///< [prediction][q]
+    Eigen::MatrixXd at_predictions;  ///< [prediction][q]
     std::vector<double> predicted;
-    std::vector<double> residuals;  ///< y_i - curve(x_i)
-    double sum_of_squares = 0.0;    ///< of the residuals
+    std::vector<double> residuals;           ///< y_i - curve(x_i)
+    double sum_of_squares = 0.0;             ///< of the residuals
     double sum_of_squares_regression = 0.0;  ///< about the mean, or about zero without a constant term
     double standard_deviation = 0.0;         ///< s of the residuals
     double chi_squared = 0.0;  ///< weighted sum of squares, along x and y; of stated uncertainties only

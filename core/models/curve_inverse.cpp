@@ -84,9 +84,8 @@ Result<double> chosen(const CurveSetup& setup, const Fit& fit, const Observation
     if (places.empty()) return fail(ErrorCode::bad_input, "the curve does not reach " + y);
     if (observation.near) {
         const double near = fit.polynomials.t_of(*observation.near);
-        return *std::min_element(places.begin(), places.end(), [&](double a, double b) {
-            return std::abs(a - near) < std::abs(b - near);
-        });
+        return *std::min_element(places.begin(), places.end(),
+                                 [&](double a, double b) { return std::abs(a - near) < std::abs(b - near); });
     }
     std::vector<double> inside;
     for (const double t : places)

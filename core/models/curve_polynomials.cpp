@@ -81,7 +81,8 @@ std::optional<Polynomials> orthonormal_polynomials(std::span<const double> x, st
     made.count = count;
     made.centre = 0.5 * (*low + *high);
     made.half_width = 0.5 * (*high - *low);
-    if (!(made.half_width > 0.0)) made.half_width = std::max(std::abs(made.centre - zero_at.value_or(0.0)), 1e-300);
+    if (!(made.half_width > 0.0))
+        made.half_width = std::max(std::abs(made.centre - zero_at.value_or(0.0)), 1e-300);
     if (zero_at) made.zero = made.t_of(*zero_at);
     if (!Arnoldi(made, x, weights).run()) return std::nullopt;
     return made;

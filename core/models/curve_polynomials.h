@@ -1,6 +1,6 @@
-// Orthonormal polynomials over the points of a calibration: with them the least squares have no ill-conditioned
-// normal equations, whatever the degree and wherever the origin is (Forsythe, J. SIAM 5 (1957) 74; Brubeck,
-// Nakatsukasa and Trefethen, SIAM Review 63 (2021) 405).
+// Orthonormal polynomials over the points of a calibration: with them the least squares have no
+// ill-conditioned normal equations, whatever the degree and wherever the origin is (Forsythe, J. SIAM 5
+// (1957) 74; Brubeck, Nakatsukasa and Trefethen, SIAM Review 63 (2021) 405).
 #pragma once
 
 #include <array>

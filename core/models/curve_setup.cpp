@@ -35,8 +35,8 @@ public:
         setup_.origin = setup_.x_unit.to_si(reader_.number("origin"));
         for (std::size_t row = 0; row < reader_.rows("points"); ++row) read_point(row);
         for (std::size_t row = 0; row < reader_.rows("predictions"); ++row)
-            setup_.predictions.push_back(
-                {name("predictions", row), setup_.x_unit.to_si(reader_.cell_number("predictions", row, "x"))});
+            setup_.predictions.push_back({name("predictions", row),
+                                          setup_.x_unit.to_si(reader_.cell_number("predictions", row, "x"))});
         for (std::size_t row = 0; row < reader_.rows("inverse"); ++row) read_observation(row);
         check();
         if (problems_.has_errors()) return std::nullopt;
@@ -57,8 +57,7 @@ private:
     void read_observation(std::size_t row) {
         const auto given = [&](const char* column) { return !reader_.cell_empty("inverse", row, column); };
         Observation made{name("inverse", row), setup_.y_unit.to_si(reader_.cell_number("inverse", row, "y"))};
-        if (given("u_y"))
-            made.u_y = setup_.y_unit.interval_to_si(reader_.cell_number("inverse", row, "u_y"));
+        if (given("u_y")) made.u_y = setup_.y_unit.interval_to_si(reader_.cell_number("inverse", row, "u_y"));
         if (given("readings")) made.readings = reader_.cell_number("inverse", row, "readings");
         if (given("near")) made.near = setup_.x_unit.to_si(reader_.cell_number("inverse", row, "near"));
         if (given("readings") && !setup_.from_residuals)

@@ -42,8 +42,9 @@ private:
         if (groups < 2.0)
             problems_.error(table(), "an analysis of variance needs at least two groups");
         else if (!(observations > groups))
-            problems_.error(table(), "no group has more than one observation: nothing tells the scatter within "
-                                     "the groups from that between them");
+            problems_.error(table(),
+                            "no group has more than one observation: nothing tells the scatter within "
+                            "the groups from that between them");
     }
 
     void read_summary() {
@@ -163,19 +164,19 @@ SetupSchema group_schema() {
     std::vector<FieldSpec> fields = quantity_fields();
     fields.push_back(data_field());
     for (FieldSpec& field : tables()) fields.push_back(std::move(field));
-    fields.push_back({.key = "between",
-                      .title = "Effect of the groups",
-                      .kind = FieldKind::choice,
-                      .help =
-                          "Included: u of the mean of the groups' means from their scatter. By components of "
-                          "variance: the same for groups of one size, else groups with more observations have "
-                          "more weight. Not included: all observations count as independent, which the F-test "
-                          "in the evaluation must allow.",
-                      .default_value = std::string("included"),
-                      .choices = {{"included", "included"},
-                                  {"components", "by components of variance"},
-                                  {"none", "not included"}},
-                      .section = "Evaluation"});
+    fields.push_back(
+        {.key = "between",
+         .title = "Effect of the groups",
+         .kind = FieldKind::choice,
+         .help = "Included: u of the mean of the groups' means from their scatter. By components of "
+                 "variance: the same for groups of one size, else groups with more observations have "
+                 "more weight. Not included: all observations count as independent, which the F-test "
+                 "in the evaluation must allow.",
+         .default_value = std::string("included"),
+         .choices = {{"included", "included"},
+                     {"components", "by components of variance"},
+                     {"none", "not included"}},
+         .section = "Evaluation"});
     return SetupSchema(std::move(fields));
 }
 

@@ -32,12 +32,12 @@ struct GroupSetup {
     Unit unit;
 };
 
-/// Letters as in JCGM 100 H.5.2; with groups of different size as in S. R. Searle, G. Casella, C. E. McCulloch:
-/// Variance Components (1992), 3.6.
+/// Letters as in JCGM 100 H.5.2; with groups of different size as in S. R. Searle, G. Casella, C. E.
+/// McCulloch: Variance Components (1992), 3.6.
 struct Variances {
-    double observations = 0.0;  ///< N
-    double mean = 0.0;          ///< the estimate
-    double s_of_means = 0.0;    ///< s(Vbar_j), of the means without weights
+    double observations = 0.0;                           ///< N
+    double mean = 0.0;                                   ///< the estimate
+    double s_of_means = 0.0;                             ///< s(Vbar_j), of the means without weights
     double between_squares = 0.0, within_squares = 0.0;  ///< sums of squares
     double nu_a = 0.0, nu_b = 0.0;                       ///< J - 1, N - J
     double group_size = 0.0;  ///< n_0 = (N - sum n_j^2/N)/(J - 1): K for groups of one size

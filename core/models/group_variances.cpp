@@ -13,7 +13,8 @@ namespace {
 
 class Analysis {
 public:
-    explicit Analysis(const GroupSetup& setup) : groups_(setup.groups), groups_count_(double(groups_.size())) {}
+    explicit Analysis(const GroupSetup& setup)
+        : groups_(setup.groups), groups_count_(double(groups_.size())) {}
 
     Variances run(Between between) {
         sums_of_squares();
@@ -70,7 +71,8 @@ private:
     void from_observations() {
         v_.mean = grand_mean_;
         v_.degrees_of_freedom = v_.observations - 1.0;
-        v_.u = std::sqrt((v_.between_squares + v_.within_squares) / (v_.degrees_of_freedom * v_.observations));
+        v_.u =
+            std::sqrt((v_.between_squares + v_.within_squares) / (v_.degrees_of_freedom * v_.observations));
     }
 
     /// u^2 = 1/sum w_j with 1/w_j = s_B^2 + s_b^2/n_j; the degrees of freedom by Satterthwaite's formula from
@@ -106,11 +108,11 @@ Unit deviation_unit(const Unit& unit) {
 
 DataTable groups_table(const GroupSetup& setup) {
     const Unit unit = deviation_unit(setup.unit);
-    DataTable table{"groups", "Groups", {{"group"}, {"n"}, {"mean", setup.unit}, {"s", unit, true, 3}}, {}, {}};
+    DataTable table{
+        "groups", "Groups", {{"group"}, {"n"}, {"mean", setup.unit}, {"s", unit, true, 3}}, {}, {}};
     for (const Group& group : setup.groups) {
         table.rows.push_back({group.name, group.count, group.mean, {}});
-        if (group.count > 1.0)
-            table.rows.back()[3] = std::sqrt(group.sum_of_squares / (group.count - 1.0));
+        if (group.count > 1.0) table.rows.back()[3] = std::sqrt(group.sum_of_squares / (group.count - 1.0));
     }
     return table;
 }
@@ -142,7 +144,8 @@ std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances
         table.notes.push_back(
             "The component of variance between the groups is zero: all observations count as independent.");
     return {groups_table(setup),
-            variance_table("variance", "Analysis of variance", unit, {"between the groups", v.between_squares, v.nu_a},
+            variance_table("variance", "Analysis of variance", unit,
+                           {"between the groups", v.between_squares, v.nu_a},
                            {"within the groups", v.within_squares, v.nu_b}),
             table};
 }

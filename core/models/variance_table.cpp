@@ -23,8 +23,12 @@ DataTable variance_table(std::string id, std::string title, const Unit& unit, co
     };
     row(effect);
     row(rest);
-    table.rows.push_back({std::string("total"), effect.sum_of_squares + rest.sum_of_squares,
-                          effect.degrees_of_freedom + rest.degrees_of_freedom, {}, {}, {}});
+    table.rows.push_back({std::string("total"),
+                          effect.sum_of_squares + rest.sum_of_squares,
+                          effect.degrees_of_freedom + rest.degrees_of_freedom,
+                          {},
+                          {},
+                          {}});
     if (rest.sum_of_squares > 0.0) {
         const double ratio = effect.mean_square() / rest.mean_square();
         table.rows[0][4] = ratio;

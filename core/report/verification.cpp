@@ -152,7 +152,8 @@ double tolerance_of(const VerificationCheck& check, const Figure& figure, double
 }
 
 double scatter_of(const VerificationCheck& check, const Figure& figure, double trials) {
-    return figure.by_monte_carlo ? 4.0 * check.scatter * std::sqrt(reference_trials / std::max(trials, 1.0)) : 0.0;
+    return figure.by_monte_carlo ? 4.0 * check.scatter * std::sqrt(reference_trials / std::max(trials, 1.0))
+                                 : 0.0;
 }
 
 CheckedFigure judged(const VerificationCheck& check, double value, double tolerance, double scatter) {
@@ -175,7 +176,8 @@ std::optional<double> number_in(const DataTable& table, const VerificationCell& 
     for (const std::vector<TableCell>& row : table.rows) {
         const auto* name = std::get_if<std::string>(&row.front());
         if (!name || *name != cell.row) continue;
-        if (const auto* si = std::get_if<double>(&row[column])) return table.columns[column].unit.from_si(*si);
+        if (const auto* si = std::get_if<double>(&row[column]))
+            return table.columns[column].unit.from_si(*si);
         if (const auto* own = std::get_if<Quantity>(&row[column])) return own->value;
     }
     return std::nullopt;
@@ -215,12 +217,14 @@ Result<CheckedFigure> checked(const VerificationCheck& check, const std::vector<
 }  // namespace
 
 const std::vector<std::string>& first_order_line() {
-    static const std::vector<std::string> names{"estimate", "u", "degrees-of-freedom", "k", "U", "low", "high"};
+    static const std::vector<std::string> names{"estimate", "u",   "degrees-of-freedom", "k", "U",
+                                                "low",      "high"};
     return names;
 }
 
 const std::vector<std::string>& monte_carlo_line() {
-    static const std::vector<std::string> names{"mc-mean", "mc-u", "mc-low", "mc-high", "result-k", "result-U"};
+    static const std::vector<std::string> names{"mc-mean", "mc-u",     "mc-low",
+                                                "mc-high", "result-k", "result-U"};
     return names;
 }
 

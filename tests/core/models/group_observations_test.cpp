@@ -41,7 +41,8 @@ double cell(const MeasurementModel& model, const std::string& id, std::size_t ro
     for (const DataTable& table : model.evaluation())
         if (table.id == id) {
             const TableCell& found = table.rows.at(row).at(column);
-            return std::holds_alternative<Quantity>(found) ? std::get<Quantity>(found).value : std::get<double>(found);
+            return std::holds_alternative<Quantity>(found) ? std::get<Quantity>(found).value
+                                                           : std::get<double>(found);
         }
     throw std::runtime_error("no table " + id);
 }
@@ -82,7 +83,8 @@ TEST(GroupObservations, UnbalancedMeans) {
 // Groups of one size: the components of variance say what the scatter of the means says; without an effect
 // that is seen, what all observations say.
 TEST(GroupObservations, ComponentsOfBalancedGroupsAreTheScatterOfTheMeans) {
-    const Groups apart{{1.0, 1.2, 1.1}, {2.0, 2.1, 2.3}, {0.4, 0.6, 0.2}}, mixed{{1.0, 3.0}, {2.0, 1.9}, {3.1, 0.9}};
+    const Groups apart{{1.0, 1.2, 1.1}, {2.0, 2.1, 2.3}, {0.4, 0.6, 0.2}},
+        mixed{{1.0, 3.0}, {2.0, 1.9}, {3.1, 0.9}};
     const auto equal = [](const FirstOrderOutput& a, const FirstOrderOutput& b) {
         EXPECT_NEAR(a.estimate, b.estimate, 1e-14);
         EXPECT_NEAR(a.standard_uncertainty, b.standard_uncertainty, 1e-14);
@@ -103,7 +105,8 @@ TEST(GroupObservations, ASummaryEqualsItsObservations) {
         double mean = 0.0, squares = 0.0;
         for (const double v : unbalanced[j]) mean += v / n;
         for (const double v : unbalanced[j]) squares += (v - mean) * (v - mean);
-        table.rows.push_back({"day " + std::to_string(j), mean, n > 1.0 ? std::sqrt(squares / (n - 1.0)) : 0.0, n});
+        table.rows.push_back(
+            {"day " + std::to_string(j), mean, n > 1.0 ? std::sqrt(squares / (n - 1.0)) : 0.0, n});
     }
     setup.values["groups"] = table;
     for (const char* between : {"included", "components", "none"}) {

@@ -81,7 +81,8 @@ TEST(GumProjects, AreAllVerified) {
 
 TEST(GumProjects, AreWrittenByteForByte) {
     for (const std::string& file : project_files())
-        EXPECT_EQ(project_text(load_project(data_directory() / file).project), text_of(data_directory() / file))
+        EXPECT_EQ(project_text(load_project(data_directory() / file).project),
+                  text_of(data_directory() / file))
             << file;
 }
 
@@ -101,8 +102,8 @@ TEST(Verification, ComparesEveryFigureOfTheResultLine) {
                 if (entry.id == std::get<0>(output) && entry.options.method != Method::first_order)
                     needed.insert(needed.end(), monte_carlo_line().begin(), monte_carlo_line().end());
             for (const std::string& figure : needed)
-                EXPECT_TRUE(figures.contains(figure))
-                    << c.title << ", " << std::get<0>(output) << ", " << std::get<1>(output) << ": " << figure;
+                EXPECT_TRUE(figures.contains(figure)) << c.title << ", " << std::get<0>(output) << ", "
+                                                      << std::get<1>(output) << ": " << figure;
         }
     }
     EXPECT_GE(compared, 400u);
