@@ -1,4 +1,4 @@
-// covaria verify: evaluates the shipped examples and holds them against published and reference values.
+// covaria verify: evaluates the shipped cases and holds them against published and reference values.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -36,7 +36,7 @@ Result<std::vector<VerificationCase>> shipped_cases() {
 Result<CheckedCase> evaluate_case(const VerificationCase& verification, int threads,
                                   const std::stop_token& stop) {
     RunRequest request;
-    request.file = (data_directory() / "projects" / verification.project).string();
+    request.file = (data_directory() / verification.project).string();
     request.threads = threads;
     request.studies = false;
     std::set<std::string> analyses;
@@ -78,7 +78,7 @@ Result<bool> verify(const VerifyArguments& arguments, const std::stop_token& sto
 Command verify_command(CLI::App& app) {
     auto arguments = std::make_shared<VerifyArguments>();
     CLI::App* command = app.add_subcommand(
-        "verify", "Evaluate the shipped examples; compare them with published and reference values");
+        "verify", "Evaluate the shipped cases; compare every figure with published and reference values");
     command->add_option("--out", arguments->out, "folder for the table as PDF, HTML and Markdown")
         ->type_name("DIR");
     command->add_option("--threads", arguments->threads, "number of threads (results do not depend on it)")
