@@ -24,7 +24,7 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
       embed_(new QPushButton(tr("Take into the project"), this)) {
     view_->setAccessibleName(to_qt(field.title));
     view_->setObjectName(to_qt(field.key));
-    keep_room(*note_, 2);
+    keep_room(*note_, 1);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(add_button(tr("Add row"), view_->append_row_action()));
     buttons->addWidget(add_button(tr("Delete rows"), view_->remove_rows_action()));

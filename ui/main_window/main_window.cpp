@@ -131,8 +131,8 @@ void MainWindow::arrange() {
     tabifyDockWidget(docks_[2], docks_[3]);
     tabifyDockWidget(docks_[3], docks_[4]);
     docks_[2]->raise();
-    resizeDocks({docks_[0], docks_[1]}, {std::clamp(project_->wanted_width(), 210, 300), 350},
-                Qt::Horizontal);
+    const int names = std::clamp(project_->wanted_width(), 210, (27 * width()) / 100);
+    resizeDocks({docks_[0], docks_[1]}, {names, 350}, Qt::Horizontal);
     resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
     toolbar_->show();
