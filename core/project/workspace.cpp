@@ -131,6 +131,15 @@ std::string forecast_trials(const MeasurementModel& model, const InputSet& input
     return forecast ? forecast->words() : std::string();
 }
 
+// A result without any uncertainty is no result of a measurement: nobody has stated one yet.
+void warn_without_uncertainty(const InputSet& inputs, Problems& problems) {
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i)
+        if (standard_uncertainty_of(inputs, i) > 0.0) return;
+    problems.warning("/inputs",
+                     "no input quantity has an uncertainty, so that U is 0 everywhere: state the "
+                     "uncertainties of what the analysis uses");
+}
+
 // What influences the numbers of one analysis: itself and the assets that it uses.
 std::string analysis_fingerprint(const Project& project, const AnalysisEntry& entry) {
     Project part;
@@ -166,6 +175,7 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
     prepared->inputs = std::move(made.inputs);
     read_requirements(entry, prepared->model->outputs(), problems);
     if (problems.has_errors()) return nullptr;
+    warn_without_uncertainty(prepared->inputs, problems);
     prepared->forecast = forecast_trials(*prepared->model, prepared->inputs, entry.options, problems);
     prepared->id = entry.id;
     prepared->name = entry.name;

@@ -27,6 +27,9 @@ TEST(CommandLine, HelpNamesEverySubcommand) {
 TEST(CommandLine, WrongUsageIsStatusTwo) {
     EXPECT_EQ(run_program({"run"}).status, 2);
     EXPECT_EQ(run_program({"frobnicate"}).status, 2);
+    const Outcome mistyped = run_program({"rnu", stewart});
+    EXPECT_EQ(mistyped.status, 2);
+    EXPECT_NE(mistyped.err.find("did you mean 'run'"), std::string::npos) << mistyped.err;
     EXPECT_EQ(run_program({"run", stewart, "--trials", "-5"}).status, 2);
     EXPECT_EQ(run_program({"run", stewart, "--trials", "1000", "--adaptive"}).status, 2);
 }

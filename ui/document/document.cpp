@@ -13,6 +13,9 @@ namespace covaria::ui {
 
 namespace {
 
+/// A step keeps what it changed, some 40 kB in a large project: the history stays below some 20 MB.
+constexpr int most_undo_steps = 500;
+
 std::filesystem::path folder_of(const QString& file) {
     return file.isEmpty() ? std::filesystem::path{} : to_path(QFileInfo(file).absolutePath());
 }
@@ -26,7 +29,9 @@ Document::Document(QObject* parent)
 Document::Document(ProblemChecker::Check check, QObject* parent)
     : QObject(parent), checker_(std::move(check)) {
     open_pool_.setMaxThreadCount(1);
-    connect(&checker_, &ProblemChecker::checked, this, &Document::problems_changed);
+    undo_stack_.setUndoLimit(most_undo_steps);
+    connect(&checker_, &ProblemChecker::checked, this, &Document::collect_problems);
+    connect(&unread_, &UnreadTexts::changed, this, &Document::collect_problems);
     connect(&watch_, &FileWatch::changed, this, &Document::changed_on_disk);
     connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { emit modified_changed(is_modified()); });
 }
@@ -57,12 +62,19 @@ void Document::set_project(ProjectSnapshot project) {
     emit project_changed();
 }
 
+void Document::collect_problems() {
+    problems_ = unread_.problems(*project_);
+    problems_.take(checker_.problems(), {});
+    emit problems_changed();
+}
+
 void Document::adopt(Project project, const QString& file) {
     ++open_number_;
     undo_stack_.clear();
     unsaved_ = false;
     set_file(file);
     project_ = std::make_shared<const Project>(std::move(project));
+    unread_.clear();
     emit project_replaced();
     set_project(project_);
     emit modified_changed(is_modified());

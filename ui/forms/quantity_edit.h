@@ -6,6 +6,7 @@
 
 #include "core/base/unit.h"
 #include "core/model/setup_schema.h"
+#include "ui/document/unread_texts.h"
 
 namespace covaria::ui {
 
@@ -27,6 +28,10 @@ public:
     /// From outside (a problem of the project); an own complaint about what is typed comes first.
     void set_complaint(const QString& complaint);
 
+    /// Where in the project it stands: a text that cannot be read is kept in the document under this place,
+    /// and shown again when the line comes back to it.
+    void set_place(UnreadTexts& unread, const TextPlace& place);
+
     /// Does not disturb what is being typed unless the value is another.
     void set_quantity(const std::optional<Quantity>& quantity);
     const std::optional<Quantity>& quantity() const { return quantity_; }
@@ -47,6 +52,9 @@ private:
     void step(int direction);
     void show_quantity();
     void show_mark();
+    void complain(const QString& complaint);
+    bool show_unread(const std::optional<Quantity>& quantity);
+    void follow_unread();
     Unit typing_unit() const;
 
     Unit unit_;
@@ -58,6 +66,8 @@ private:
     QString own_complaint_;
     QString outer_complaint_;
     std::optional<Quantity> quantity_;
+    UnreadTexts* unread_ = nullptr;
+    TextPlace place_;
 };
 
 }  // namespace covaria::ui

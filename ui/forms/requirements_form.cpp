@@ -237,6 +237,9 @@ void RequirementsForm::refresh_values() {
     for (const Row& row : rows_) {
         row.edit->setEnabled(of != nullptr);
         if (!of) continue;
+        row.edit->set_place(document_.unread(),
+                            {{SetupOwner::analysis, analysis_},
+                             "/requirements/" + of->group + "|" + of->symbol + "/" + row.key});
         if (row.member) {
             row.edit->set_unit(row.is_interval ? interval_unit(of->unit) : of->unit);
             row.edit->set_quantity(given ? given->*row.member : std::nullopt);
@@ -316,10 +319,14 @@ bool RequirementsForm::focus_field(const std::string& path) {
         entry_path(document_.project(), {SetupOwner::analysis, analysis_}) + "/requirements/";
     const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
     if (!path.starts_with(prefix) || !entry) return false;
+    // A requirement by its number, or a result by its group and symbol.
     const std::size_t index = std::strtoul(path.c_str() + prefix.size(), nullptr, 10);
-    if (index >= entry->requirements.size()) return false;
-    for (std::size_t i = 0; i < known_.size(); ++i)
-        if (is_of(entry->requirements[index], known_[i])) outputs_->setCurrentIndex(int(i));
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+        const bool named = path.starts_with(prefix + known_[i].group + "|" + known_[i].symbol + "/");
+        const bool numbered =
+            index < entry->requirements.size() && is_of(entry->requirements[index], known_[i]);
+        if (named || (numbered && path.find('|') == std::string::npos)) outputs_->setCurrentIndex(int(i));
+    }
     for (const Row& row : rows_)
         if (path.ends_with("/" + row.key)) row.edit->setFocus(Qt::OtherFocusReason);
     return true;

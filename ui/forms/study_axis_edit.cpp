@@ -108,7 +108,6 @@ void StudyAxisEdit::show_axis(const StudyAxis& axis, const StudyTarget* target, 
     QString words = target ? to_qt(target->title) : tr("choose what is varied");
     if (target && axis.change == StudyChange::factor) words += tr(" (factor)");
     target_->show_title(words);
-    target_->setToolTip(to_qt(axis.target));
     const bool factor_only = target && (target->kind == StudyTarget::Kind::components ||
                                         target->kind == StudyTarget::Kind::component);
     change_->setEnabled(!factor_only);
@@ -122,6 +121,13 @@ void StudyAxisEdit::show_axis(const StudyAxis& axis, const StudyTarget* target, 
     values_->set_quantity(Quantity{double(axis.values), {}});
     spacing_->setCurrentIndex(spacing_->findData(int(axis.spacing)));
     remove_->setVisible(!only);
+}
+
+void StudyAxisEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
+    from_->set_place(unread, {place.entry, place.part + "/from"});
+    to_->set_place(unread, {place.entry, place.part + "/to"});
+    values_->set_place(unread, {place.entry, place.part + "/values"});
+    target_->set_place(unread, {place.entry, place.part + "/target"});
 }
 
 void StudyAxisEdit::set_complaint(const QString& complaint) {

@@ -116,7 +116,9 @@ void SortableTable::forget_columns() {
 }
 
 void SortableTable::copy_selection() {
-    QGuiApplication::clipboard()->setText(block_text(selectionModel()->selectedIndexes(), true));
+    QString text = block_text(selectionModel()->selectedIndexes(), true);
+    if (!remark_.isEmpty()) text += remark_ + QLatin1Char('\n');
+    QGuiApplication::clipboard()->setText(text);
 }
 
 QString SortableTable::csv() const {
@@ -129,6 +131,7 @@ QString SortableTable::csv() const {
                                         : proxy_.index(row, column).data().toString());
         lines << cells.join(QLatin1Char(','));
     }
+    if (!remark_.isEmpty()) lines << quoted(remark_);
     return lines.join(QStringLiteral("\r\n")) + QStringLiteral("\r\n");
 }
 

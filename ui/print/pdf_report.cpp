@@ -13,8 +13,6 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int dots_per_inch = 1200;
-
 template <class Block>
 bool has(const ReportDocument& document) {
     return std::any_of(document.blocks.begin(), document.blocks.end(),
@@ -30,7 +28,7 @@ Result<void> check_painters(const ReportDocument& document, const PdfOptions& op
 }
 
 void set_up(QPdfWriter& writer, const ReportDocument& document, PaperSize paper) {
-    writer.setResolution(dots_per_inch);
+    writer.setResolution(printed_dots_per_inch);
     writer.setPageSize(page_size_of(paper));
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0), QPageLayout::Millimeter);
     writer.setTitle(QString::fromStdString(document.title));
