@@ -13,18 +13,6 @@ namespace covaria::curve {
 
 namespace {
 
-Unit interval_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
-}
-
-/// "/K" for "K", "*s/m" for "m/s".
-std::string divided_by(const std::string& unit) {
-    if (unit == "1") return "";
-    std::string text = "/";
-    for (const char c : unit) text += c == '*' ? '/' : c == '/' ? '*' : c;
-    return text;
-}
-
 class CurveReader {
 public:
     CurveReader(const SetupReader& reader, Problems& problems) : reader_(reader), problems_(problems) {}
@@ -158,23 +146,24 @@ Fit fit_of(const CurveSetup& setup) {
 }
 
 Unit coefficient_unit(const CurveSetup& setup, std::size_t k) {
-    std::string text = interval_unit(setup.y_unit).text();
-    for (std::size_t i = 0; i < k; ++i) text += divided_by(interval_unit(setup.x_unit).text());
-    return Unit::parse(text).value_or(Unit{});
+    const std::string y = setup.y_unit.interval().text();
+    if (k == 0) return setup.y_unit.interval();
+    const std::string power = k == 1 ? "" : "^" + std::to_string(k);
+    return Unit::parse(y + "/(" + setup.x_unit.interval().text() + ")" + power).value_or(Unit{});
 }
 
 std::vector<DataTable> curve_evaluation(const CurveSetup& setup, const Fit& fit) {
     DataTable points{"points", "Points and their residuals", {}, {}, {}};
     points.columns = {{"x", setup.x_unit, true},
                       {"y", setup.y_unit, true},
-                      {"residual", interval_unit(setup.y_unit), false, 3}};
+                      {"residual", setup.y_unit.interval(), false, 3}};
     for (std::size_t i = 0; i < setup.points.size(); ++i)
         points.rows.push_back({setup.points[i].x, setup.points[i].y, fit.residuals[i]});
     DataTable summary{"fit", "Fit", {{"what"}, {"value", {}, false, 4}}, {}, {}};
     const double nu = setup.degrees_of_freedom();
     summary.rows.push_back({std::string("standard deviation of the residuals"),
-                            Quantity{interval_unit(setup.y_unit).interval_from_si(fit.standard_deviation),
-                                     interval_unit(setup.y_unit)}});
+                            Quantity{setup.y_unit.interval().interval_from_si(fit.standard_deviation),
+                                     setup.y_unit.interval()}});
     summary.rows.push_back({std::string("degrees of freedom"), nu});
     if (!setup.from_residuals && nu > 0.0) {
         summary.rows.push_back({std::string("chi-squared"), fit.chi_squared});

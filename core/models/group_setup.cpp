@@ -10,10 +10,6 @@ namespace covaria::group_observations {
 
 namespace {
 
-Unit interval_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
-}
-
 class GroupReader {
 public:
     GroupReader(const SetupReader& reader, Problems& problems) : reader_(reader), problems_(problems) {}
@@ -189,7 +185,7 @@ Variances variances_of(const GroupSetup& setup) {
 }
 
 std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v) {
-    const Unit unit = interval_unit(setup.unit);
+    const Unit unit = setup.unit.interval();
     DataTable table{"anova", "Analysis of variance", {{"what"}, {"value", {}, false, 3}}, {}, {}};
     const auto deviation = [&](const char* what, double s) {
         table.rows.push_back({std::string(what), Quantity{unit.interval_from_si(s), unit}});

@@ -27,10 +27,6 @@ bool is_empty(const Requirement& r) {
     return r == bare;
 }
 
-Unit interval_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
-}
-
 QString number(const Unit& unit, double si, int digits = 3) {
     return localized(format_significant(unit.interval_from_si(si), digits)) + QChar(0xa0) +
            to_qt(unit.display());
@@ -54,8 +50,8 @@ QString target_words(const UncertaintyResult& result, const RequirementResult& r
         if (!reduction.needed || ++shown > most_reductions) continue;
         const BudgetComponent& c = result.budget.components[reduction.component];
         list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3</li>")
-                    .arg(to_qt(c.name).toHtmlEscaped(), number(interval_unit(c.unit), reduction.now),
-                         number(interval_unit(c.unit), *reduction.needed));
+                    .arg(to_qt(c.name).toHtmlEscaped(), number(c.unit.interval(), reduction.now),
+                         number(c.unit.interval(), *reduction.needed));
     }
     if (list.isEmpty())
         return text + RequirementsForm::tr(" none; several components must be reduced together.");
@@ -173,7 +169,7 @@ void RequirementsForm::change(const std::string& key, const std::function<void(R
     const OutputQuantity* of = output();
     if (!of) return;
     document_.apply(
-        tr("Change the requirement for %1").arg(to_qt(of->symbol)),
+        tr("Change the requirement for %1").arg(to_qt(symbol_to_unicode(of->symbol))),
         [&](Project& project) {
             AnalysisEntry* entry = find_analysis_entry(project, analysis_);
             if (!entry) return;
@@ -222,7 +218,7 @@ void RequirementsForm::refresh_values() {
         row.edit->setEnabled(of != nullptr);
         if (!of) continue;
         if (row.member) {
-            row.edit->set_unit(row.is_interval ? interval_unit(of->unit) : of->unit);
+            row.edit->set_unit(row.is_interval ? of->unit.interval() : of->unit);
             row.edit->set_quantity(given ? given->*row.member : std::nullopt);
         } else {
             row.edit->set_quantity(
