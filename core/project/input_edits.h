@@ -12,7 +12,7 @@ namespace covaria {
 /// replaced components take the places of those they replace ("b_1x.edit1", "b_1x.edit2" ...), and more are
 /// appended.
 ///
-/// Components are deviations from the estimate: their parameters are converted without the offset of degC.
+/// Components are deviations from the estimate (component_edit.h).
 /// After all edits of a quantity its estimate is the edited one, whatever the means of its components. A held
 /// quantity is constant at its estimate; components that it shares with others stay in those.
 InputSet apply_edits(InputSet inputs, const AnalysisEntry& analysis, Problems& problems);
