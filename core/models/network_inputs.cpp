@@ -48,7 +48,8 @@ private:
             quantity.group = sensor.name;
             component.id = sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
-            component.contributor = sensor.name;
+            component.contributor = sensor.id;
+            component.contributor_name = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
             inputs_.quantities.push_back(std::move(quantity));
         }
@@ -70,13 +71,14 @@ private:
             InputQuantity quantity;
             quantity.symbol = std::string(symbols[o]) + "_" + suffix + again;
             quantity.name = sensor.name + " to " + target.name + ", " + component.name;
-            quantity.unit = o == 0 ? Unit::of("mm") : Unit::of("rad");
+            quantity.unit = o == 0 ? Unit::of("mm") : Unit::of("deg");
             quantity.offset = sight.reading[o];
             quantity.group = target.name;
             quantity.source = sight.source[o];
             component.id = target.name + "." + sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
-            component.contributor = sensor.name;
+            component.contributor = sensor.id;
+            component.contributor_name = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
             add_systematic(sight, o, v, quantity);
             sight.input[o] = inputs_.quantities.size();
@@ -93,7 +95,8 @@ private:
                                        .unit = Unit::of("mm"),
                                        .distribution = Distribution::normal(bar.u),
                                        .origin = "calibration of the " + bar.name,
-                                       .contributor = bar.name};
+                                       .contributor = "bar of length " + bar.name,
+                                       .contributor_name = bar.name};
         InputQuantity quantity;
         quantity.symbol = "L_" + ends + again;
         quantity.name = bar.name + ", calibrated length";
@@ -119,7 +122,8 @@ private:
                 UncertaintyComponent component = deviation.component;
                 component.id = id;
                 component.origin = sensor.name + " (" + component.origin + ")";
-                component.contributor = sensor.name;
+                component.contributor = sensor.id;
+                component.contributor_name = sensor.name;
                 inputs_.add(std::move(component));
             }
             quantity.shares.push_back({known->second, factor});

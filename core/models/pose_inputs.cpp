@@ -99,8 +99,7 @@ private:
             const std::string whose = d.point           ? points_[measured[*d.point]].symbol()
                                       : d.owner.empty() ? rule.asset_id
                                                         : d.owner;
-            const std::size_t component =
-                component_of(d.component, whose + "." + d.id, rule.asset_name, !d.point);
+            const std::size_t component = component_of(d.component, whose + "." + d.id, rule, !d.point);
             for (std::size_t k = 0; k < measured.size(); ++k) {
                 const MeasuredPoint& point = points_[measured[k]];
                 const Eigen::Vector3d& direction = d.directions[k];
@@ -123,7 +122,8 @@ private:
                 .distribution = Distribution::normal(own.value_or(point.uncertainty->u[c])),
                 .origin = "typed"};
             const std::string id = (common ? prefix_of(point.side) : point.symbol()) + "." + axis;
-            add_shares(i, component_of(component, id, {}, common), point.axes.col(static_cast<int>(c)));
+            add_shares(i, component_of(component, id, UncertaintyRule{}, common),
+                       point.axes.col(static_cast<int>(c)));
         }
     }
 
@@ -136,10 +136,11 @@ private:
 
     /// Index of the component: a new one, or the common one that another point has made.
     std::size_t component_of(UncertaintyComponent& component, const std::string& id,
-                             const std::string& asset_name, bool common) {
+                             const UncertaintyRule& rule, bool common) {
         component.id = id;
-        if (!asset_name.empty()) component.origin = asset_name + " (" + component.origin + ")";
-        component.contributor = asset_name;
+        if (!rule.asset_id.empty()) component.origin = rule.asset_name + " (" + component.origin + ")";
+        component.contributor = rule.asset_id;
+        component.contributor_name = rule.asset_name;
         if (!common) return inputs_.add(std::move(component));
         const auto [known, is_new] = common_.try_emplace(id, inputs_.components.size());
         if (is_new) inputs_.add(std::move(component));

@@ -94,8 +94,8 @@ struct Sums {
         first += f, first_squares += f * f, total += t, total_squares += t * t;
     }
 
-    SobolIndex index(const std::string& name) const {
-        SobolIndex made{name};
+    SobolIndex index(const SobolFactor& factor) const {
+        SobolIndex made{factor.name, factor.components};
         const double variance = 0.5 * (aa + bb) / n - std::pow(0.5 * (a + b) / n, 2);
         if (!(n > 1.0) || !(variance > 0.0)) return made;
         const auto error = [&](double sum, double squares) {
@@ -196,7 +196,7 @@ Result<std::vector<std::vector<SobolIndex>>> sobol_indices(const RunContext& con
                       static_cast<std::size_t>(std::min<std::uint64_t>(block_trials, trials - first)));
             if (!context.monitor.advance(0)) return;
         }
-        for (std::size_t j = 0; j < outputs; ++j) indices[j][f] = run.sums()[j].index(factors[f].name);
+        for (std::size_t j = 0; j < outputs; ++j) indices[j][f] = run.sums()[j].index(factors[f]);
     });
     if (end == WorkEnd::cancelled || context.monitor.stopped())
         return fail(ErrorCode::cancelled, "the evaluation was stopped");

@@ -35,9 +35,10 @@ struct UncertaintyComponent {
     double degrees_of_freedom = infinity;
     std::string origin = {};  ///< where the figure comes from: "artefact plate-2d, Eq. 2", "certificate ..."
     bool held = false;        ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
-    /// Who brings it in, for results with all of a contributor held: the name of an asset, "" = the set-up.
+    /// Who brings it in, for results with all of a contributor held: the id of an asset, "" = the set-up.
     std::string contributor = {};
-    std::vector<GroupTag> tags = {};  ///< beside those of its quantities
+    std::string contributor_name = {};  ///< for people; empty: as `contributor`
+    std::vector<GroupTag> tags = {};    ///< beside those of its quantities
 };
 
 struct Share {

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace covaria {
 namespace {
@@ -85,6 +86,17 @@ std::string format_to_match(double value, double uncertainty, int digits) {
         return value_digits < 1 ? "0" : scientific(value, value_digits - 1);
     }
     return format_decimals(value, decimals);
+}
+
+double shown_degrees_of_freedom(double nu) {
+    if (std::isnan(nu)) return nu;
+    if (nu >= 1e4) return std::numeric_limits<double>::infinity();
+    if (nu >= 10.0) return std::floor(nu * (1.0 + 1e-12));
+    return nu >= 1.0 ? std::round(10.0 * nu) / 10.0 : std::round(100.0 * nu) / 100.0;
+}
+
+std::string format_degrees_of_freedom(double nu) {
+    return without_trailing_zeros(format_significant(shown_degrees_of_freedom(nu), unmatched_digits));
 }
 
 std::string format_cell(const TableCell& cell, const TableColumn& column) {
