@@ -165,6 +165,9 @@ void add_help_actions(QMenu& menu, QWidget& window, Selection& selection, Docume
     QMenu* models = menu.addMenu(tr("M&odels"));
     for (const ModelDescriptor& model : model_registry())
         models->addAction(to_qt(model.title), &window, [&window, id = model.id] { show_model(window, id); });
+    menu.addAction(tr("What Every &Analysis Has"), &window, [&window] {
+        show_text(window, tr("What every analysis has"), shipped_page("analysis.md"));
+    });
     menu.addAction(tr("&Keys"), &window, [&window] { show_text(window, tr("Keys"), keys_text()); });
     menu.addSeparator();
     menu.addAction(icon(QStringLiteral("about")), tr("&About Covaria"), &window,
