@@ -123,7 +123,7 @@ TEST(Clipboard, NumbersAreNumbersForASpreadsheet) {
     for (const double value : {-1.5, 0.0, 734.25, -6.09e-7, 12345678.5})
         for (const QLocale& locale : {german, plain}) {
             const QString shown = number_text(value, locale).replace('-', QChar(0x2212));
-            EXPECT_EQ(number_for_programs(shown, locale, ".").toDouble(), value) << to_std(shown);
+            EXPECT_EQ(number_for_programs(shown, locale, ".").toDouble(), value) << shown.toStdString();
         }
 }
 
