@@ -40,10 +40,11 @@ Result<Scene> scene_of_study(const EvaluatedAnalysis& evaluated, const PictureRe
         wanted.ellipsoids = request.ellipsoids;
         const auto quantities = study_quantities(*study);
         std::vector<std::string> titles;
-        for (const StudyQuantity& quantity : quantities) titles.push_back("\"" + quantity.title + "\"");
+        for (const StudyQuantity& quantity : quantities) titles.push_back("\"" + quantity.id + "\"");
         const auto found =
-            std::find_if(quantities.begin(), quantities.end(),
-                         [&](const StudyQuantity& quantity) { return quantity.title == request.quantity; });
+            std::find_if(quantities.begin(), quantities.end(), [&](const StudyQuantity& quantity) {
+                return quantity.id == request.quantity || quantity.title == request.quantity;
+            });
         if (!request.quantity.empty() && found == quantities.end())
             return fail(ErrorCode::bad_input,
                         "the study has no quantity \"" + request.quantity + "\"; it has: " + joined(titles));

@@ -148,6 +148,8 @@ private:
         if (!result.objection.empty())
             refuse(r.place, left.text + " is " + kind_words(left.kind) + ", " + right.text + " is " +
                                 kind_words(right.kind) + ": they cannot be equal");
+        else if (const std::string objection = zeros_objection(left, right); !objection.empty())
+            refuse(r.place, objection);
         return emitter_.operation(Operation::subtract, at(r.left), at(r.right), -1, result.kind);
     }
 
@@ -236,10 +238,23 @@ private:
         if (wanted.unit && !kind.same_dimension(Kind::of(*wanted.unit)))
             refuse(place, "'" + wanted.name + "' is to be given in " + wanted.unit->text() + ", but is " +
                               kind_words(kind));
+        const std::string meaning = output_objection(wanted, kind);
+        if (!meaning.empty()) refuse(place, meaning);
         if (!wanted.unit && coherent.empty())
             refuse(place, "'" + wanted.name + "' is " + kind_words(kind) + ", which has no unit of its own");
         compiled_.program.outputs.push_back(defined->second);
         compiled_.output_units.push_back(wanted.unit ? *wanted.unit : Unit::parse(coherent).value_or(Unit{}));
+    }
+
+    /// Of temperatures: sums, and differences that are wanted in degC.
+    static std::string output_objection(const WantedOutput& wanted, const Kind& kind) {
+        const std::string name = "'" + wanted.name + "'";
+        if (const std::string sum = sum_objection({kind, std::nullopt, name}); !sum.empty()) return sum;
+        if (!wanted.unit || !wanted.unit->has_offset() || !kind.zeros || kind.zeros->count == 1.0) return {};
+        return name +
+               (kind.zeros->count == 0.0 ? " is a difference of temperatures: its unit is K, not "
+                                         : " is a multiple of a temperature: its unit is K, not ") +
+               wanted.unit->text();
     }
 
     const ParsedText& parsed_;

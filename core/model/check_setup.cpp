@@ -10,10 +10,6 @@ namespace covaria {
 
 namespace {
 
-bool has_offset(const Unit& unit) {
-    return unit.to_si(0.0) != unit.interval_to_si(0.0);
-}
-
 // What one field or one column of a table asks of a value.
 struct Demand {
     std::string title;
@@ -221,7 +217,7 @@ std::string unit_objection(const std::string& title, const Quantity& given, cons
         return in_quotes(title) + " is " + dimension_words(expected) + "; " +
                in_quotes(quantity_words(given.value, given.unit)) + " " + words;
     }
-    if (has_offset(given.unit) && !has_offset(expected))
+    if (given.unit.has_offset() && !expected.has_offset())
         return in_quotes(title) + " is a difference of temperatures: give it in K, not in " +
                given.unit.text();
     return {};
@@ -236,7 +232,7 @@ std::string column_unit_objection(const FieldSpec& table, const ColumnSpec& colu
         return name + dimension_words(column.unit) + "; '" + unit.text() + "' is the unit of " +
                dimension_words(unit);
     }
-    if (has_offset(unit) && !has_offset(column.unit))
+    if (unit.has_offset() && !column.unit.has_offset())
         return name + "a difference of temperatures: give it in K, not in " + unit.text();
     return {};
 }

@@ -104,7 +104,7 @@ private:
         UncertaintyComponent component;
         component.id = std::move(id);
         component.name = "scatter of the points about the curve";
-        component.unit = curve::interval_unit(setup_.y_unit);
+        component.unit = setup_.y_unit.interval();
         component.distribution = Distribution::of(StudentT{0.0, u, setup_.degrees_of_freedom()});
         component.type = EvaluationType::type_a;
         component.degrees_of_freedom = setup_.degrees_of_freedom();
@@ -122,7 +122,7 @@ private:
                                                    : "term of degree " +
                                                          std::to_string(j + setup_.first_power()) +
                                                          " (orthonormal polynomial)",
-                                   .unit = is_mean ? setup_.y_unit : curve::interval_unit(setup_.y_unit),
+                                   .unit = is_mean ? setup_.y_unit : setup_.y_unit.interval(),
                                    .offset = fit_.q[j],
                                    .group = "curve"};
             share_of_scatter(quantity, symbol + ".residuals", fit_.u_of_q);
@@ -142,7 +142,7 @@ private:
         UncertaintyComponent component;
         component.id = std::move(id);
         component.name = std::move(name);
-        component.unit = curve::interval_unit(unit);
+        component.unit = unit.interval();
         component.distribution = Distribution::normal(u);
         component.origin = origin;
         return component;

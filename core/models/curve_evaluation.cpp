@@ -13,7 +13,7 @@ DataTable points_table_of(const CurveSetup& setup, const Fit& fit) {
     DataTable points{"points", "Points and their residuals", {}, {}, {}};
     points.columns = {{"x", setup.x_unit, true},
                       {"y", setup.y_unit, true},
-                      {"residual", interval_unit(setup.y_unit), false, 3}};
+                      {"residual", setup.y_unit.interval(), false, 3}};
     for (std::size_t i = 0; i < setup.points.size(); ++i)
         points.rows.push_back({setup.points[i].x, setup.points[i].y, fit.residuals[i]});
     return points;
@@ -33,7 +33,7 @@ void judge_stated(const CurveSetup& setup, const Fit& fit, DataTable& summary) {
 
 DataTable fit_table_of(const CurveSetup& setup, const Fit& fit) {
     DataTable summary{"fit", "Fit", {{"what"}, {"value", {}, false, 4}}, {}, {}};
-    const Unit unit = interval_unit(setup.y_unit);
+    const Unit unit = setup.y_unit.interval();
     const double nu = setup.degrees_of_freedom();
     if (nu > 0.0)
         summary.rows.push_back({std::string("standard deviation of the residuals"),
@@ -71,7 +71,7 @@ std::vector<DataTable> curve_evaluation(const CurveSetup& setup, const Fit& fit,
     std::vector<DataTable> tables{points_table_of(setup, fit), fit_table_of(setup, fit)};
     if (setup.from_residuals)
         tables.push_back(variance_table("variance", "Analysis of variance of the fit",
-                                        interval_unit(setup.y_unit),
+                                        setup.y_unit.interval(),
                                         {"curve", fit.sum_of_squares_regression, double(setup.degree)},
                                         {"residuals", fit.sum_of_squares, setup.degrees_of_freedom()}));
     if (!inverse.empty()) tables.push_back(inverse_table_of(setup, fit, inverse));

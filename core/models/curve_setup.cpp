@@ -11,17 +11,6 @@ namespace covaria::curve {
 
 namespace {
 
-/// "/K^2" for "K", "*s/m*s/m" for "m/s".
-std::string divided_by(const std::string& unit, std::size_t power) {
-    if (unit == "1" || power == 0) return "";
-    if (std::all_of(unit.begin(), unit.end(), [](unsigned char c) { return std::isalpha(c) != 0; }))
-        return "/" + unit + (power == 1 ? "" : "^" + std::to_string(power));
-    std::string once = "/", text;
-    for (const char c : unit) once += c == '*' ? '/' : c == '/' ? '*' : c;
-    for (std::size_t i = 0; i < power; ++i) text += once;
-    return text;
-}
-
 class CurveReader {
 public:
     CurveReader(const SetupReader& reader, Problems& problems) : reader_(reader), problems_(problems) {}
@@ -126,14 +115,11 @@ std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, Problems& 
     return CurveReader(reader, problems).run();
 }
 
-Unit interval_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
-}
-
-Unit coefficient_unit(const CurveSetup& setup, std::size_t power) {
-    return Unit::parse(interval_unit(setup.y_unit).text() +
-                       divided_by(interval_unit(setup.x_unit).text(), power))
-        .value_or(Unit{});
+Unit coefficient_unit(const CurveSetup& setup, std::size_t k) {
+    const std::string y = setup.y_unit.interval().text();
+    if (k == 0) return setup.y_unit.interval();
+    const std::string power = k == 1 ? "" : "^" + std::to_string(k);
+    return Unit::parse(y + "/(" + setup.x_unit.interval().text() + ")" + power).value_or(Unit{});
 }
 
 std::string place_text(const Unit& unit, double si) {

@@ -47,8 +47,6 @@ struct CurveSetup {
 SetupSchema curve_schema();
 std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, Problems& problems);
 
-/// For differences: K for degC.
-Unit interval_unit(const Unit& unit);
 /// Unit of the coefficient of a power: y per x^power.
 Unit coefficient_unit(const CurveSetup& setup, std::size_t power);
 /// A value of x or y with its unit, for people.

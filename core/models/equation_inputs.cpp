@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/symbol.h"
 #include "core/equation/operations.h"
 #include "core/models/equation_observations.h"
 #include "core/models/equation_setup.h"
@@ -22,10 +23,6 @@ bool is_symbol(const std::string& text) {
     return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), [&](char c) {
         return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
     });
-}
-
-Unit interval_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
 }
 
 /// A quantity while its rows are read.
@@ -68,13 +65,14 @@ private:
     }
 
     void read(std::size_t row) {
-        const std::string symbol = text(row, "symbol");
+        const std::string symbol = plain_symbol(text(row, "symbol"));
         if (!is_symbol(symbol) || equation::is_reserved(symbol))
-            return refuse(row, "symbol",
-                          is_symbol(symbol)
-                              ? "the name is one of a function or a word of the equations; choose "
-                                "another"
-                              : "a symbol is made of letters, digits and '_', a letter first");
+            return refuse(
+                row, "symbol",
+                is_symbol(symbol)
+                    ? "the name is one of a function or a word of the equations; choose "
+                      "another"
+                    : "a symbol is made of letters, Greek ones too, digits and '_', a letter first");
         const Result<Unit> unit = Unit::parse(empty(row, "unit") ? "1" : text(row, "unit"));
         if (!unit) return refuse(row, "unit", unit.error().message);
         const auto known = index_.find(symbol);
@@ -111,7 +109,7 @@ private:
         }
         UncertaintyComponent made;
         made.name = first || empty(row, "name") ? draft.quantity.name : text(row, "name");
-        made.unit = interval_unit(unit);
+        made.unit = unit.interval();
         if (kind == "instrument") return reading(draft, row);
         const bool done = kind == "observations" || kind == "pooled" ? observed(draft, row, kind, made)
                                                                      : stated(draft, row, unit, made);
@@ -157,7 +155,7 @@ private:
         }
         const double u = draft.unit.interval_to_si(mean->u);
         if (!draft.estimate && mean->count > 0) draft.estimate = draft.unit.to_si(mean->mean);
-        made.unit = interval_unit(draft.unit);
+        made.unit = draft.unit.interval();
         made.type = EvaluationType::type_a;
         made.degrees_of_freedom = mean->degrees_of_freedom;
         made.distribution = Distribution::normal(u);
@@ -193,7 +191,8 @@ private:
     void own_reading(Draft& draft, std::size_t row, const AssetLibrary::Entry& entry,
                      UncertaintyComponent own) {
         own.origin = entry.name + " (" + own.origin + ")";
-        own.contributor = entry.name;
+        own.contributor = text(row, "instrument");
+        own.contributor_name = entry.name;
         add(draft, row, std::move(own));
     }
 
@@ -206,7 +205,8 @@ private:
             UncertaintyComponent made = component;
             made.id = id;
             made.origin = name + " (" + component.origin + ")";
-            made.contributor = name;
+            made.contributor = text(row, "instrument");
+            made.contributor_name = name;
             result_.inputs.add(std::move(made));
         }
         draft.quantity.shares.push_back({known->second, factor});

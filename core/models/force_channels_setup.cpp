@@ -151,7 +151,8 @@ private:
                 .unit = Unit::of("mV/V"),
                 .distribution = std::move(distribution),
                 .origin = setup_.sensor_name + ": " + origin,
-                .contributor = setup_.sensor_name,
+                .contributor = setup_.sensor_id,
+                .contributor_name = setup_.sensor_name,
                 .tags = {{"source", name}}};
     }
 

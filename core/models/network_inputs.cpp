@@ -49,7 +49,8 @@ private:
             quantity.group = sensor.name;
             component.id = sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
-            component.contributor = sensor.name;
+            component.contributor = sensor.id;
+            component.contributor_name = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
             inputs_.quantities.push_back(std::move(quantity));
         }
@@ -74,13 +75,14 @@ private:
             quantity.symbol = std::string(across ? across_symbol : symbols[o]) + "_" + suffix + again;
             quantity.name = sensor.name + " to " + target.name + ", " +
                             (across ? "displacement across the azimuth" : component.name);
-            quantity.unit = o == 0 || across ? Unit::of("mm") : Unit::of("rad");
+            quantity.unit = o == 0 || across ? Unit::of("mm") : Unit::of("deg");
             quantity.offset = across ? 0.0 : sight.reading[o];
             quantity.group = target.name;
             quantity.source = sight.source[o];
             component.id = target.name + "." + sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
-            component.contributor = sensor.name;
+            component.contributor = sensor.id;
+            component.contributor_name = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), reading.scale(observables[o])});
             add_systematic(sensor, observables[o], reading, quantity);
             sight.input[o] = inputs_.quantities.size();
@@ -97,7 +99,8 @@ private:
                                        .unit = Unit::of("mm"),
                                        .distribution = distribution_of_shape(bar.distribution, bar.u),
                                        .origin = "calibration of the " + bar.name,
-                                       .contributor = bar.name};
+                                       .contributor = "bar of length " + bar.name,
+                                       .contributor_name = bar.name};
         InputQuantity quantity;
         quantity.symbol = "L_" + ends + again;
         quantity.name = bar.name + ", calibrated length";
@@ -121,7 +124,8 @@ private:
                 UncertaintyComponent component = deviation.component;
                 component.id = id;
                 component.origin = sensor.name + " (" + component.origin + ")";
-                component.contributor = sensor.name;
+                component.contributor = sensor.id;
+                component.contributor_name = sensor.name;
                 inputs_.add(std::move(component));
             }
             quantity.shares.push_back({known->second, factor});

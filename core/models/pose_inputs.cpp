@@ -103,8 +103,7 @@ private:
                                       : d.owner.empty() ? rule.asset_id
                                                         : d.owner;
             const std::size_t before = inputs_.components.size();
-            const std::size_t component =
-                component_of(d.component, whose + "." + d.id, rule.asset_name, !d.point);
+            const std::size_t component = component_of(d.component, whose + "." + d.id, rule, !d.point);
             if (!d.estimate.empty() && component == before)
                 inputs_.rest_on_estimate((d.owner.empty() ? rule.asset_id : d.owner) + "." + d.estimate,
                                          component);
@@ -131,7 +130,8 @@ private:
                                                       own.value_or(point.uncertainty->u[c])),
                 .origin = "typed"};
             const std::string id = (common ? prefix_of(point.side) : point.symbol()) + "." + axis;
-            add_shares(i, component_of(component, id, {}, common), point.axes.col(static_cast<int>(c)));
+            add_shares(i, component_of(component, id, UncertaintyRule{}, common),
+                       point.axes.col(static_cast<int>(c)));
         }
     }
 
@@ -144,10 +144,11 @@ private:
 
     /// Index of the component: a new one, or the common one that another point has made.
     std::size_t component_of(UncertaintyComponent& component, const std::string& id,
-                             const std::string& asset_name, bool common) {
+                             const UncertaintyRule& rule, bool common) {
         component.id = id;
-        if (!asset_name.empty()) component.origin = asset_name + " (" + component.origin + ")";
-        component.contributor = asset_name;
+        if (!rule.asset_id.empty()) component.origin = rule.asset_name + " (" + component.origin + ")";
+        component.contributor = rule.asset_id;
+        component.contributor_name = rule.asset_name;
         component.local = !common;
         if (!common) return inputs_.add(std::move(component));
         const auto [known, is_new] = common_.try_emplace(id, inputs_.components.size());

@@ -5,8 +5,10 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/symbol.h"
 #include "core/model/setup_schema.h"
 #include "core/model/words.h"
+#include "core/project/component_edit.h"
 #include "core/quantity/component_pairs.h"
 
 namespace covaria {
@@ -31,24 +33,6 @@ bool is_own(const InputSet& inputs, std::size_t component) {
                            [&](const Share& share) { return share.component == component; });
     };
     return std::count_if(inputs.quantities.begin(), inputs.quantities.end(), uses) == 1;
-}
-
-// In SI, as deviations; parameters without a unit stay (those of a lognormal distribution are of the number
-// in SI).
-std::vector<double> parameters_in_si(const ComponentEdit& edit) {
-    std::vector<double> parameters = edit.parameters;
-    const auto& kinds = distribution_kinds();
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const DistributionKindInfo& candidate) {
-        return candidate.key == edit.distribution;
-    });
-    if (kind == kinds.end()) return parameters;
-    const bool discrete = kind->parameters.empty();  // values, then probabilities
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const bool has_unit = discrete ? i < parameters.size() / 2
-                                       : i < kind->parameters.size() && kind->parameters[i].has_unit;
-        if (has_unit) parameters[i] = edit.unit.interval_to_si(parameters[i]);
-    }
-    return parameters;
 }
 
 class QuantityEdit {
@@ -93,7 +77,7 @@ private:
                                                  dimension_words(quantity_.unit) + "; the unit " +
                                                  in_quotes(edit.unit.text()) + " of " + in_quotes(name) +
                                                  " is the unit of " + dimension_words(edit.unit));
-        const auto distribution = distribution_from(edit.distribution, parameters_in_si(edit));
+        const auto distribution = distribution_of(edit);
         if (!distribution) problems_.error(place + "/parameters", what + ": " + distribution.error().message);
         UncertaintyComponent made{edit_.symbol + ".edit" + std::to_string(i + 1), name, edit.unit};
         if (distribution) made.distribution = *distribution;
@@ -108,14 +92,16 @@ private:
 
     void put_in_place(const std::vector<UncertaintyComponent>& components) {
         const std::vector<std::size_t> places = give_up_own();
-        const std::string contributor = places.empty() ? "" : inputs_.components[places[0]].contributor;
+        const UncertaintyComponent before =
+            places.empty() ? UncertaintyComponent{} : inputs_.components[places[0]];
         for (std::size_t i = 0; i < components.size(); ++i) {
             std::size_t place = i < places.size() ? places[i] : InputSet::npos;
             if (place == InputSet::npos)
                 place = inputs_.add(components[i]);
             else
                 inputs_.components[place] = components[i];
-            inputs_.components[place].contributor = contributor;
+            inputs_.components[place].contributor = before.contributor;
+            inputs_.components[place].contributor_name = before.contributor_name;
             quantity_.shares.push_back({place, 1.0});
         }
     }
@@ -171,7 +157,7 @@ void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& 
             known.insert(known.end(), ids.begin(), ids.end());
         }
         problems.error(path + "/symbol", "the model has no input quantity " + in_quotes(edit.symbol) +
-                                             did_you_mean(edit.symbol, known));
+                                             did_you_mean(plain_symbol(edit.symbol), known));
         return;
     }
     if (edit.estimate || edit.components || edit.combination)

@@ -13,7 +13,7 @@ namespace covaria {
 /// appended. Components of one point (`local`) are replaced in the edited coordinate and stay in the others;
 /// those that a quantity shares with other points or quantities stay.
 ///
-/// Components are deviations from the estimate: their parameters are converted without the offset of degC.
+/// Components are deviations from the estimate (component_edit.h).
 /// After all edits of a quantity its estimate is the edited one, whatever the means of its components. A held
 /// quantity is constant at its estimate; components that it shares with others stay in those.
 ///

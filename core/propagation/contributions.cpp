@@ -29,12 +29,13 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
         const InputQuantity& quantity = inputs.quantities[i];
         for (const Share& share : quantity.shares) {
             BudgetComponent& b = result[share.component];
-            if (b.quantity.empty()) {
+            if (b.quantities.empty()) {
                 b.group = quantity.group;
                 b.tags.insert(b.tags.end(), quantity.tags.begin(), quantity.tags.end());
                 b.estimate = estimate_of(inputs, i);
+                b.quantity_unit = quantity.unit;
             }
-            b.quantity += (b.quantity.empty() ? "" : ", ") + quantity.symbol;
+            b.quantities.push_back(quantity.symbol);
         }
     }
     return result;

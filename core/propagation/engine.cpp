@@ -115,7 +115,7 @@ Result<void> Evaluation::add_contributions() {
     result_.contributors = contributors_of(inputs_, law_, correlations_);
     if (options_.contributor_trials == 0 || result_.contributors.empty()) return {};
     result_.contributor_trials = options_.contributor_trials;
-    return add_contributor_trials(result_.contributors, context(), inputs_, correlations_,
+    return add_contributor_trials(result_.contributors, context(), inputs_, law_, correlations_,
                                   options_.contributor_trials);
 }
 

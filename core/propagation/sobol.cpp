@@ -94,8 +94,8 @@ public:
         products_ += terms * terms.transpose();
     }
 
-    SobolIndex index(const std::string& name) const {
-        SobolIndex made{name};
+    SobolIndex index(const SobolFactor& factor) const {
+        SobolIndex made{factor.name, factor.components};
         const Eigen::Vector4d mean = sum_ / n_;
         const double variance = mean[2] - mean[3] * mean[3];
         if (!(n_ > 1.0) || !(variance > 0.0)) return made;
@@ -206,7 +206,7 @@ Result<std::vector<std::vector<SobolIndex>>> sobol_indices(const RunContext& con
                       static_cast<std::size_t>(std::min<std::uint64_t>(block_trials, trials - first)));
             if (!context.monitor.advance(0)) return;
         }
-        for (std::size_t j = 0; j < outputs; ++j) indices[j][f] = run.sums()[j].index(factors[f].name);
+        for (std::size_t j = 0; j < outputs; ++j) indices[j][f] = run.sums()[j].index(factors[f]);
     });
     if (end == WorkEnd::cancelled || context.monitor.stopped())
         return fail(ErrorCode::cancelled, "the evaluation was stopped");

@@ -140,7 +140,7 @@ struct DistributionParameterInfo {
     std::string_view key;    ///< "mean"
     std::string_view title;  ///< "mean value"
     bool has_unit;           ///< carries the quantity's unit (false: pure number such as degrees of freedom)
-    bool is_interval;        ///< a width or scale: converted without the offset of degC
+    bool is_interval;        ///< a width or scale, never a place on the axis
 };
 struct DistributionKindInfo {
     std::string_view key;

@@ -39,9 +39,10 @@ struct UncertaintyComponent {
     bool normal_draws = false;
     std::string origin = {};  ///< where the figure comes from: "artefact plate-2d, Eq. 2", "certificate ..."
     bool held = false;        ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
-    /// Who brings it in, for results with all of a contributor held: the name of an asset, "" = the set-up.
+    /// Who brings it in, for results with all of a contributor held: the id of an asset, "" = the set-up.
     std::string contributor = {};
-    std::vector<GroupTag> tags = {};  ///< beside those of its quantities
+    std::string contributor_name = {};  ///< for people; empty: as `contributor`
+    std::vector<GroupTag> tags = {};    ///< beside those of its quantities
     /// Of one point, whose coordinates share it only because they do not lie along its direction: an edit of
     /// one of them takes its place there.
     bool local = false;

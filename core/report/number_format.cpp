@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace covaria {
 namespace {
@@ -111,6 +112,17 @@ std::string format_estimate(double value, double uncertainty) {
     if (is_typed(value) || !(uncertainty > 0.0) || !std::isfinite(uncertainty)) return format_typed(value);
     const std::string plain = format_typed(value), matched = format_to_match(value, uncertainty, 3);
     return matched.size() > plain.size() ? matched : plain;
+}
+
+double shown_degrees_of_freedom(double nu) {
+    if (std::isnan(nu)) return nu;
+    if (nu >= 1e4) return std::numeric_limits<double>::infinity();
+    if (nu >= 10.0) return std::floor(nu * (1.0 + 1e-12));
+    return nu >= 1.0 ? std::round(10.0 * nu) / 10.0 : std::round(100.0 * nu) / 100.0;
+}
+
+std::string format_degrees_of_freedom(double nu) {
+    return without_trailing_zeros(format_significant(shown_degrees_of_freedom(nu), unmatched_digits));
 }
 
 std::string format_cell(const TableCell& cell, const TableColumn& column) {

@@ -124,6 +124,12 @@ DataTable results_table(const UncertaintyResult& result) {
     return table;
 }
 
+std::string comma_list(const std::vector<std::string>& symbols) {
+    std::string text;
+    for (const std::string& symbol : symbols) text += (text.empty() ? "" : ", ") + symbol;
+    return text;
+}
+
 DataTable budget_table(const UncertaintyResult& result) {
     DataTable table = table_with("budget", "Uncertainty budgets",
                                  {"group", "output", "output unit", "quantity", "component", "id", "unit",
@@ -135,8 +141,8 @@ DataTable budget_table(const UncertaintyResult& result) {
             const BudgetComponent& c = result.budget.components[row.component];
             TableCell alone;
             if (row.one_at_a_time) alone = interval_in(q.unit, *row.one_at_a_time);
-            table.rows.push_back({q.group, q.symbol, q.unit.text(), c.quantity, c.name, c.id, c.unit.text(),
-                                  interval_in(c.unit, c.standard_uncertainty), c.distribution,
+            table.rows.push_back({q.group, q.symbol, q.unit.text(), comma_list(c.quantities), c.name, c.id,
+                                  c.unit.text(), interval_in(c.unit, c.standard_uncertainty), c.distribution,
                                   type_text(c.type), c.degrees_of_freedom,
                                   q.unit.interval_from_si(row.sensitivity * c.unit.interval_to_si(1.0)),
                                   interval_in(q.unit, row.contribution), row.share, alone,

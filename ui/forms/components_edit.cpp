@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/base/symbol.h"
+#include "core/project/component_edit.h"
 #include "ui/document/input_edits.h"
 #include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
@@ -139,7 +140,7 @@ void ComponentsEdit::add_component() {
     const std::size_t quantity = analysis_->inputs.find(symbol_);
     ComponentEdit added;
     added.name = to_std(tr("component %1").arg(all.size() + 1));
-    if (quantity != InputSet::npos) added.unit = analysis_->inputs.quantities[quantity].unit;
+    if (quantity != InputSet::npos) added.unit = analysis_->inputs.quantities[quantity].unit.interval();
     set_distribution(added, Distribution::normal(0.0));
     all.push_back(added);
     const int row = static_cast<int>(all.size()) - 1;

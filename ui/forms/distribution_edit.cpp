@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/project/component_edit.h"
 #include "core/report/number_format.h"
-#include "ui/document/input_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
@@ -114,8 +114,10 @@ void DistributionEdit::set_component(const ComponentEdit& component) {
     component_ = component;
     kind_->setCurrentIndex(kind_->findData(to_qt(component.distribution)));
     unit_->clear();
-    for (const Unit& unit : DisplayUnits::choices(component.unit))
+    for (const Unit& unit : DisplayUnits::choices(component.unit.interval()))
         unit_->addItem(to_qt(unit.display()), to_qt(unit.text()));
+    if (component.unit.has_offset())  // from a file: a deviation in degC is one in K
+        unit_->addItem(to_qt(component.unit.display()), to_qt(component.unit.text()));
     unit_->setCurrentIndex(unit_->findData(to_qt(component.unit.text())));
     if (shown_kind_ != component.distribution) rebuild_parameters();
     show_values();
@@ -162,6 +164,7 @@ void DistributionEdit::rebuild_parameters() {
 void DistributionEdit::add_parameter(std::size_t index, const DistributionParameterInfo& info) {
     auto* edit = new QuantityEdit(this);
     edit->set_keeps_unit(false);
+    edit->set_interval(true);
     edit->set_optional(false);
     edit->setAccessibleName(to_qt(info.title));
     edit->setObjectName(to_qt(info.key));

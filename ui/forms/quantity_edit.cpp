@@ -57,8 +57,10 @@ Unit QuantityEdit::typing_unit() const {
 
 Result<std::optional<Quantity>> QuantityEdit::parse() const {
     auto parsed = parse_quantity(text(), typing_unit(), locale());
-    if (parsed && *parsed && !keeps_unit_)
-        **parsed = Quantity{converted((**parsed).value, (**parsed).unit, unit_), unit_};
+    if (parsed && *parsed && !keeps_unit_) {
+        const auto convert = interval_ ? converted_interval : converted;
+        **parsed = Quantity{convert((**parsed).value, (**parsed).unit, unit_), unit_};
+    }
     return parsed;
 }
 

@@ -20,6 +20,8 @@ public:
     void set_unit(const Unit& unit);
     /// Off: whatever unit is typed, the quantity is converted to that of `set_unit`.
     void set_keeps_unit(bool keeps) { keeps_unit_ = keeps; }
+    /// The number is a difference or an uncertainty: converted without the zero of degC.
+    void set_interval(bool interval) { interval_ = interval; }
     void set_range(const Range& range) { range_ = range; }
     void set_integer(bool integer) { integer_ = integer; }
     /// Off: the line must not be left empty.
@@ -60,6 +62,7 @@ private:
     Unit unit_;
     Range range_;
     bool keeps_unit_ = true;
+    bool interval_ = false;
     bool integer_ = false;
     bool optional_ = true;
     QString help_;

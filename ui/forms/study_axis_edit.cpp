@@ -96,7 +96,8 @@ void StudyAxisEdit::take_end(bool first, const Quantity& quantity) {
     emit edited(
         [first, quantity](StudyAxis& axis) {
             double& other = first ? axis.to : axis.from;
-            if (!(quantity.unit == axis.unit)) other = converted(other, axis.unit, quantity.unit);
+            const auto convert = axis.change == StudyChange::added ? converted_interval : converted;
+            other = convert(other, axis.unit, quantity.unit);
             axis.unit = quantity.unit;
             (first ? axis.from : axis.to) = quantity.value;
         },

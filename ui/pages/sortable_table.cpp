@@ -128,7 +128,8 @@ QString SortableTable::csv() const {
         for (int column = 0; column < proxy_.columnCount(); ++column)
             if (!isColumnHidden(column))
                 cells << quoted(row < 0 ? proxy_.headerData(column, Qt::Horizontal).toString()
-                                        : proxy_.index(row, column).data().toString());
+                                        : number_for_programs(proxy_.index(row, column).data().toString(),
+                                                              QLocale(), QStringLiteral(".")));
         lines << cells.join(QLatin1Char(','));
     }
     if (!remark_.isEmpty()) lines << quoted(remark_);

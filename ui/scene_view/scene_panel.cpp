@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "core/model/has_layout.h"
+#include "core/report/number_format.h"
+#include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
@@ -22,14 +24,14 @@ constexpr int usual_probability = 2;  // of the list: 95 %
 
 /// "0.021 0.034 0.012 mm"
 QString triple(const Eigen::Vector3d& v, const LengthUnit& unit) {
-    const auto number = [&](int i) { return QString::number(v[i] * unit.per_metre, 'g', 3); };
+    const auto number = [&](int i) { return localized(format_significant(v[i] * unit.per_metre, 3)); };
     return QStringLiteral("%1  %2  %3 %4")
         .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
 }
 
 QString coordinates(const Eigen::Vector3d& v, const LengthUnit& unit) {
-    const auto number = [&](int i) { return QString::number(v[i] * unit.per_metre, 'f', 2); };
-    return QStringLiteral("(%1, %2, %3) %4")
+    const auto number = [&](int i) { return localized(format_decimals(v[i] * unit.per_metre, 2)); };
+    return QStringLiteral("(%1; %2; %3) %4")
         .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
 }
 
