@@ -7,7 +7,9 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
+#include "app/terminal.h"
 #include "app/window.h"
+#include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
 #include "core/model/words.h"
 
@@ -28,7 +30,7 @@ const char* const footer =
     "  covaria validate my.covaria\n"
     "  covaria describe pose-from-points\n"
     "\n"
-    "Exit status: 0 success, 1 bad input, 2 wrong usage, 130 interrupted.";
+    "Exit status: 0 success, 1 bad input or something without results, 2 wrong usage, 130 interrupted.";
 
 /// "there is no command ..." where the first word is neither a file nor an option; else empty.
 std::string mistyped_command(const CLI::App& app, int argc, char** argv) {
@@ -64,9 +66,15 @@ int main(int argc, char** argv) {
         }
         return app.exit(problem) == 0 ? exit_success : exit_wrong_usage;
     }
-    if (app.get_subcommands().empty()) return run_window(file);
-    const Interrupt interrupt;
-    for (const Command& command : commands)
-        if (command.parser->parsed()) return command.run(interrupt.token());
-    return exit_wrong_usage;
+    // Whatever is still thrown ends in a sentence.
+    const auto status = guarded([&]() -> int {
+        if (app.get_subcommands().empty()) return run_window(file);
+        const Interrupt interrupt;
+        for (const Command& command : commands)
+            if (command.parser->parsed()) return command.run(interrupt.token());
+        return exit_wrong_usage;
+    });
+    if (status) return *status;
+    print_error(status.error());
+    return exit_bad_input;
 }

@@ -3,7 +3,6 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <sstream>
 
@@ -67,13 +66,11 @@ Result<UrdfChoice> choice_of(const ImportRequest& request) {
 }
 
 Result<void> import_robot(const ImportRequest& request) {
-    std::ifstream in(request.file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) return fail(ErrorCode::io, request.file + " cannot be read");
+    const auto text = read_file(request.file);
+    if (!text) return fail(text.error());
     const auto choice = choice_of(request);
     if (!choice) return fail(choice.error());
-    auto imported = import_urdf(text.str(), *choice);
+    auto imported = import_urdf(*text, *choice);
     if (!imported) {
         Error error = imported.error();
         error.file = request.file;

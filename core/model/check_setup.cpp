@@ -10,6 +10,10 @@ namespace covaria {
 
 namespace {
 
+// Figures beyond this are refused: squares and sums of squares of what is below it stay finite numbers.
+constexpr double largest_figure = 1e100;
+
+
 // What one field or one column of a table asks of a value.
 struct Demand {
     std::string title;
@@ -211,6 +215,9 @@ void check_field(const FieldSpec& field, const SetupValue& value, Problems& prob
 std::string unit_objection(const std::string& title, const Quantity& given, const Unit& expected) {
     if (std::isnan(given.value) || std::isinf(given.value))
         return in_quotes(title) + " must be a finite number; it is " + readable_number(given.value);
+    if (std::abs(given.value) > largest_figure || std::abs(given.si()) > largest_figure)
+        return in_quotes(title) + " is too large to be computed with (at most 1e100): it is " +
+               readable_number(given.value);
     if (given.unit.dimension() != expected.dimension()) {
         const std::string words =
             given.unit.dimension().is_one() ? "has no unit" : "is " + dimension_words(given.unit);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/assets/adjustment.h"
+#include "core/math/decompositions.h"
 #include "core/models/network_setup.h"
 
 namespace covaria::network {
@@ -37,7 +38,7 @@ Matrix gain_of(const NetworkSetup& setup, const JointSetUp& joint, const Sensiti
         weights = squares.asDiagonal();
     }
     const Matrix JtW = s.to_point.transpose() * weights;
-    return (JtW * s.to_point).llt().solve(JtW);
+    return cholesky(JtW * s.to_point).solve(JtW);
 }
 
 Precision precision_of(const NetworkSetup& setup, const JointSetUp& joint) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/decompositions.h"
 #include "core/math/normal_quantile.h"
 #include "core/propagation/numerical_tolerance.h"
 
@@ -14,9 +15,7 @@ namespace {
 double greatest_eigenvalue(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
     const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
     const Eigen::MatrixXd correlation = correlation_of(covariance(index, index));
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(correlation, Eigen::EigenvaluesOnly)
-        .eigenvalues()
-        .maxCoeff();
+    return eigen_decomposition(correlation, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/guarded.h"
 #include "core/math/normal_quantile.h"
 #include "core/quantity/copula.h"
 #include "core/random/uniforms.h"
@@ -43,6 +44,9 @@ Eigen::MatrixXd correlation_factor(const Eigen::MatrixXd& correlation) {
     }
     Eigen::MatrixXd result = ldlt.transpositionsP().transpose() * factor;
     result.rowwise().normalize();
+    // Asked by its product: info() takes a rank that rounding makes unclear for a failure.
+    if (!((result * result.transpose() - correlation).cwiseAbs().maxCoeff() < 1e-6))
+        throw ImpossibleValue("matrix of correlations that cannot be factored");
     return result;
 }
 

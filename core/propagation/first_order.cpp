@@ -11,19 +11,51 @@
 namespace covaria::detail {
 namespace {
 
+using OutputFlags = Eigen::Array<bool, Eigen::Dynamic, 1>;
+
+/// " (alpha, gamma of pose 7)": the outputs without the flag; empty if it is known of none.
+std::string named_outputs(const MeasurementModel& model, const OutputFlags& good) {
+    std::string words, group;
+    for (std::size_t j = 0; j < model.outputs().size(); ++j) {
+        if (good[static_cast<Eigen::Index>(j)]) continue;
+        const OutputQuantity& output = model.outputs()[j];
+        const bool same = !words.empty() && output.group == group;
+        if (!words.empty() && !same && !group.empty()) words += " of " + group;
+        words += (words.empty() ? "" : same ? ", " : "; ") + output.symbol;
+        group = output.group;
+    }
+    if (words.empty()) return {};
+    return " (" + words + (group.empty() ? "" : " of " + group) + ")";
+}
+
+/// Which outputs have finite sensitivity coefficients; those of which nothing is known count as such.
+OutputFlags differentiable_outputs(const MeasurementModel& model, std::span<const double> x) {
+    constexpr std::size_t affordable = 10'000'000;  // numbers in the matrix
+    OutputFlags good = OutputFlags::Constant(static_cast<Eigen::Index>(model.outputs().size()), true);
+    if (model.outputs().size() * x.size() > affordable) return good;
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(good.size(), static_cast<Eigen::Index>(x.size()));
+    model.jacobian(x, J);
+    for (Eigen::Index j = 0; j < good.size(); ++j) good[j] = J.row(j).allFinite();
+    return good;
+}
+
 Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagation& law,
                                    SensitivityRows& rows) {
     const std::span<const double> x(law.inputs.data(), static_cast<std::size_t>(law.inputs.size()));
     law.estimate.resize(static_cast<Eigen::Index>(model.outputs().size()));
     const std::span<double> y(law.estimate.data(), model.outputs().size());
+    law.estimate.setZero();
     if (!model.evaluate(x, y) || !law.estimate.allFinite())
         return fail(ErrorCode::numeric,
-                    "the measurement model has no value at the estimates of its input quantities: check the "
-                    "nominal geometry and the values entered");
+                    "the measurement model has no value at the estimates of its input quantities" +
+                        named_outputs(model, law.estimate.array().isFinite()) +
+                        ": check the nominal geometry and the values entered");
     if (!model.sensitivities(x, rows))
         return fail(ErrorCode::numeric,
                     "the measurement model has no sensitivity coefficients at the estimates of its input "
-                    "quantities: it is not differentiable there (singular geometry)");
+                    "quantities" +
+                        named_outputs(model, differentiable_outputs(model, x)) +
+                        ": it is not differentiable there (singular geometry)");
     return {};
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/math/decompositions.h"
 #include "core/quantity/copula.h"
 #include "core/quantity/isotropic_vector.h"
 
@@ -113,8 +114,7 @@ std::optional<Error> group_problem(const InputSet& inputs, const std::vector<std
             const auto known = coefficients.find(pair);
             if (known != coefficients.end()) matrix(i, j) = matrix(j, i) = known->second;
         }
-    const double smallest =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    const double smallest = eigen_decomposition(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
     if (smallest >= smallest_eigenvalue_allowed) return std::nullopt;
     std::ostringstream message;
     message << "the correlations of the components ";

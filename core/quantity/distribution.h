@@ -88,7 +88,7 @@ public:
     /// freedom, probabilities that do not sum to 1
     /// ...; the message names the parameter.
     static Result<Distribution> make(DistributionParameters parameters);
-    /// For values known to be right (computed by the program); terminates otherwise.
+    /// For parameters computed from checked values; throws ImpossibleValue (guarded.h) otherwise.
     static Distribution of(DistributionParameters parameters);
     static Distribution normal(double standard_uncertainty) { return of(Normal{0.0, standard_uncertainty}); }
 

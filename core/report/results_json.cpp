@@ -235,18 +235,34 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     return json;
 }
 
+OrderedJson failed_json(const FailedAnalysis& failed) {
+    OrderedJson json = {{"analysis", failed.id}, {"name", failed.name}};
+    if (!failed.study.empty()) json["study"] = failed.study;
+    json["cause"] = failed.cause;
+    return json;
+}
+
+OrderedJson file_json(const ResultFile& file) {
+    OrderedJson json = {{"file", file.name}};
+    for (const auto& [key, value] : file.of) json[key] = value;
+    return json;
+}
+
 }  // namespace
 
-std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses) {
+std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses,
+                         const ResultListing& listing) {
     OrderedJson list = OrderedJson::array();
     for (const EvaluatedAnalysis& evaluated : analyses) list.push_back(analysis_json(project, evaluated));
-    const OrderedJson document = {{"format", "covaria-results"},
-                                  {"schemaVersion", 1},
-                                  {"project",
-                                   {{"title", project.title},
-                                    {"fingerprint", fingerprint(project)},
-                                    {"covariaVersion", COVARIA_VERSION}}},
-                                  {"analyses", std::move(list)}};
+    OrderedJson document = {{"format", "covaria-results"},
+                            {"schemaVersion", 1},
+                            {"project",
+                             {{"title", project.title},
+                              {"fingerprint", fingerprint(project)},
+                              {"covariaVersion", COVARIA_VERSION}}},
+                            {"analyses", std::move(list)}};
+    for (const FailedAnalysis& failed : listing.failed) document["failed"].push_back(failed_json(failed));
+    for (const ResultFile& file : listing.files) document["files"].push_back(file_json(file));
     return pretty(document, "") + "\n";
 }
 

@@ -61,6 +61,11 @@ void add_title(Blocks& blocks, const ReportSource& source) {
     facts.facts.emplace_back("Project fingerprint", project_fingerprint(source));
     blocks.push_back(std::move(facts));
     add_paragraphs(blocks, source.project.notes);
+    for (const FailedAnalysis& failed : source.failed)
+        blocks.push_back(ParagraphBlock{
+            (failed.study.empty() ? "Not evaluated: " : "Study \"" + failed.study + "\" not evaluated: ") +
+                (failed.name.empty() ? failed.id : failed.name) + ": " + failed.cause + ".",
+            true});
     for (const EvaluatedAnalysis& evaluated : source.analyses) add_glance(blocks, evaluated);
 }
 

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMetaObject>
 
+#include "core/base/counted_problems.h"
 #include "core/project/workspace.h"
 #include "ui/document/linked_files.h"
 #include "ui/document/project_command.h"
@@ -17,14 +18,19 @@ namespace {
 constexpr int most_undo_steps = 500;
 
 std::filesystem::path folder_of(const QString& file) {
-    return file.isEmpty() ? std::filesystem::path{} : to_path(QFileInfo(file).absolutePath());
+    return file.isEmpty() ? std::filesystem::path{}
+                          : project_folder(to_path(QFileInfo(file).absoluteFilePath()));
 }
 
 }  // namespace
 
 Document::Document(QObject* parent)
-    : Document([](const Project& project, Problems& problems) { check_project(project, problems); }, parent) {
-}
+    : Document(
+          [](const Project& project, Problems& problems) {
+              check_project(project, problems);
+              count_beyond_a_hundred(problems);
+          },
+          parent) {}
 
 Document::Document(ProblemChecker::Check check, QObject* parent)
     : QObject(parent), checker_(std::move(check)) {

@@ -75,6 +75,7 @@ void RecoveryStore::remove_leftovers() const {
 
 std::vector<RecoveryEntry> RecoveryStore::abandoned() const {
     std::vector<RecoveryEntry> entries;
+    remove_leftovers(to_path(folder_));
     const QDir folder(folder_);
     for (const QFileInfo& info : folder.entryInfoList({QString("*") + ending}, QDir::Files, QDir::Time)) {
         const QJsonObject entry = read_entry(info.filePath());

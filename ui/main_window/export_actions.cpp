@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
-#include "core/project/project_file.h"
+#include "core/report/result_files.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
 #include "ui/theme/icons.h"
@@ -145,13 +145,9 @@ void ExportActions::write_results(const QString& folder) {
     jobs_.push([this, folder, without = without_words(),
                 analyses = current_results(document_.project(), runner_),
                 project = document_.snapshot()]() -> JobQueue::Delivery {
-        const std::filesystem::path place = to_path(folder);
-        auto written = write_file_atomically(place / "results.json", results_json(*project, analyses));
-        for (const EvaluatedAnalysis& one : analyses)
-            for (const DataTable& table : result_tables(*project, one))
-                if (written)
-                    written = write_file_atomically(place / (one.analysis->id + "-" + table.id + ".csv"),
-                                                    to_csv(table));
+        Problems known;  // they stand in the problems list
+        const AssetLibrary assets = make_assets(*project, known);
+        const auto written = write_result_files(to_path(folder), *project, assets, analyses);
         const QString problem = written ? QString() : to_qt(written.error().message);
         return [this, folder, problem, without] { finish(folder, problem, without); };
     });

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "core/project/project_file.h"
+#include "core/report/csv_text.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
 #include "ui/theme/icons.h"
@@ -19,11 +20,8 @@
 namespace covaria::ui {
 namespace {
 
-QString quoted(QString cell) {
-    if (!cell.contains(QLatin1Char(',')) && !cell.contains(QLatin1Char('"')) &&
-        !cell.contains(QLatin1Char('\n')))
-        return cell;
-    return QLatin1Char('"') + cell.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
+QString quoted(const QString& cell) {
+    return to_qt(csv_text(to_std(cell)));
 }
 
 constexpr int widest_column = 260;  ///< that a column gets by itself

@@ -89,6 +89,10 @@ TEST(Language, ChoosesByCondition) {
     EXPECT_EQ(value_of(text, {{"a", 2}}), 30.0);
     EXPECT_EQ(value_of(text, {{"a", 3}}), 20.0);
     EXPECT_EQ(value_of("y = if(a <= 0, 0, sqrt(a))", {{"a", -1}}), 0.0);
+    // What is not taken needs no value, even if none of it depends on a quantity.
+    EXPECT_EQ(value_of("y = if(a > 0, a, 2*sqrt(-1))", {{"a", 3}}), 3.0);
+    EXPECT_EQ(value_of("y = if(1 > 2, 1/0, a)", {{"a", 3}}), 3.0);
+    EXPECT_EQ(value_of("y = if(2 > 1, a, log(0)) + if(a > 0, 1, if(a > 0, 1/0, 2))", {{"a", 3}}), 4.0);
 }
 
 TEST(Language, DefinitionsMayStandInAnyOrderAndGoOnInTheNextLine) {
@@ -145,6 +149,7 @@ TEST(Language, RefusesWithThePlace) {
         {"y = if(a, 1, 2)", 1, 5, "not a condition"},
         {"y = 1 + (a > 2)", 1, 7, "is a condition"},
         {"y = 1/0", 1, 6, "no value"},
+        {"y = if(1/0 > a, 1, 2)", 1, 9, "no value"},
         {"solve y = 1: a = 3", 1, 16, "not depend on any unknown"},
         {"solve y = 1, z = 2: y + z = a", 1, 1, "2 unknowns"},
         {"solve y = 1 y = a", 1, 13, "colon"},
