@@ -13,7 +13,6 @@ namespace {
 // Figures beyond this are refused: squares and sums of squares of what is below it stay finite numbers.
 constexpr double largest_figure = 1e100;
 
-
 // What one field or one column of a table asks of a value.
 struct Demand {
     std::string title;

@@ -5,6 +5,14 @@
 
 namespace covaria {
 
+namespace {
+
+std::string name_of_contributor(const UncertaintyComponent& c) {
+    return c.contributor_name.empty() ? c.contributor : c.contributor_name;
+}
+
+}  // namespace
+
 void take_names(UncertaintyResult& result, const std::vector<OutputQuantity>& outputs,
                 const InputSet& inputs) {
     const auto& before = result.inputs.components;
@@ -14,7 +22,10 @@ void take_names(UncertaintyResult& result, const std::vector<OutputQuantity>& ou
     std::map<std::string, std::string> contributors;
     for (std::size_t i = 0; i < before.size(); ++i) {
         const UncertaintyComponent& now = inputs.components[i];
-        contributors[before[i].contributor] = now.contributor;
+        const std::string was = name_of_contributor(before[i]), is = name_of_contributor(now);
+        const std::string id = " (" + now.contributor + ")";  // added where two have one name
+        contributors[was] = is;
+        contributors[was + id] = is + id;
         BudgetComponent& row = result.budget.components[i];
         row.name = now.name;
         row.origin = now.origin;
