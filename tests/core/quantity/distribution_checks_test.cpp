@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "core/base/guarded.h"
 #include "distribution_cases.h"
 
 namespace covaria::distribution_checks_test {
