@@ -172,7 +172,9 @@ LoadedProject parse_project(const std::string& text, const fs::path& directory, 
     const auto locations = JsonLocations::scan(text);
     if (!locations) {
         add_error(loaded.problems, locations.error());
-        loaded.problems.items().back().file = name;
+        Problem& problem = loaded.problems.items().back();
+        problem.file = name;
+        problem.line = std::max(1, problem.line);
         return loaded;
     }
     loaded.problems = locations->duplicate_keys();

@@ -300,7 +300,8 @@ Result<UncertaintyResult> run_unguarded(const PreparedAnalysis& analysis, const 
 
 Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control) {
     auto result = guarded([&] { return run_unguarded(analysis, control); });
-    return result ? *std::move(result) : fail(result.error());
+    if (!result) return fail(result.error());
+    return *std::move(result);
 }
 
 }  // namespace covaria

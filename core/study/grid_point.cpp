@@ -109,7 +109,8 @@ EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(
         point /= plan_.values[axis].size();
     }
     auto evaluated = guarded([&] { return of_grid_point(indices, advance); });
-    return evaluated ? *std::move(evaluated) : without_values(evaluated.error().message);
+    if (!evaluated) return without_values(evaluated.error().message);
+    return *std::move(evaluated);
 }
 
 EvaluatedPoint GridWalker::of_grid_point(const std::vector<std::size_t>& indices,

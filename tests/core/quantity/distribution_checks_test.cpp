@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "core/base/guarded.h"
 #include "distribution_cases.h"
 
 namespace covaria::distribution_checks_test {
@@ -74,8 +75,11 @@ TEST(DistributionChecks, TheLimitsOfTheShapesCanBeComputed) {
     }
 }
 
-TEST(DistributionChecksDeathTest, OfTerminatesOnABadParameter) {
-    EXPECT_DEATH(Distribution::normal(-1.0), "standard deviation");
+TEST(DistributionChecks, OfThrowsOnABadParameter) {
+    EXPECT_THROW(Distribution::normal(-1.0), ImpossibleValue);
+    EXPECT_THROW(Distribution::normal(1e160), ImpossibleValue);
+    EXPECT_NE(guarded([] { return Distribution::normal(-1.0); }).error().message.find("standard deviation"),
+              std::string::npos);
 }
 
 TEST(DistributionKinds, FollowTheOrderOfTheParameters) {
