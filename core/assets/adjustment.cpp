@@ -49,7 +49,8 @@ Eigen::MatrixXd least_squares_gain(const Eigen::MatrixXd& to_points, const Eigen
     if (shared.cols() > 0) {
         // ... and these from what the points leave over, each with a standard uncertainty of one beforehand.
         const Eigen::MatrixXd F = by_u.asDiagonal() * shared;
-        const Eigen::MatrixXd left = F - Q * (Q.transpose() * F);
+        Eigen::MatrixXd left = F - Q * (Q.transpose() * F);
+        left -= Q * (Q.transpose() * left);  // without redundancy nothing is left, not even rounding
         gain -= (gain * F) * estimate_of_shared(left);
     }
     return gain * by_u.asDiagonal();

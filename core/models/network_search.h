@@ -10,7 +10,7 @@
 
 namespace covaria::network {
 
-inline constexpr double last_step = 1e-9;  // m
+inline constexpr double last_step = 1e-11;  // m; what is left then is below 1e-6 of any u that is stated
 
 /// Targets estimated together: those of a set-up, or one by itself.
 struct Part {

@@ -105,11 +105,11 @@ Deviations deviations_of(const Asset& asset, const std::string& id,
     Deviations found;
     for (const JointDeviation& d : asset.point_uncertainty()->joint_deviations(targets)) {
         std::string key = (d.owner.empty() ? id : d.owner) + "." + d.id;
-        if (d.point) {  // "range" or "s3.distance"
-            const std::string word =
-                d.id.substr(d.id.find('.') == std::string::npos ? 0 : d.id.find('.') + 1);
-            key = "reading of " + std::to_string(*d.point) + ", " + (word == "range" ? "distance" : word);
-        }
+        if (d.point)  // "range", or "s3.distance"
+            key = "reading of " + std::to_string(*d.point) + ", " +
+                  (d.id == "range"                       ? id + ".distance"
+                   : d.id.find('.') == std::string::npos ? id + "." + d.id
+                                                         : d.id);
         std::vector<Eigen::Vector3d>& moves = found[key];
         EXPECT_TRUE(moves.empty()) << key << " is there twice";
         for (const Eigen::Vector3d& direction : d.directions)

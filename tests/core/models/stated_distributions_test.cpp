@@ -75,7 +75,7 @@ TEST(StatedDistributions, ReachTheComponentsOfShippedProjects) {
                 }
                 if (shape == "normal") continue;
                 for (const UncertaintyComponent& c : prepared->inputs.components)
-                    if (c.id.find("station.") != std::string::npos) {
+                    if (c.id.find(".station.") != std::string::npos) {
                         EXPECT_EQ(c.distribution.kind(), shape) << c.id;
                     }
             }
