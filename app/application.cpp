@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <QHash>
 #include <cstdlib>
 #include <filesystem>
 
@@ -25,6 +26,8 @@ void provide_runtime_folder() {
 std::unique_ptr<QApplication> make_application(Platform platform) {
     if (platform == Platform::offscreen) setenv("QT_QPA_PLATFORM", "offscreen", 1);
     provide_runtime_folder();
+    // With seeds of its own each process would take other fonts for letters that ours lack: other reports.
+    QHashSeed::setDeterministicGlobalSeed();
     static int argc = 1;
     static char name[] = "covaria";
     static char* argv[] = {name, nullptr};

@@ -38,16 +38,9 @@ Result<void> write_chart(const EvaluatedAnalysis& evaluated, const PictureReques
     return write(plot_of(result, wanted_output(result, request.group)), request, file);
 }
 
-Result<void> write_charts(const EvaluatedAnalysis& evaluated, const std::filesystem::path& folder) {
-    const auto application = make_application(Platform::offscreen);
-    const UncertaintyResult& result = *evaluated.result;
-    for (std::size_t j = 0; j < result.outputs.size(); ++j) {
-        const OutputQuantity& quantity = result.outputs[j].quantity;
-        const std::string name = evaluated.analysis->id + "-" + quantity.symbol +
-                                 (quantity.group.empty() ? "" : "-" + quantity.group) + ".png";
-        if (auto written = write(plot_of(result, j), {}, folder / name); !written) return written;
-    }
-    return {};
+Result<void> write_chart_of(const EvaluatedAnalysis& evaluated, std::size_t output,
+                            const std::filesystem::path& file) {
+    return write(plot_of(*evaluated.result, output), {}, file);
 }
 
 }  // namespace covaria

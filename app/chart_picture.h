@@ -8,7 +8,8 @@ namespace covaria {
 /// Of the first measurand of the wanted group; of its contributions where Monte Carlo did not run.
 Result<void> write_chart(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
                          const std::filesystem::path& file);
-/// One for every output.
-Result<void> write_charts(const EvaluatedAnalysis& evaluated, const std::filesystem::path& folder);
+/// Of one output, by its index. Needs an application (application.h).
+Result<void> write_chart_of(const EvaluatedAnalysis& evaluated, std::size_t output,
+                            const std::filesystem::path& file);
 
 }  // namespace covaria

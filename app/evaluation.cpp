@@ -1,7 +1,9 @@
 #include "app/evaluation.h"
 
 #include "app/terminal.h"
+#include "core/base/guarded.h"
 #include "core/project/project_file.h"
+#include "core/result/representation.h"
 #include "core/study/study.h"
 
 namespace covaria {
@@ -41,45 +43,103 @@ Result<std::vector<std::string>> selected(const Project& project, const std::vec
     return wanted;
 }
 
-Result<EvaluatedAnalysis> evaluate_one(const Project& project, const AssetLibrary& assets,
-                                       const std::string& id, const RunControl& control) {
-    Problems problems;
-    auto prepared = prepare_analysis(project, id, assets, problems);
-    if (!prepared) {
-        print_problems(problems);
-        return fail(ErrorCode::bad_input, "analysis \"" + id + "\" cannot be evaluated");
-    }
-    if (!prepared->forecast.empty()) print_message(id + ": " + prepared->forecast);
-    auto result = run_analysis(*prepared, control);
-    if (!result) return fail(result.error());
-    EvaluatedAnalysis evaluated{prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};
-    for (const Problem& problem : problems.items()) evaluated.warnings.push_back(problem.message);
-    return evaluated;
+std::string first_error(const Problems& problems, const std::string& otherwise) {
+    for (const Problem& problem : problems.items())
+        if (problem.severity == Severity::error) return problem.path + ": " + problem.message;
+    return otherwise;
 }
 
-Result<void> evaluate_studies(const Project& project, const AssetLibrary& assets, const RunRequest& request,
-                              const std::stop_token& stop, EvaluatedAnalysis& evaluated) {
-    const std::string& id = evaluated.analysis->id;
-    for (const Study& study : project.find_analysis(id)->studies) {
-        if (!request.study.empty() && study.id != request.study) continue;
-        Problems problems;
-        const auto prepared = prepare_study(project, id, study.id, assets, problems);
-        if (!prepared) {
-            print_problems(problems);
-            return fail(ErrorCode::bad_input, "study \"" + study.id + "\" cannot be evaluated");
-        }
-        const std::string what = "study " + id + "/" + study.id;
-        auto result = run_study(*prepared, {stop, progress_line(what), request.threads});
-        end_progress_line();
-        if (!result) return fail(result.error());
-        if (const std::size_t failed = result->failed(); failed > 0)
-            print_message(what + ": warning: " + std::to_string(failed) + " of " +
-                          std::to_string(result->points.size()) +
-                          " grid points have no values: " + result->reasons[1]);
-        evaluated.studies.push_back(std::make_shared<const StudyResult>(std::move(*result)));
-    }
-    return {};
+std::string words_of(const FailedAnalysis& failed) {
+    const std::string name = failed.name.empty() ? "" : " (" + failed.name + ")";
+    return (failed.study.empty() ? "analysis " + failed.id : "study " + failed.id + "/" + failed.study) +
+           name + ": " + failed.cause;
 }
+
+/// Evaluates analysis after analysis and keeps what failed.
+class Evaluator {
+public:
+    Evaluator(const Project& project, const AssetLibrary& assets, const RunRequest& request,
+              const std::stop_token& stop)
+        : project_(project), assets_(assets), request_(request), stop_(stop) {}
+
+    /// Error{cancelled} only.
+    Result<void> add(const std::string& id) {
+        auto one = evaluate(id);
+        end_progress_line();
+        if (!one && one.error().code == ErrorCode::cancelled) return fail(one.error());
+        if (!one) {
+            note_failure(id, "", one.error().message);
+            return {};
+        }
+        for (const std::string& warning : one->result->warnings) print_message(id + ": warning: " + warning);
+        auto studies = request_.studies ? evaluate_studies(*one) : Result<void>{};
+        evaluation.analyses.push_back(std::move(*one));
+        return studies;
+    }
+
+    Evaluation evaluation;
+
+private:
+    Result<EvaluatedAnalysis> evaluate(const std::string& id) const {
+        Problems problems;
+        auto prepared = prepare_analysis(project_, id, assets_, problems);
+        if (!prepared) return fail(ErrorCode::bad_input, first_error(problems, "it cannot be evaluated"));
+        if (!prepared->forecast.empty()) print_message(id + ": " + prepared->forecast);
+        auto result = run_analysis(*prepared, {stop_, progress_line("analysis " + id), request_.threads});
+        if (!result) return fail(result.error());
+        EvaluatedAnalysis evaluated{
+            prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};
+        for (const Problem& problem : problems.items()) evaluated.warnings.push_back(problem.message);
+        return evaluated;
+    }
+
+    Result<void> evaluate_studies(EvaluatedAnalysis& evaluated) {
+        const std::string& id = evaluated.analysis->id;
+        for (const Study& study : project_.find_analysis(id)->studies) {
+            if (!request_.study.empty() && study.id != request_.study) continue;
+            auto result = evaluate(id, study.id);
+            end_progress_line();
+            if (!result && result.error().code == ErrorCode::cancelled) return fail(result.error());
+            if (!result)
+                note_failure(id, study.id, result.error().message);
+            else
+                evaluated.studies.push_back(std::make_shared<const StudyResult>(std::move(*result)));
+        }
+        return {};
+    }
+
+    Result<StudyResult> evaluate(const std::string& id, const std::string& study) const {
+        Problems problems;
+        const auto prepared = prepare_study(project_, id, study, assets_, problems);
+        if (!prepared) return fail(ErrorCode::bad_input, first_error(problems, "it cannot be evaluated"));
+        const std::string what = "study " + id + "/" + study;
+        auto ran = guarded([&] {
+            return run_study(*prepared, {stop_, progress_line(what), request_.threads});
+        });
+        if (!ran) return fail(ran.error());
+        if (!*ran) return fail(ran->error());
+        if (const std::size_t failed = (*ran)->failed(); failed > 0)
+            print_message(what + ": warning: " + std::to_string(failed) + " of " +
+                          std::to_string((*ran)->points.size()) +
+                          " grid points have no values: " + (*ran)->reasons[1]);
+        if (const std::size_t count = not_representing(**ran).size(); count > 0)
+            print_message(what + ": warning: what is given for " + std::to_string(count) + " of " +
+                          std::to_string((*ran)->points.size()) + " grid points " + does_not_represent +
+                          ": more than 1 % of the trials have no value");
+        return std::move(**ran);
+    }
+
+    void note_failure(const std::string& id, const std::string& study, const std::string& cause) {
+        FailedAnalysis failed{id, project_.find_analysis(id)->name, study, cause};
+        print_message(words_of(failed));
+        evaluation.failed.push_back(std::move(failed));
+    }
+
+    const Project& project_;
+    const AssetLibrary& assets_;
+    const RunRequest& request_;
+    std::stop_token stop_;
+};
 
 }  // namespace
 
@@ -93,25 +153,23 @@ Result<OpenedProject> open_project(const std::string& file) {
     return OpenedProject{std::move(loaded.project), std::move(assets)};
 }
 
-Result<std::vector<EvaluatedAnalysis>> evaluate_analyses(const OpenedProject& opened,
-                                                         const RunRequest& request,
-                                                         const std::stop_token& stop) {
+Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunRequest& request,
+                                     const std::stop_token& stop) {
     const Project project = with_overrides(opened.project, request);
     const auto ids = selected(project, request.analyses);
     if (!ids) return fail(ids.error());
-    std::vector<EvaluatedAnalysis> evaluated;
-    for (const std::string& id : *ids) {
-        const RunControl control{stop, progress_line("analysis " + id), request.threads};
-        auto one = evaluate_one(project, opened.assets, id, control);
-        end_progress_line();
-        if (!one) return fail(one.error());
-        for (const std::string& warning : one->result->warnings) print_message(id + ": warning: " + warning);
-        if (request.studies)
-            if (auto done = evaluate_studies(project, opened.assets, request, stop, *one); !done)
-                return fail(done.error());
-        evaluated.push_back(std::move(*one));
-    }
-    return evaluated;
+    Evaluator evaluator(project, opened.assets, request, stop);
+    for (const std::string& id : *ids)
+        if (auto added = evaluator.add(id); !added) return fail(added.error());
+    return std::move(evaluator.evaluation);
+}
+
+Result<void> check_complete(const Evaluation& evaluation) {
+    if (evaluation.failed.empty()) return {};
+    std::string names;
+    for (const FailedAnalysis& failed : evaluation.failed)
+        names += (names.empty() ? "" : ", ") + failed.id + (failed.study.empty() ? "" : "/" + failed.study);
+    return fail(ErrorCode::numeric, std::to_string(evaluation.failed.size()) + " without results: " + names);
 }
 
 }  // namespace covaria

@@ -33,9 +33,17 @@ struct OpenedProject {
 /// Prints every problem; an error of the project becomes Error{bad_input}.
 Result<OpenedProject> open_project(const std::string& file);
 
-/// Evaluates the requested analyses one after the other, with progress on a terminal.
-Result<std::vector<EvaluatedAnalysis>> evaluate_analyses(const OpenedProject& opened,
-                                                         const RunRequest& request,
-                                                         const std::stop_token& stop);
+/// What was evaluated, and what has no results.
+struct Evaluation {
+    std::vector<EvaluatedAnalysis> analyses;
+    std::vector<FailedAnalysis> failed;
+};
+
+/// Evaluates the requested analyses one after the other, with progress on a terminal. One that fails is said
+/// and does not keep the others from being evaluated. Errors: an unknown analysis, stopped.
+Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunRequest& request,
+                                     const std::stop_token& stop);
+/// Error{numeric} that names what failed, if anything did: the command ends with status 1.
+Result<void> check_complete(const Evaluation& evaluation);
 
 }  // namespace covaria

@@ -1,10 +1,12 @@
 #include "app/interrupt.h"
 
 #include <unistd.h>
+#include <chrono>
 #include <csignal>
 #include <ctime>
 
 #include "app/exit_status.h"
+#include "core/base/file_io.h"
 
 namespace covaria {
 namespace {
@@ -17,13 +19,27 @@ sigset_t watched_signals() {
     return set;
 }
 
+// Evaluations end by themselves, with a message, well before this; what knows no stop is ended.
+constexpr std::chrono::milliseconds grace{350};
+
+[[noreturn]] void leave() {
+    remove_unfinished_files();
+    static constexpr char message[] = "covaria: stopped\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof message - 1);
+    _exit(exit_interrupted);
+}
+
 void watch(const std::stop_token& end, std::stop_source& source) {
     const sigset_t set = watched_signals();
     const timespec patience{0, 50'000'000};
     while (!end.stop_requested()) {
         if (sigtimedwait(&set, nullptr, &patience) < 0) continue;
-        if (source.stop_requested()) _exit(exit_interrupted);
+        if (source.stop_requested()) leave();
         source.request_stop();
+        std::thread([end] {
+            std::this_thread::sleep_for(grace);
+            if (!end.stop_requested()) leave();
+        }).detach();
     }
 }
 

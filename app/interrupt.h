@@ -6,7 +6,8 @@
 
 namespace covaria {
 
-/// From construction on, the first SIGINT or SIGTERM requests a stop; a second one ends the process at once.
+/// From construction on, the first SIGINT or SIGTERM requests a stop, and a third of a second later ends the
+/// process with status 130, whatever it is doing (reading, writing, drawing); a second one ends it at once.
 /// Construct it before any other thread starts: the signals are blocked in all threads that follow.
 class Interrupt {
 public:

@@ -1,11 +1,17 @@
 // The program: a window without a subcommand, a headless tool with one.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
+#include "app/terminal.h"
 #include "app/window.h"
+#include "core/base/guarded.h"
+#include "core/base/in_quotes.h"
+#include "core/model/words.h"
 
 namespace {
 
@@ -24,7 +30,21 @@ const char* const footer =
     "  covaria validate my.covaria\n"
     "  covaria describe pose-from-points\n"
     "\n"
-    "Exit status: 0 success, 1 bad input, 2 wrong usage, 130 interrupted.";
+    "Exit status: 0 success, 1 bad input or something without results, 2 wrong usage, 130 interrupted.";
+
+/// "there is no command ..." where the first word is neither a file nor an option; else empty.
+std::string mistyped_command(const CLI::App& app, int argc, char** argv) {
+    const std::string word = argc > 1 ? argv[1] : "";
+    std::error_code ignored;
+    if (word.empty() || word.front() == '-' || std::filesystem::exists(word, ignored)) return {};
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    if (std::find(names.begin(), names.end(), word) != names.end()) return {};
+    const std::string hint = covaria::did_you_mean(word, names);
+    if (hint.empty()) return {};
+    return "there is no command " + covaria::in_quotes(word) + hint;
+}
 
 }  // namespace
 
@@ -40,11 +60,21 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
+        if (const std::string wrong = mistyped_command(app, argc, argv); !wrong.empty()) {
+            std::fprintf(stderr, "%s\n", wrong.c_str());
+            return exit_wrong_usage;
+        }
         return app.exit(problem) == 0 ? exit_success : exit_wrong_usage;
     }
-    if (app.get_subcommands().empty()) return run_window(file);
-    const Interrupt interrupt;
-    for (const Command& command : commands)
-        if (command.parser->parsed()) return command.run(interrupt.token());
-    return exit_wrong_usage;
+    // Whatever is still thrown ends in a sentence.
+    const auto status = guarded([&]() -> int {
+        if (app.get_subcommands().empty()) return run_window(file);
+        const Interrupt interrupt;
+        for (const Command& command : commands)
+            if (command.parser->parsed()) return command.run(interrupt.token());
+        return exit_wrong_usage;
+    });
+    if (status) return *status;
+    print_error(status.error());
+    return exit_bad_input;
 }

@@ -1,17 +1,14 @@
-// Files written by the commands.
+// The folder that a command writes to.
 #pragma once
 
 #include <filesystem>
-#include <string>
 
-#include "core/report/report.h"
+#include "core/base/error.h"
 
 namespace covaria {
 
-/// Makes the folder (and its parents). Error{io} in words.
+/// Makes the folder (and its parents); removes what a killed run has left unfinished in it. Error{io} in
+/// words.
 Result<void> make_output_folder(const std::filesystem::path& folder);
-/// results.json and the CSV tables of every analysis and asset.
-Result<void> write_results(const std::filesystem::path& folder, const Project& project,
-                           const AssetLibrary& assets, const std::vector<EvaluatedAnalysis>& analyses);
 
 }  // namespace covaria

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "app/application.h"
 #include "app/chart_picture.h"
+#include "core/base/file_names.h"
 #include "core/model/has_layout.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/scene/study_scene.h"
@@ -26,12 +28,6 @@ Result<void> check_group(const EvaluatedAnalysis& evaluated, const std::string& 
                 "there is no group \"" + group + "\"; the analysis has: " + joined(groups));
 }
 
-std::string file_name_part(std::string text) {
-    for (char& c : text)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
-    return text;
-}
-
 Result<Scene> scene_of_study(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
                              const SceneOptions& options) {
     for (const auto& study : evaluated.studies) {
@@ -40,10 +36,11 @@ Result<Scene> scene_of_study(const EvaluatedAnalysis& evaluated, const PictureRe
         wanted.ellipsoids = request.ellipsoids;
         const auto quantities = study_quantities(*study);
         std::vector<std::string> titles;
-        for (const StudyQuantity& quantity : quantities) titles.push_back("\"" + quantity.title + "\"");
+        for (const StudyQuantity& quantity : quantities) titles.push_back("\"" + quantity.id + "\"");
         const auto found =
-            std::find_if(quantities.begin(), quantities.end(),
-                         [&](const StudyQuantity& quantity) { return quantity.title == request.quantity; });
+            std::find_if(quantities.begin(), quantities.end(), [&](const StudyQuantity& quantity) {
+                return quantity.id == request.quantity || quantity.title == request.quantity;
+            });
         if (!request.quantity.empty() && found == quantities.end())
             return fail(ErrorCode::bad_input,
                         "the study has no quantity \"" + request.quantity + "\"; it has: " + joined(titles));
@@ -75,6 +72,11 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
 
 Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
                            const std::filesystem::path& file) {
+    constexpr std::int64_t most_pixels = 36'000'000;  // some 2 GB while a picture is drawn
+    if (std::int64_t{request.width} * request.height > most_pixels)
+        return fail(ErrorCode::usage, "a picture of " + std::to_string(request.width) + " x " +
+                                          std::to_string(request.height) +
+                                          " pixels is too large: at most 36 million, such as 6000 x 6000");
     if (!standard_view_from(request.view))
         return fail(ErrorCode::bad_input,
                     "there is no view \"" + request.view + "\"; there are: " + joined(views));
@@ -89,30 +91,69 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
     return render_to(renderer, request.view, file);
 }
 
-Result<void> write_pictures(const std::filesystem::path& folder,
-                            const std::vector<EvaluatedAnalysis>& analyses, const std::stop_token& stop) {
-    SceneRenderer renderer;
-    for (const EvaluatedAnalysis& evaluated : analyses) {
-        if (!has_layout(*evaluated.analysis->model, evaluated.analysis->inputs)) {
-            if (auto written = write_charts(evaluated, folder); !written) return written;
+std::vector<PlannedPicture> planned_pictures(const std::vector<EvaluatedAnalysis>& analyses) {
+    std::vector<PlannedPicture> pictures;
+    FileNames names;
+    const auto add = [&](PlannedPicture picture, const std::vector<std::string>& parts) {
+        std::string stem;
+        for (const std::string& part : parts) stem += part.empty() ? "" : (stem.empty() ? "" : "-") + part;
+        picture.file = names.unique(stem, ".png");
+        pictures.push_back(std::move(picture));
+    };
+    for (std::size_t i = 0; i < analyses.size(); ++i) {
+        const PreparedAnalysis& analysis = *analyses[i].analysis;
+        if (!has_layout(*analysis.model, analysis.inputs)) {
+            const auto& outputs = analyses[i].result->outputs;
+            for (std::size_t j = 0; j < outputs.size(); ++j) {
+                const OutputQuantity& quantity = outputs[j].quantity;
+                add({i, quantity.group, {}, j, {}},
+                    {analysis.id, file_name_part(quantity.symbol), file_name_part(quantity.group)});
+            }
             continue;
         }
-        const std::vector<std::string> groups = groups_of(evaluated.analysis->model->outputs());
-        for (const std::string& group : groups) {
+        const std::vector<std::string> groups = groups_of(analysis.model->outputs());
+        for (const std::string& group : groups)
+            for (const std::string& view : group == groups.front() ? views : std::vector<std::string>{"iso"})
+                add({i, group, view, {}, {}}, {analysis.id, file_name_part(group), view});
+    }
+    return pictures;
+}
+
+ResultFile listed(const PlannedPicture& picture, const std::vector<EvaluatedAnalysis>& analyses) {
+    const EvaluatedAnalysis& evaluated = analyses[picture.analysis];
+    ResultFile file{picture.file, {{"analysis", evaluated.analysis->id}}};
+    if (picture.output)
+        file.of.emplace_back("output", evaluated.result->outputs[*picture.output].quantity.symbol);
+    if (!picture.group.empty()) file.of.emplace_back("group", picture.group);
+    if (!picture.view.empty()) file.of.emplace_back("view", picture.view);
+    return file;
+}
+
+Result<void> write_pictures(const std::filesystem::path& folder,
+                            const std::vector<EvaluatedAnalysis>& analyses,
+                            const std::vector<PlannedPicture>& pictures, const std::stop_token& stop) {
+    std::unique_ptr<QApplication> application;
+    SceneRenderer renderer;
+    const PlannedPicture* drawn = nullptr;  // whose scene the renderer has
+    for (const PlannedPicture& picture : pictures) {
+        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped while drawing pictures");
+        const EvaluatedAnalysis& evaluated = analyses[picture.analysis];
+        if (picture.output) {
+            if (!application) application = make_application(Platform::offscreen);
+            if (auto written = write_chart_of(evaluated, *picture.output, folder / picture.file); !written)
+                return written;
+            continue;
+        }
+        if (!drawn || drawn->analysis != picture.analysis || drawn->group != picture.group) {
             PictureRequest request;
-            request.group = group;
+            request.group = picture.group;
             auto scene = scene_of(evaluated, request);
             if (!scene) return fail(scene.error());
             renderer.set_size(request.width, request.height);
             renderer.set_scene(std::move(*scene));
-            for (const std::string& view :
-                 group == groups.front() ? views : std::vector<std::string>{"iso"}) {
-                if (stop.stop_requested())
-                    return fail(ErrorCode::cancelled, "stopped while drawing pictures");
-                const auto name = evaluated.analysis->id + "-" + file_name_part(group) + "-" + view + ".png";
-                if (auto written = render_to(renderer, view, folder / name); !written) return written;
-            }
+            drawn = &picture;
         }
+        if (auto written = render_to(renderer, picture.view, folder / picture.file); !written) return written;
     }
     return {};
 }

@@ -30,8 +30,21 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
 /// Renders to a PNG file. Error{bad_input} names an unknown group or view.
 Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
                            const std::filesystem::path& file);
-/// One picture per view of the first group, and the isometric view of every other group.
+/// A picture of a run, with the name of its file.
+struct PlannedPicture {
+    std::size_t analysis = 0;
+    std::string group = {};
+    std::string view = {};                   ///< of the scene; empty: the chart of an output
+    std::optional<std::size_t> output = {};  ///< for a chart
+    std::string file;
+};
+/// Of every analysis with a scene: one per view of the first group, and the isometric view of every other
+/// group; of the others a chart for every output. No two have the same file.
+std::vector<PlannedPicture> planned_pictures(const std::vector<EvaluatedAnalysis>& analyses);
+/// As results.json lists it.
+ResultFile listed(const PlannedPicture& picture, const std::vector<EvaluatedAnalysis>& analyses);
 Result<void> write_pictures(const std::filesystem::path& folder,
-                            const std::vector<EvaluatedAnalysis>& analyses, const std::stop_token& stop);
+                            const std::vector<EvaluatedAnalysis>& analyses,
+                            const std::vector<PlannedPicture>& pictures, const std::stop_token& stop);
 
 }  // namespace covaria

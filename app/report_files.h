@@ -19,6 +19,7 @@ struct ReportSource {
     const Project& project;
     const AssetLibrary& assets;
     const std::vector<EvaluatedAnalysis>& analyses;
+    const std::vector<FailedAnalysis>& failed;
 };
 
 Result<void> write_reports(const ReportSource& source, const ReportFiles& files, const std::stop_token& stop);

@@ -53,19 +53,6 @@ std::string range_text(const Range& range, const Unit& unit) {
     return text + (std::isinf(range.high) ? ")" : "]");
 }
 
-void write_wrapped(std::ostringstream& out, const std::string& text, const std::string& indent) {
-    std::istringstream words(text);
-    std::string word, line;
-    while (words >> word) {
-        if (!line.empty() && indent.size() + line.size() + 1 + word.size() > 100) {
-            out << indent << line << '\n';
-            line.clear();
-        }
-        line += (line.empty() ? "" : " ") + word;
-    }
-    if (!line.empty()) out << indent << line << '\n';
-}
-
 void write_choices(std::ostringstream& out, const std::vector<Choice>& choices, const std::string& indent) {
     for (const Choice& choice : choices) out << indent << choice.key << ": " << choice.title << '\n';
 }
@@ -125,6 +112,19 @@ std::vector<std::string> texts_of(const std::vector<Reference>& references) {
 
 }  // namespace
 
+void write_wrapped(std::ostringstream& out, const std::string& text, const std::string& indent) {
+    std::istringstream words(text);
+    std::string word, line;
+    while (words >> word) {
+        if (!line.empty() && indent.size() + line.size() + 1 + word.size() > 100) {
+            out << indent << line << '\n';
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + word;
+    }
+    if (!line.empty()) out << indent << line << '\n';
+}
+
 std::string description_of(const ModelDescriptor& model) {
     std::ostringstream out;
     out << model.id << ": " << model.title << '\n';
@@ -161,8 +161,6 @@ std::string study_targets_text() {
     std::ostringstream out;
     for (const auto& [target, words] : lines)
         out << "  " << target << std::string(28 - std::string(target).size(), ' ') << words << '\n';
-    out << "  change: value (takes the number's place), factor, added\n"
-           "  spacing: linear, logarithmic; method: first-order, monte-carlo\n";
     return out.str();
 }
 

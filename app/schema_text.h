@@ -1,6 +1,7 @@
 // Models and assets described as plain text for the terminal.
 #pragma once
 
+#include <sstream>
 #include <string>
 
 #include "core/model/model_descriptor.h"
@@ -9,6 +10,8 @@ namespace covaria {
 
 std::string description_of(const ModelDescriptor& model);
 std::string description_of(const AssetDescriptor& asset);
+/// Lines of at most 100 characters, each behind the indent.
+void write_wrapped(std::ostringstream& out, const std::string& text, const std::string& indent);
 /// What the axes of a study can vary.
 std::string study_targets_text();
 

@@ -1,6 +1,7 @@
 #include "app/window.h"
 
 #include <QIcon>
+#include <QString>
 #include <cstdlib>
 
 #include "app/application.h"
@@ -16,6 +17,16 @@ bool has_display() {
     return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY") || std::getenv("QT_QPA_PLATFORM");
 }
 
+// Without it Qt aborts the process where the display cannot be used: a wrong name, no permission, a missing
+// plugin.
+void end_with_a_sentence(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type != QtFatalMsg) return print_message(message.toStdString());
+    QString first = message.section(QLatin1Char('\n'), 0, 0);
+    print_message("the window cannot be opened: " + first.toStdString() +
+                  " \"covaria --help\" lists the commands that need no display");
+    std::_Exit(exit_bad_input);
+}
+
 }  // namespace
 
 int run_window(const std::string& file) {
@@ -24,7 +35,9 @@ int run_window(const std::string& file) {
             "there is no display to open a window on; \"covaria --help\" lists the commands that need none");
         return exit_bad_input;
     }
+    const QtMessageHandler before = qInstallMessageHandler(end_with_a_sentence);
     const auto application = make_application(Platform::of_the_desktop);
+    qInstallMessageHandler(before);
     QApplication::setWindowIcon(
         QIcon(QString::fromStdString((data_directory() / "resources" / "icons" / "covaria.svg").string())));
     ui::MainWindow window;

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
+#include "app/project_parts.h"
 #include "app/schema_text.h"
 #include "app/terminal.h"
 #include "core/assets/registry.h"
@@ -20,7 +21,9 @@ void list_everything() {
     std::printf("\nAssets\n");
     for (const AssetDescriptor& asset : asset_registry())
         std::printf("  %-24s %s\n", asset.kind.c_str(), asset.title.c_str());
-    std::printf("\nStudies (sweeps and maps; a part of any analysis)\n%s", study_targets_text().c_str());
+    std::printf("\nParts of every analysis\n");
+    for (const ProjectPart& part : project_parts())
+        std::printf("  %-24s %s\n", part.name.c_str(), part.title.c_str());
     std::printf("\n\"covaria describe NAME\" shows the fields of one of them.\n");
 }
 
@@ -37,7 +40,17 @@ int describe(const std::string& name) {
         std::fputs(description_of(*asset).c_str(), stdout);
         return exit_success;
     }
-    print_message("there is no model or asset \"" + name + "\"; \"covaria describe\" lists them");
+    const auto part = description_of_part(name);
+    if (!part) {
+        print_message(part.error().message);
+        return exit_bad_input;
+    }
+    if (*part) {
+        std::fputs((*part)->c_str(), stdout);
+        return exit_success;
+    }
+    print_message("there is no model, asset or part of an analysis called \"" + name +
+                  "\"; \"covaria describe\" lists them");
     return exit_bad_input;
 }
 
@@ -45,9 +58,10 @@ int describe(const std::string& name) {
 
 Command describe_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();
-    CLI::App* command =
-        app.add_subcommand("describe", "List models and assets, or the fields, units and defaults of one");
-    command->add_option("NAME", *name, "a model or an asset kind; all are listed without it");
+    CLI::App* command = app.add_subcommand(
+        "describe", "List models, assets and parts of analyses, or the fields, units and defaults of one");
+    command->add_option("NAME", *name,
+                        "a model, an asset kind or a part (inputs, options ...); all are listed without it");
     return {command, [name](const std::stop_token&) { return describe(*name); }};
 }
 

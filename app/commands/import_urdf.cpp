@@ -1,8 +1,8 @@
 // covaria import-urdf FILE -o PROJECT: a robot from URDF as an asset of a new or of an existing project.
 #include <CLI/CLI.hpp>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <sstream>
 
@@ -17,6 +17,7 @@ namespace {
 
 struct ImportRequest {
     std::string file, output, tip;
+    std::vector<std::string> frozen;  ///< NAME=VALUE
 };
 
 /// "Arm X (5)" -> "arm-x-5", with a number appended while the project has it already.
@@ -48,12 +49,28 @@ Result<Project> project_to_extend(const ImportRequest& request, const std::strin
     return std::move(loaded.project);
 }
 
+Result<UrdfChoice> choice_of(const ImportRequest& request) {
+    UrdfChoice choice{.tip = request.tip, .frozen = {}};
+    for (const std::string& text : request.frozen) {
+        const std::size_t sign = text.rfind('=');
+        FrozenJoint joint;
+        std::istringstream value(sign == std::string::npos ? std::string() : text.substr(sign + 1));
+        if (sign == 0 || !(value >> joint.value) || !(value >> std::ws).eof())
+            return fail(ErrorCode::bad_input, "--freeze " + text +
+                                                  ": write NAME=VALUE, in degrees for a joint that turns, in "
+                                                  "millimetres for one that slides");
+        joint.name = text.substr(0, sign);
+        choice.frozen.push_back(std::move(joint));
+    }
+    return choice;
+}
+
 Result<void> import_robot(const ImportRequest& request) {
-    std::ifstream in(request.file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) return fail(ErrorCode::io, request.file + " cannot be read");
-    auto imported = import_urdf(text.str(), request.tip);
+    const auto text = read_file(request.file);
+    if (!text) return fail(text.error());
+    const auto choice = choice_of(request);
+    if (!choice) return fail(choice.error());
+    auto imported = import_urdf(*text, *choice);
     if (!imported) {
         Error error = imported.error();
         error.file = request.file;
@@ -63,7 +80,11 @@ Result<void> import_robot(const ImportRequest& request) {
     if (!project) return fail(project.error());
     project->assets.push_back({free_id(*project, imported->name), imported->kind, imported->name,
                                imported->notes, std::move(imported->setup)});
-    return save_project(*project, request.output);
+    auto saved = save_project(*project, request.output);
+    if (!saved) return saved;
+    std::printf("%s: robot \"%s\"\n", request.output.c_str(), project->assets.back().id.c_str());
+    for (const std::string& line : imported->report) std::printf("  %s\n", line.c_str());
+    return {};
 }
 
 }  // namespace
@@ -80,6 +101,13 @@ Command import_urdf_command(CLI::App& app) {
         ->required();
     command->add_option("--tip", request->tip, "link at the end of the arm; found without it")
         ->type_name("LINK");
+    command
+        ->add_option("--freeze", request->frozen,
+                     "joint that the arm does not have, at a value in degrees or millimetres: a rail, a "
+                     "turntable; repeat for more")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     return {command, [request](const std::stop_token&) -> int {
                 const auto done = import_robot(*request);
                 if (done) return exit_success;

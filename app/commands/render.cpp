@@ -26,9 +26,10 @@ Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
         arguments.request.analyses = {opened->project.analyses.front().id};
     arguments.request.studies = !arguments.picture.study.empty();
     arguments.request.study = arguments.picture.study;
-    auto evaluated = evaluate_analyses(*opened, arguments.request, stop);
-    if (!evaluated) return fail(evaluated.error());
-    return write_picture(evaluated->front(), arguments.picture, arguments.output);
+    auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
+    if (!evaluation) return fail(evaluation.error());
+    if (auto complete = check_complete(*evaluation); !complete) return complete;
+    return write_picture(evaluation->analyses.front(), arguments.picture, arguments.output);
 }
 
 }  // namespace

@@ -22,9 +22,14 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     if (auto made = make_output_folder(arguments.files.folder); !made) return made;
     auto opened = open_project(arguments.request.file);
     if (!opened) return fail(opened.error());
-    auto evaluated = evaluate_analyses(*opened, arguments.request, stop);
-    if (!evaluated) return fail(evaluated.error());
-    return write_reports({opened->project, opened->assets, *evaluated}, arguments.files, stop);
+    auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
+    if (!evaluation) return fail(evaluation.error());
+    if (auto written =
+            write_reports({opened->project, opened->assets, evaluation->analyses, evaluation->failed},
+                          arguments.files, stop);
+        !written)
+        return written;
+    return check_complete(*evaluation);
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "app/pictures.h"
 #include "app/report_files.h"
 #include "app/terminal.h"
+#include "core/report/result_files.h"
+#include "core/result/representation.h"
 
 namespace covaria {
 namespace {
@@ -26,15 +28,27 @@ Result<void> run(const RunArguments& arguments, const std::stop_token& stop) {
     if (auto made = make_output_folder(arguments.out); !made) return made;
     auto opened = open_project(arguments.request.file);
     if (!opened) return fail(opened.error());
-    auto evaluated = evaluate_analyses(*opened, arguments.request, stop);
-    if (!evaluated) return fail(evaluated.error());
-    if (auto written = write_results(arguments.out, opened->project, opened->assets, *evaluated); !written)
+    auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
+    if (!evaluation) return fail(evaluation.error());
+    const std::vector<EvaluatedAnalysis>& analyses = evaluation->analyses;
+    for (const EvaluatedAnalysis& one : analyses)
+        if (!represents_measurand(*one.result))
+            print_message("the result of " + one.analysis->id + " " + does_not_represent);
+    ResultListing listing{evaluation->failed, {}};
+    std::vector<PlannedPicture> pictures;
+    if (arguments.pictures) pictures = planned_pictures(analyses);
+    for (const PlannedPicture& picture : pictures) listing.files.push_back(listed(picture, analyses));
+    if (auto written =
+            write_result_files(arguments.out, opened->project, opened->assets, analyses, std::move(listing));
+        !written)
         return written;
-    if (arguments.pictures)
-        if (auto written = write_pictures(arguments.out, *evaluated, stop); !written) return written;
+    if (auto written = write_pictures(arguments.out, analyses, pictures, stop); !written) return written;
     if (arguments.report)
-        return write_reports({opened->project, opened->assets, *evaluated}, {arguments.out}, stop);
-    return {};
+        if (auto written = write_reports({opened->project, opened->assets, analyses, evaluation->failed},
+                                         {arguments.out}, stop);
+            !written)
+            return written;
+    return check_complete(*evaluation);
 }
 
 }  // namespace

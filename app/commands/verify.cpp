@@ -1,10 +1,8 @@
-// covaria verify: evaluates the shipped examples and holds them against published and reference values.
+// covaria verify: evaluates the shipped cases and holds them against published and reference values.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #include "app/application.h"
 #include "app/commands/commands.h"
@@ -12,6 +10,7 @@
 #include "app/exit_status.h"
 #include "app/output_folder.h"
 #include "app/terminal.h"
+#include "core/base/file_io.h"
 #include "core/base/resource_path.h"
 #include "core/report/verification.h"
 #include "ui/export/report_export.h"
@@ -25,18 +24,15 @@ struct VerifyArguments {
 };
 
 Result<std::vector<VerificationCase>> shipped_cases() {
-    const auto file = data_directory() / "resources" / "verification.json";
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) return fail(ErrorCode::io, "cannot read " + file.string());
-    return read_verification(text.str());
+    const auto text = read_file(data_directory() / "resources" / "verification.json");
+    if (!text) return fail(text.error());
+    return read_verification(*text);
 }
 
 Result<CheckedCase> evaluate_case(const VerificationCase& verification, int threads,
                                   const std::stop_token& stop) {
     RunRequest request;
-    request.file = (data_directory() / "projects" / verification.project).string();
+    request.file = (data_directory() / verification.project).string();
     request.threads = threads;
     request.studies = false;
     std::set<std::string> analyses;
@@ -44,9 +40,10 @@ Result<CheckedCase> evaluate_case(const VerificationCase& verification, int thre
         if (analyses.insert(check.analysis).second) request.analyses.push_back(check.analysis);
     auto opened = open_project(request.file);
     if (!opened) return fail(opened.error());
-    auto evaluated = evaluate_analyses(*opened, request, stop);
-    if (!evaluated) return fail(evaluated.error());
-    return check_case(verification, *evaluated);
+    auto evaluation = evaluate_analyses(*opened, request, stop);
+    if (!evaluation) return fail(evaluation.error());
+    if (auto complete = check_complete(*evaluation); !complete) return fail(complete.error());
+    return check_case(verification, evaluation->analyses);
 }
 
 Result<bool> verify(const VerifyArguments& arguments, const std::stop_token& stop) {
@@ -78,7 +75,7 @@ Result<bool> verify(const VerifyArguments& arguments, const std::stop_token& sto
 Command verify_command(CLI::App& app) {
     auto arguments = std::make_shared<VerifyArguments>();
     CLI::App* command = app.add_subcommand(
-        "verify", "Evaluate the shipped examples; compare them with published and reference values");
+        "verify", "Evaluate the shipped cases; compare every figure with published and reference values");
     command->add_option("--out", arguments->out, "folder for the table as PDF, HTML and Markdown")
         ->type_name("DIR");
     command->add_option("--threads", arguments->threads, "number of threads (results do not depend on it)")

@@ -102,7 +102,8 @@ SetupSchema ballbar_schema() {
                 shared),
          figure("u_zero", "Constant of each bar", "mm",
                 "Standard uncertainty of the constant of a bar, the same in all its readings to the ball.",
-                shared)});
+                shared),
+         distribution_field("distribution", "scale and constants", shared)});
 }
 
 /// a + b L with its meaning.
@@ -129,7 +130,7 @@ public:
         add_length(0, 2, setup.number("length_13"));
         add_length(1, 2, setup.number("length_23"));
         for (std::size_t row = 0; row < setup.rows("further_supports"); ++row) add_support(setup, row);
-        add_shared(setup.number("u_scale"), setup.number("u_zero"));
+        add_shared(setup);
     }
 
     const BallbarSource* ballbars() const override { return this; }
@@ -192,12 +193,13 @@ private:
               .origin = "ballbars: standard uncertainty"}});
     }
 
-    void add_shared(double u_scale, double u_zero) {
-        const auto component = [](std::string id, std::string name, const char* unit, double u) {
+    void add_shared(const SetupReader& setup) {
+        const double u_scale = setup.number("u_scale"), u_zero = setup.number("u_zero");
+        const auto component = [&](std::string id, std::string name, const char* unit, double u) {
             return UncertaintyComponent{.id = std::move(id),
                                         .name = std::move(name),
                                         .unit = Unit::of(unit),
-                                        .distribution = Distribution::normal(u),
+                                        .distribution = distribution_of_shape(setup.text("distribution"), u),
                                         .origin = "ballbars: standard uncertainty"};
         };
         if (u_scale > 0.0)

@@ -64,6 +64,11 @@ private:
                 "/nominal",
                 "parameters are identified by Eq 5: describe the nominal robot in that convention, not "
                 "in Craig's");
+        if (const std::size_t sliding = first_sliding_joint(id_.robot()); sliding > 0)
+            problems_.error("/nominal",
+                            "joint " + std::to_string(sliding) +
+                                " slides and draws no circle: take an arm without it, as it stands "
+                                "during the measurement");
         if (id_.robot().joints().size() < 2)
             problems_.error("/nominal", "an arm of one joint has no parameters between two axes");
         if (auto locator = read_locator(setup_, assets_, problems_)) id_.locator = std::move(*locator);

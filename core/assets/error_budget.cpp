@@ -59,6 +59,14 @@ UncertaintyComponent component(const std::string& id, const std::string& name, d
             .origin = origin};
 }
 
+/// The standard deviation of the errors of indication, one for all points measured so.
+void rest_on_observations(const ErrorBudget& budget, PointDeviation& deviation) {
+    if (std::isinf(budget.observations)) return;
+    deviation.component.degrees_of_freedom = budget.observations - 1.0;
+    deviation.component.type = EvaluationType::type_a;
+    deviation.estimate = budget.coordinate;
+}
+
 std::vector<PointDeviation> common_parts(const ErrorBudget& budget, const std::string& coordinate,
                                          const Eigen::Vector3d& direction, const DeviationRule& rule) {
     const auto part = [&](const char* word, const std::string& name, double u) {
@@ -71,6 +79,7 @@ std::vector<PointDeviation> common_parts(const ErrorBudget& budget, const std::s
         part("bias", "systematic error of indication", budget.u_bias(rule.bias))};
     const double half_width = std::numbers::sqrt3 * rule.factor * budget.u_temperature;
     parts[1].component.distribution = Distribution::of(Rectangular{-half_width, half_width});
+    if (rule.bias == BiasTreatment::corrected) rest_on_observations(budget, parts[2]);
     return parts;
 }
 
@@ -81,9 +90,10 @@ std::vector<PointDeviation> deviations_of(const ErrorBudget& budget, const std::
     PointDeviation own{coordinate, "coordinate " + coordinate, direction, {}, false};
     own.component = component(coordinate, own.name, rule.factor * budget.combined(rule.bias), rule.origin);
     own.component.degrees_of_freedom = budget.degrees_of_freedom(rule.bias);
+    if (std::isfinite(own.component.degrees_of_freedom)) own.estimate = budget.coordinate;
     if (!rule.systematic_common) return {own};
     own.component.distribution = Distribution::normal(rule.factor * budget.u_variability);
-    own.component.degrees_of_freedom = budget.observations - 1.0;
+    rest_on_observations(budget, own);
     own.component.type = EvaluationType::type_a;
     std::vector<PointDeviation> all{own};
     for (PointDeviation& part : common_parts(budget, coordinate, direction, rule)) all.push_back(part);

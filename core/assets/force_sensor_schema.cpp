@@ -167,17 +167,22 @@ std::vector<FieldSpec> summary_tables() {
                       .optional = true,
                       .shown_if = summary_given,
                       .section = "Calibration"};
+    const auto not_negative = [](ColumnSpec column) {
+        column.range = {.low = 0.0};
+        return column;
+    };
     summary.columns = {
         axis_column("axis", "Channel."),
         figure("rated_output", "rated output", "Mean net reading at the rated load."),
         figure("zero_error", "non-zero error",
                "Non-zero error: change of the unloaded reading over a series."),
-        figure("u_A", "u_A", "Type A standard uncertainty of the mean, the largest of all steps."),
+        not_negative(
+            figure("u_A", "u_A", "Type A standard uncertainty of the mean, the largest of all steps.")),
         figure("hysteresis", "hysteresis", "Largest difference between increasing and decreasing load."),
-        figure("u_B", "u_B",
-               "Type B standard uncertainty as stated; empty: from the machine, the "
-               "resolution and the non-zero error (Eq 8).",
-               true)};
+        not_negative(figure("u_B", "u_B",
+                            "Type B standard uncertainty as stated; empty: from the machine, the "
+                            "resolution and the non-zero error (Eq 8).",
+                            true))};
     FieldSpec interference{.key = "interference",
                            .title = "Interference",
                            .kind = FieldKind::table,

@@ -1,5 +1,7 @@
 #include "core/assets/measured_points.h"
 
+#include "core/assets/specification.h"
+
 namespace covaria {
 
 namespace {
@@ -11,7 +13,7 @@ void add_typed(const PointLocator& locator, const LocatedPoint& point, InputSet&
             {inputs.add({.id = symbol + ".point",
                          .name = "measured coordinate",
                          .unit = Unit::of("mm"),
-                         .distribution = Distribution::normal(locator.u_point),
+                         .distribution = distribution_of_shape(locator.distribution, locator.u_point),
                          .origin = "typed standard uncertainty"}),
              1.0}};
     }
@@ -20,10 +22,13 @@ void add_typed(const PointLocator& locator, const LocatedPoint& point, InputSet&
 void add_deviation(const PointLocator& locator, const JointDeviation& d,
                    const std::vector<LocatedPoint>& points, InputSet& inputs) {
     UncertaintyComponent component = d.component;
-    component.id = locator.instrument_id + "." + d.id + (d.point ? "." + points[*d.point].label : "");
+    component.id = (d.owner.empty() ? locator.instrument_id : d.owner) + "." + d.id +
+                   (d.point ? "." + points[*d.point].label : "");
     component.name = locator.instrument_name + ", " + d.name;
+    component.local = d.point.has_value();
     component.origin = locator.instrument_name + " (" + component.origin + ")";
     const std::size_t index = inputs.add(std::move(component));
+    if (!d.estimate.empty()) inputs.rest_on_estimate(locator.instrument_id + "." + d.estimate, index);
     for (std::size_t i = 0; i < points.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c)
             if (const double f = d.directions[i][static_cast<Eigen::Index>(c)]; f != 0.0)
@@ -37,6 +42,7 @@ std::optional<PointLocator> read_locator(const SetupReader& setup, const AssetLi
     PointLocator locator;
     if (setup.text("point_uncertainty") == "typed") {
         locator.u_point = setup.number("u_point");
+        locator.distribution = setup.text("distribution");
         return locator;
     }
     locator.instrument_id = setup.text("instrument");
@@ -51,6 +57,8 @@ std::optional<PointLocator> read_locator(const SetupReader& setup, const AssetLi
 }
 
 std::vector<FieldSpec> locator_fields() {
+    FieldSpec distribution = distribution_field("distribution", "the coordinates' deviations", "Points");
+    distribution.shown_if = Condition{"point_uncertainty", {"typed"}};
     return {
         {.key = "point_uncertainty",
          .title = "Uncertainty of the points",
@@ -68,6 +76,7 @@ std::vector<FieldSpec> locator_fields() {
          .default_value = Quantity{0.015, Unit::of("mm")},
          .shown_if = Condition{"point_uncertainty", {"typed"}},
          .section = "Points"},
+        distribution,
         {.key = "instrument",
          .title = "Instrument",
          .kind = FieldKind::reference,

@@ -13,6 +13,7 @@ namespace covaria {
 /// How points are located: a standard uncertainty of every coordinate, or an instrument of the project.
 struct PointLocator {
     double u_point = 0.0;                     ///< m
+    std::string distribution;                 ///< shape of a deviation with u_point
     std::shared_ptr<const Asset> instrument;  ///< null: u_point
     std::string instrument_id, instrument_name;
 };

@@ -54,6 +54,13 @@ private:
             return false;
         }
         c_.nominal = robot->asset;
+        if (const std::size_t sliding = first_sliding_joint(c_.robot()); sliding > 0) {
+            problems_.error("/nominal",
+                            "joint " + std::to_string(sliding) +
+                                " slides: only arms whose joints turn are identified; take an arm "
+                                "without it, as it stands during the measurement");
+            return false;
+        }
         auto locator = read_locator(setup_, assets_, problems_);
         if (!locator) return false;
         c_.locator = std::move(*locator);
@@ -63,7 +70,7 @@ private:
     void add_pose(MeasuredPose pose) {
         const auto& joints = c_.robot().joints();
         for (std::size_t j = 0; j < joints.size(); ++j)
-            pose.turns.push_back(Turn<double>(joints[j].direction * (pose.q[j] - joints[j].zero)));
+            pose.turns.push_back(Turn<double>(joints[j].travel(pose.q[j])));
         pose.reading.fill(no_input);
         c_.poses.push_back(std::move(pose));
     }

@@ -35,13 +35,41 @@ ColumnSpec angle_column(const char* key, const char* title, const char* help) {
     return {.key = key, .title = title, .unit = Unit::of("deg"), .optional = true, .help = help};
 }
 
-ColumnSpec reading_column(const char* key, const char* help) {
+ColumnSpec length_column(const char* key, const char* title, const char* help) {
+    return {.key = key, .title = title, .unit = Unit::of("mm"), .optional = true, .help = help};
+}
+
+ColumnSpec reading_column(const char* key, const char* unit, const char* help) {
     return {.key = key,
             .title = key,
-            .unit = Unit::of("deg"),
+            .unit = Unit::of(unit),
             .range = {.low = 0.0},
             .optional = true,
             .help = help};
+}
+
+/// Readings of a joint that slides are lengths, so they have columns of their own.
+void add_sliding_columns(FieldSpec& joints) {
+    const std::vector<ColumnSpec> columns{
+        {.key = "type",
+         .title = "type",
+         .kind = FieldKind::choice,
+         .optional = true,
+         .choices = {{"turning", "turns about its axis"}, {"sliding", "slides along its axis"}},
+         .help =
+             "A joint that turns has readings q, which add to theta; one that slides has readings s, which "
+             "add to d. Empty: it turns."},
+        length_column("s_zero", "s_0", "Reading of a sliding joint at which d holds; empty: 0."),
+        length_column("s_min", "s_min", "Lowest reading of a sliding joint; empty: no limit."),
+        length_column("s_max", "s_max", "Highest reading of a sliding joint; empty: no limit."),
+        reading_column(
+            "u_s_encoder", "mm",
+            "Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each "
+            "pose."),
+        reading_column("u_s_repeatability", "mm",
+                       "Standard uncertainty by which a sliding joint comes back to a reading, drawn anew at "
+                       "each pose.")};
+    joints.columns.insert(joints.columns.end(), columns.begin(), columns.end());
 }
 
 FieldSpec joints_field() {
@@ -68,11 +96,12 @@ FieldSpec joints_field() {
          .help = "Whether the joint angle grows or falls with the reading; empty: grows."},
         angle_column("q_min", "q_min", "Lowest reading; empty: no limit."),
         angle_column("q_max", "q_max", "Highest reading; empty: no limit."),
-        reading_column("u_encoder",
+        reading_column("u_encoder", "deg",
                        "Standard uncertainty of a reading by the joint's encoder, drawn anew at each pose."),
-        reading_column("u_repeatability",
+        reading_column("u_repeatability", "deg",
                        "Standard uncertainty by which the joint comes back to a reading, drawn anew at each "
                        "pose.")};
+    add_sliding_columns(field);
     return field;
 }
 

@@ -10,7 +10,7 @@ std::vector<UncertaintyComponent> RobotSource::reading(std::size_t joint) const 
         if (u == 0.0) return;
         components.push_back({.id = id,
                               .name = std::string(id) + " of joint " + std::to_string(joint + 1),
-                              .unit = Unit::of("deg"),
+                              .unit = data_.joints[joint].reading_unit(),
                               .distribution = Distribution::normal(u),
                               .origin = id});
     };

@@ -12,7 +12,7 @@ struct RobotData {
     Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity(), X_FT = Eigen::Isometry3d::Identity();
     std::vector<ParameterDeviation> deviations;
     std::vector<DeviationCorrelation> correlations;
-    std::vector<double> u_encoder, u_repeatability;  ///< of each joint, rad
+    std::vector<double> u_encoder, u_repeatability;  ///< of each joint, rad or m
     double u_tool_position = 0.0, u_tool_angle = 0.0;
 };
 

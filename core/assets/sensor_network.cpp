@@ -1,10 +1,8 @@
 // A network of sensors as one source of points: what each reading and each shared deviation does to points
 // measured together, by weighted least squares (Galetto et al., Eqs 1-5).
-#include <Eigen/Cholesky>
-#include <Eigen/SVD>
-#include <cmath>
-
+#include "core/assets/adjustment.h"
 #include "core/assets/kinds.h"
+#include "core/model/linear_reading.h"
 
 namespace covaria {
 
@@ -23,123 +21,96 @@ std::string word_of(Observable observable) {
 
 /// The readings of points measured together, linearised at the points.
 struct Readings {
-    Eigen::MatrixXd to_points;  ///< J: readings x 3 points
-    Eigen::MatrixXd shared;     ///< F: readings x shared deviations, each of standard uncertainty one
-    Eigen::VectorXd u;          ///< of the readings alone
+    Eigen::MatrixXd to_points;               ///< J: readings x 3 points
+    Eigen::MatrixXd shared;                  ///< readings x shared deviations, per unit of each
+    Eigen::VectorXd scale;                   ///< what the own deviation of a reading is multiplied by
+    std::vector<JointDeviation> deviations;  ///< of the readings, then the shared ones; without directions
+
+    double standard_uncertainty(Eigen::Index deviation) const {
+        return deviations[static_cast<std::size_t>(deviation)].component.distribution.standard_uncertainty();
+    }
+    /// Of the readings alone.
+    Eigen::VectorXd u() const {
+        Eigen::VectorXd u(scale.size());
+        for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = scale[i] * standard_uncertainty(i);
+        return u;
+    }
+    /// The columns of `shared` for deviations of standard uncertainty one.
+    Eigen::MatrixXd unit_shared() const {
+        Eigen::MatrixXd F = shared;
+        for (Eigen::Index k = 0; k < F.cols(); ++k) F.col(k) *= standard_uncertainty(scale.size() + k);
+        return F;
+    }
 };
 
-/// Collects readings and what they depend on; the order of its deviations is that of J's rows, then F's
-/// columns.
 class ReadingCollector {
 public:
     ReadingCollector(const std::vector<Member>& members, const std::vector<Eigen::Vector3d>& points)
         : members_(members), points_(points) {}
 
-    void collect() {
+    Readings collect() {
         for (std::size_t p = 0; p < points_.size(); ++p)
-            for (const Member& member : members_) add_sight(member, p);
-        for (const Member& member : members_) add_shared(member);
-    }
-
-    std::vector<JointDeviation>& deviations() { return deviations_; }
-    std::size_t readings() const { return rows_.size(); }
-    double scale(std::size_t row) const { return rows_[row].scale; }
-
-    Readings matrices() const {
+            for (std::size_t m = 0; m < members_.size(); ++m) add_sight(m, p);
         const auto rows = static_cast<Eigen::Index>(rows_.size());
-        const auto columns = static_cast<Eigen::Index>(deviations_.size()) - rows;
-        Readings r{Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(3 * points_.size())),
-                   Eigen::MatrixXd::Zero(rows, columns), Eigen::VectorXd(rows)};
+        readings_.to_points.setZero(rows, static_cast<Eigen::Index>(3 * points_.size()));
+        readings_.scale.resize(rows);
         for (Eigen::Index i = 0; i < rows; ++i) {
             const Row& row = rows_[static_cast<std::size_t>(i)];
-            r.to_points.block<1, 3>(i, static_cast<Eigen::Index>(3 * row.point)) = row.to_point;
-            r.u[i] = row.scale * standard_uncertainty(static_cast<std::size_t>(i));
+            readings_.to_points.block<1, 3>(i, static_cast<Eigen::Index>(3 * row.point)) = row.to_point;
+            readings_.scale[i] = row.scale;
         }
-        for (Eigen::Index k = 0; k < columns; ++k)
-            for (Eigen::Index i = 0; i < rows; ++i)
-                r.shared(i, k) = effects_[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
-        return r;
-    }
-
-    double standard_uncertainty(std::size_t deviation) const {
-        return deviations_[deviation].component.distribution.standard_uncertainty();
+        readings_.shared.resize(rows, 0);
+        for (std::size_t m = 0; m < members_.size(); ++m) add_shared(m);
+        return std::move(readings_);
     }
 
 private:
     struct Row {
-        const Member* member;
-        std::size_t point;
-        Observable observable;
+        std::size_t member, point;
         Eigen::RowVector3d to_point;
-        Eigen::Matrix<double, 1, 6> to_station;
-        Eigen::Vector3d v;
-        double scale;  ///< of the reading's own deviation
-        bool undefined_azimuth;
+        double scale;
+        Eigen::RowVectorXd shared;  ///< by the member's shared components
     };
 
-    void add_sight(const Member& member, std::size_t point) {
+    void add_sight(std::size_t m, std::size_t point) {
+        const Member& member = members_[m];
         const SensorSource& sensor = member.sensor();
-        const Eigen::Vector3d v = sensor.station().X_WS().inverse() * points_[point];
-        if (!sensor.sees(v)) return;
-        const ReadingSensitivity s = reading_sensitivity(sensor.station(), points_[point]);
+        const LinearReading s = linear_reading(sensor.station(), points_[point]);
+        if (!sensor.sees(s.v)) return;
+        const Eigen::Matrix3Xd effects = shared_effects(sensor, s);
         for (Observable o : observables) {
             if (!sensor.reads(o)) continue;
-            UncertaintyComponent component = sensor.reading(o, v);
-            if (!(component.distribution.standard_uncertainty() > 0.0)) continue;
             const int i = static_cast<int>(o);
-            const bool across = s.overhead && o == Observable::azimuth;
-            rows_.push_back({&member, point, o, s.to_point.row(i), s.to_station.row(i), v,
-                             across ? s.azimuth_scale : 1.0, across});
+            rows_.push_back({m, point, s.to_point.row(i), s.scale(o), effects.row(i)});
+            UncertaintyComponent component = sensor.reading(o, s.v);
             component.name = member.name + ", " + word_of(o);
             component.id = member.id + "." + word_of(o);
-            deviations_.push_back({component.id, component.name, std::move(component), point, {}, {}});
+            readings_.deviations.push_back(
+                {component.id, component.name, std::move(component), point, {}, {}});
         }
     }
 
-    void add_shared(const Member& member) {
-        for (const SystematicDeviation& s : member.sensor().systematic())
-            add_column(member, s.component, [&](const Row& row) {
-                return row.undefined_azimuth ? 0.0 : s.effect(row.observable, row.v);
-            });
-        const SensorSource& sensor = member.sensor();
-        if (sensor.station_correlations().empty()) {
-            for (int i = 0; i < 6; ++i)
-                add_column(member, sensor.station_components()[static_cast<std::size_t>(i)],
-                           [&](const Row& row) { return row.to_station[i]; });
-            return;
+    void add_shared(std::size_t m) {
+        const Member& member = members_[m];
+        Eigen::Index k = -1;
+        for (UncertaintyComponent& component : shared_components(member.sensor())) {
+            ++k;
+            if (!(component.distribution.standard_uncertainty() > 0.0)) continue;
+            Eigen::MatrixXd& F = readings_.shared;
+            F.conservativeResize(Eigen::NoChange, F.cols() + 1);
+            for (std::size_t i = 0; i < rows_.size(); ++i)
+                F(static_cast<Eigen::Index>(i), F.cols() - 1) =
+                    rows_[i].member == m ? rows_[i].shared[k] : 0.0;
+            const std::string id = component.id;
+            component.name = member.name + ", " + component.name;
+            readings_.deviations.push_back({id, component.name, std::move(component), {}, member.id, {}});
         }
-        const Eigen::Matrix<double, 6, 6> F = station_factor(sensor);
-        for (int k = 0; k < 6; ++k)
-            add_column(member, combination_component(k),
-                       [&](const Row& row) { return row.to_station.dot(F.col(k).transpose()); });
-    }
-
-    static UncertaintyComponent combination_component(int k) {
-        const std::string number = std::to_string(k + 1);
-        return {.id = "station." + number,
-                .name = "station, combination " + number,
-                .unit = Unit::of("1"),
-                .distribution = Distribution::normal(1.0),
-                .origin = "instrument: standard uncertainties and correlation of the station"};
-    }
-
-    template <class Effect>
-    void add_column(const Member& member, UncertaintyComponent component, const Effect& effect) {
-        if (!(component.distribution.standard_uncertainty() > 0.0)) return;
-        std::vector<double> column(rows_.size(), 0.0);
-        for (std::size_t i = 0; i < rows_.size(); ++i)
-            if (rows_[i].member == &member) column[i] = effect(rows_[i]);
-        effects_.push_back(std::move(column));
-        const std::string id = component.id;
-        component.name = member.name + ", " + component.name;
-        deviations_.push_back({id, component.name, std::move(component), {}, member.id, {}});
     }
 
     const std::vector<Member>& members_;
     const std::vector<Eigen::Vector3d>& points_;
     std::vector<Row> rows_;
-    std::vector<std::vector<double>> effects_;
-    std::vector<JointDeviation> deviations_;
+    Readings readings_;
 };
 
 class SensorNetwork : public Asset, public PointUncertaintySource {
@@ -160,20 +131,16 @@ public:
     }
 
     std::vector<JointDeviation> joint_deviations(const std::vector<Eigen::Vector3d>& points) const override {
-        ReadingCollector collector(members_, points);
-        collector.collect();
-        const Readings readings = collector.matrices();
-        const Eigen::MatrixXd gain = gain_of(collector, readings);
-        std::vector<JointDeviation> joint = std::move(collector.deviations());
-        for (std::size_t k = 0; k < joint.size(); ++k) {
-            const std::size_t rows = collector.readings();
-            const Eigen::VectorXd moves =
-                k < rows ? Eigen::VectorXd(gain.col(static_cast<Eigen::Index>(k)) * collector.scale(k))
-                         : Eigen::VectorXd(gain * readings.shared.col(static_cast<Eigen::Index>(k - rows)));
+        Readings readings = ReadingCollector(members_, points).collect();
+        const Eigen::MatrixXd gain = gain_of(readings);
+        const Eigen::Index rows = readings.scale.size();
+        Eigen::MatrixXd moves(gain.rows(), rows + readings.shared.cols());
+        moves << gain * readings.scale.asDiagonal(), gain * readings.shared;
+        for (Eigen::Index k = 0; k < moves.cols(); ++k)
             for (std::size_t p = 0; p < points.size(); ++p)
-                joint[k].directions.push_back(moves.segment<3>(static_cast<Eigen::Index>(3 * p)));
-        }
-        return joint;
+                readings.deviations[static_cast<std::size_t>(k)].directions.push_back(
+                    moves.col(k).segment<3>(static_cast<Eigen::Index>(3 * p)));
+        return std::move(readings.deviations);
     }
 
     std::string objection(const Eigen::Vector3d& p) const override {
@@ -185,12 +152,7 @@ public:
             if (member.sensor().sees(v)) seeing += (seeing.empty() ? "" : ", ") + member.name;
         }
         if (seeing.empty()) return "no sensor of the network sees it";
-        ReadingCollector collector(members_, points);
-        collector.collect();
-        const Readings r = collector.matrices();
-        const Eigen::VectorXd values =
-            (r.u.cwiseInverse().asDiagonal() * r.to_points).eval().jacobiSvd().singularValues();
-        if (values.size() == 3 && values[2] > 1e-9 * values[0]) return {};
+        if (localises(ReadingCollector(members_, points).collect().to_points)) return {};
         return "it cannot be localised from what " + seeing +
                " read: the readings leave a direction undetermined; add a sensor or a reading";
     }
@@ -242,18 +204,11 @@ public:
     }
 
 private:
-    /// (Jᵀ C⁻¹ J)⁻¹ Jᵀ C⁻¹, C of the readings alone (Eq 4) or with what they share.
-    Eigen::MatrixXd gain_of(const ReadingCollector& collector, const Readings& r) const {
-        Eigen::MatrixXd C = r.u.cwiseAbs2().asDiagonal();
-        if (with_stations_) {
-            Eigen::VectorXd u(r.shared.cols());
-            for (Eigen::Index k = 0; k < u.size(); ++k)
-                u[k] = collector.standard_uncertainty(collector.readings() + static_cast<std::size_t>(k));
-            const Eigen::MatrixXd F = r.shared * u.asDiagonal();
-            C += F * F.transpose();
-        }
-        const Eigen::MatrixXd WJ = C.llt().solve(r.to_points);
-        return (r.to_points.transpose() * WJ).llt().solve(WJ.transpose());
+    /// With weights of the readings alone, or with what they share.
+    Eigen::MatrixXd gain_of(const Readings& r) const {
+        const Eigen::MatrixXd F = r.unit_shared();
+        const Eigen::VectorXd u = weighting_uncertainties(r.to_points, r.u(), F);
+        return least_squares_gain(r.to_points, u, with_stations_ ? F : Eigen::MatrixXd(F.rows(), 0));
     }
 
     std::vector<Member> members_;

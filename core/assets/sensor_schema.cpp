@@ -145,7 +145,8 @@ std::vector<FieldSpec> systematic_fields() {
             section, with_angles),
         figure("u_refraction", "Coefficient of refraction", "1",
                "Standard uncertainty of k: the elevation changes by k L/(2 × 6371 km) over a distance L.",
-               section, with_angles)};
+               section, with_angles),
+        distribution_field("distribution", "what all readings share", section)};
 }
 
 std::vector<FieldSpec> station_uncertainty_fields() {
@@ -157,6 +158,7 @@ std::vector<FieldSpec> station_uncertainty_fields() {
                    "Standard uncertainty of this coordinate of the station, shared by everything "
                    "measured from it.",
                    section));
+    fields.push_back(distribution_field("station_distribution", "the coordinates of the station", section));
     FieldSpec correlation{
         .key = "station_correlation",
         .title = "Correlation of the station's coordinates",

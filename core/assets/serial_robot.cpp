@@ -1,4 +1,4 @@
-// An arm of rotating joints with its parameters, their components of uncertainty, limits and tool.
+// An arm of joints that turn or slide with its parameters, their components of uncertainty, limits and tool.
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -65,16 +65,31 @@ private:
         RobotJoint joint;
         for (JointParameter p : joint_parameters) joint.values[p] = optional_number(row, symbol_of(p), 0.0);
         joint.parallel = !setup_.cell_empty("joints", row, "beta");
-        joint.zero = optional_number(row, "q_zero", 0.0);
-        joint.low = optional_number(row, "q_min", joint.low);
-        joint.high = optional_number(row, "q_max", joint.high);
+        joint.slides =
+            !setup_.cell_empty("joints", row, "type") && setup_.cell_text("joints", row, "type") == "sliding";
+        const auto column = [&](const char* turning, const char* sliding) {
+            refuse_other(row, joint.slides ? turning : sliding, joint.slides);
+            return joint.slides ? sliding : turning;
+        };
+        joint.zero = optional_number(row, column("q_zero", "s_zero"), 0.0);
+        joint.low = optional_number(row, column("q_min", "s_min"), joint.low);
+        joint.high = optional_number(row, column("q_max", "s_max"), joint.high);
         if (!setup_.cell_empty("joints", row, "direction") &&
             setup_.cell_text("joints", row, "direction") == "negative")
             joint.direction = -1.0;
-        data_.u_encoder.push_back(optional_number(row, "u_encoder", 0.0));
-        data_.u_repeatability.push_back(optional_number(row, "u_repeatability", 0.0));
+        data_.u_encoder.push_back(optional_number(row, column("u_encoder", "u_s_encoder"), 0.0));
+        data_.u_repeatability.push_back(
+            optional_number(row, column("u_repeatability", "u_s_repeatability"), 0.0));
         check_joint(joint, row);
         data_.joints.push_back(joint);
+    }
+
+    void refuse_other(std::size_t row, const std::string& column, bool slides) {
+        if (setup_.cell_empty("joints", row, column)) return;
+        problems_.error(row_path("joints", row) + "/" + column,
+                        "joint " + std::to_string(row + 1) +
+                            (slides ? " slides: state its readings as lengths, in the columns of s"
+                                    : " turns: state its readings as angles, or give it the type sliding"));
     }
 
     void check_joint(const RobotJoint& joint, std::size_t row) {
@@ -195,7 +210,7 @@ AssetDescriptor serial_robot_kind() {
     d.title = "Serial robot";
     d.category = AssetCategory::robot;
     d.summary =
-        "An arm of rotating joints: parameters in a Denavit-Hartenberg convention with one or more "
+        "An arm of joints that turn or slide: parameters in a Denavit-Hartenberg convention with one or more "
         "components "
         "of uncertainty each, their correlation, limits, encoders, base and tool.";
     d.references = {
@@ -209,7 +224,9 @@ AssetDescriptor serial_robot_kind() {
         "parameter and d is 0 by definition; elsewhere beta is 0.",
         "alpha and beta of a row turn the axis of the joint into that of the next (the paper's text shifts "
         "them by one joint).",
-        "The joint angle is theta plus the reading less the zero reading."};
+        "The joint angle is theta plus the reading less the zero reading; a sliding joint adds its reading "
+        "to d "
+        "in the same way."};
     d.capabilities = {"serial-robot"};
     d.schema = robot_schema();
     d.create = create_robot;

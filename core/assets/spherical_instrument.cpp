@@ -6,6 +6,7 @@
 #include "core/assets/kinds.h"
 #include "core/assets/sensor_schema.h"
 #include "core/assets/specification.h"
+#include "core/model/linear_reading.h"
 
 namespace covaria {
 
@@ -41,7 +42,8 @@ const char* name_of(Observable observable) {
     return names[static_cast<int>(observable)];
 }
 
-// Effects of shared deviations on the readings of a target at v in the sensor's axes.
+// Effects of shared deviations on the readings of a target at v in the sensor's axes; on an azimuth in m
+// across.
 double effect_of_scale(Observable o, const Eigen::Vector3d& v) {
     return o == Observable::distance ? v.norm() : 0.0;
 }
@@ -52,13 +54,13 @@ double effect_of_index(Observable o, const Eigen::Vector3d&) {
     return o == Observable::elevation ? 1.0 : 0.0;
 }
 double effect_of_collimation(Observable o, const Eigen::Vector3d& v) {
-    return o == Observable::azimuth ? v.norm() / v.head<2>().norm() : 0.0;
+    return o == Observable::azimuth ? v.norm() : 0.0;
 }
 double effect_of_axis_tilt(Observable o, const Eigen::Vector3d& v) {
-    return o == Observable::azimuth ? v.z() / v.head<2>().norm() : 0.0;
+    return o == Observable::azimuth ? v.z() : 0.0;
 }
-double effect_of_beam_offset(Observable o, const Eigen::Vector3d& v) {
-    return o == Observable::azimuth ? 1.0 / v.head<2>().norm() : 0.0;
+double effect_of_beam_offset(Observable o, const Eigen::Vector3d&) {
+    return o == Observable::azimuth ? 1.0 : 0.0;
 }
 double effect_of_refraction(Observable o, const Eigen::Vector3d& v) {
     return o == Observable::elevation ? v.norm() / (2.0 * earth_radius) : 0.0;
@@ -80,11 +82,11 @@ constexpr SharedField shared_fields[] = {
     {"u_refraction", "coefficient of refraction", "1", effect_of_refraction}};
 
 UncertaintyComponent typed_component(const std::string& id, const std::string& name, const char* unit,
-                                     double u) {
+                                     double u, const std::string& shape) {
     return {.id = id,
             .name = name,
             .unit = Unit::of(unit),
-            .distribution = Distribution::normal(u),
+            .distribution = distribution_of_shape(shape, u),
             .origin = "instrument: standard uncertainty"};
 }
 
@@ -141,23 +143,25 @@ public:
     Axes axes() const override { return Axes::world; }
 
     std::vector<PointDeviation> deviations(const Eigen::Vector3d& p) const override {
-        const Eigen::Isometry3d X_WS = sensor_.station().X_WS();
-        const Eigen::Vector3d v = X_WS.inverse() * p;
-        const Eigen::Matrix3d moves = X_WS.linear() * directions(v);
+        const LinearReading reading = linear_reading(sensor_.station(), p);
+        const Eigen::Matrix3d moves = reading.to_point.inverse();
         std::vector<PointDeviation> found;
         for (Observable o : observables) {
-            UncertaintyComponent component = sensor_.reading(o, v);
+            UncertaintyComponent component = sensor_.reading(o, reading.v);
             const std::string id = o == Observable::distance ? "range" : component.id;
             const std::string name = component.name;
             component.id = id;
-            found.push_back({id, name, moves.col(static_cast<int>(o)), std::move(component), false});
+            found.push_back(
+                {id, name, moves.col(static_cast<int>(o)) * reading.scale(o), std::move(component), false});
         }
-        for (const SystematicDeviation& s : sensor_.systematic()) {
-            Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-            for (Observable o : observables) direction += s.effect(o, v) * moves.col(static_cast<int>(o));
-            found.push_back({s.component.id, s.component.name, direction, s.component, true});
+        const Eigen::Matrix3Xd shared = moves * shared_effects(sensor_, reading);
+        Eigen::Index column = 0;
+        for (UncertaintyComponent& component : shared_components(sensor_)) {
+            const Eigen::Vector3d direction = shared.col(column++);
+            if (!(component.distribution.standard_uncertainty() > 0.0)) continue;
+            const std::string id = component.id, name = component.name;
+            found.push_back({id, name, direction, std::move(component), true});
         }
-        add_station(p, X_WS, found);
         return found;
     }
 
@@ -167,62 +171,11 @@ public:
 
     std::string objection(const Eigen::Vector3d& p) const override {
         const Eigen::Vector3d v = sensor_.station().X_WS().inverse() * p;
+        if (v.norm() == 0.0) return "it is at the place of the instrument";
         return sensor_.sees(v) ? "" : "it is out of the range or field of view of the instrument";
     }
 
 private:
-    /// Columns: how v moves with distance, azimuth and elevation.
-    static Eigen::Matrix3d directions(const Eigen::Vector3d& v) {
-        const double length = v.norm(), rho = v.head<2>().norm();
-        Eigen::Matrix3d D;
-        D.col(0) = length > 0.0 ? Eigen::Vector3d(v / length) : Eigen::Vector3d::UnitX();
-        D.col(1) = Eigen::Vector3d(-v.y(), v.x(), 0.0);
-        // Straight above, any horizontal direction is that of the elevation.
-        const Eigen::Vector3d level =
-            rho > 1e-9 * length ? Eigen::Vector3d(v.x() / rho, v.y() / rho, 0.0) : Eigen::Vector3d::UnitX();
-        D.col(2) = -v.z() * level + rho * Eigen::Vector3d::UnitZ();
-        return D;
-    }
-
-    void add_station(const Eigen::Vector3d& p, const Eigen::Isometry3d& X_WS,
-                     std::vector<PointDeviation>& found) const {
-        const Eigen::Matrix<double, 3, 6> moves = station_moves(X_WS.inverse() * p);
-        if (!sensor_.station_correlations().empty()) return add_correlated_station(moves, found);
-        for (std::size_t i = 0; i < 6; ++i) {
-            const UncertaintyComponent& component = sensor_.station_components()[i];
-            if (component.distribution.standard_deviation() > 0.0)
-                found.push_back(
-                    {component.id, component.name, moves.col(static_cast<int>(i)), component, true});
-        }
-    }
-
-    /// Correlated coordinates as combinations of independent deviations of standard uncertainty one.
-    void add_correlated_station(const Eigen::Matrix<double, 3, 6>& moves,
-                                std::vector<PointDeviation>& found) const {
-        const Eigen::Matrix<double, 3, 6> combined = moves * station_factor(sensor_);
-        for (int k = 0; k < 6; ++k) {
-            const std::string number = std::to_string(k + 1);
-            UncertaintyComponent component =
-                typed_component("station." + number, "station, combination " + number, "1", 1.0);
-            component.origin = "instrument: standard uncertainties and correlation of the station";
-            found.push_back({component.id, component.name, combined.col(k), component, true});
-        }
-    }
-
-    /// Columns: how a target at v in the sensor's axes moves with the six coordinates.
-    Eigen::Matrix<double, 3, 6> station_moves(const Eigen::Vector3d& v) const {
-        constexpr double step = 1e-5;
-        const Station& station = sensor_.station();
-        Eigen::Matrix<double, 3, 6> moves;
-        for (std::size_t i = 0; i < 6; ++i) {
-            Station higher = station, lower = station;
-            higher.coordinates[i] += step;
-            lower.coordinates[i] -= step;
-            moves.col(static_cast<int>(i)) = (higher.X_WS() * v - lower.X_WS() * v) / (2.0 * step);
-        }
-        return moves;
-    }
-
     const PlacedSensor& sensor_;
 };
 
@@ -326,8 +279,13 @@ void read_station(const SetupReader& setup, SensorData& data, Problems& problems
         const StationCoordinate& c = station_coordinates()[i];
         data.station_components[i] =
             typed_component(std::string("station.") + c.symbol, std::string("station, ") + c.name, c.unit,
-                            setup.number(c.key));
+                            setup.number(c.key), setup.text("station_distribution"));
     }
+    if (setup.rows("station_correlation") > 0 && setup.text("station_distribution") != "normal")
+        problems.error(
+            "/station_distribution",
+            "correlated coordinates of a station are combinations of independent deviations, which "
+            "are normal: leave the distribution normal, or the correlation out");
     for (std::size_t row = 0; row < setup.rows("station_correlation"); ++row) {
         const std::size_t first = coordinate_index(setup.cell_text("station_correlation", row, "first"));
         const std::size_t second = coordinate_index(setup.cell_text("station_correlation", row, "second"));
@@ -370,8 +328,9 @@ std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLi
             field.effect == effect_of_scale || field.effect == effect_of_zero ? data.reads[0] : angles;
         const double u = setup.number(field.key);
         if (!applies || u == 0.0) continue;
-        data.systematic.push_back(
-            {typed_component(std::string(field.key).substr(2), field.name, field.unit, u), field.effect});
+        data.systematic.push_back({typed_component(std::string(field.key).substr(2), field.name, field.unit,
+                                                   u, setup.text("distribution")),
+                                   field.effect});
     }
     auto instrument = std::make_unique<SphericalInstrument>(std::move(data));
     if (!has_valid_correlation(*instrument->sensor()))

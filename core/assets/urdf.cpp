@@ -2,6 +2,7 @@
 #include "core/assets/urdf.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "core/assets/robot_schema.h"
 #include "core/assets/urdf_chain.h"
@@ -22,7 +23,7 @@ Eigen::Vector3d normal_part(const Eigen::Vector3d& v, const Eigen::Vector3d& z) 
     return v - z * z.dot(v);
 }
 
-/// Axes of the rotating joints and the tip at readings of zero, in the frame of the root link.
+/// Axes of the moving joints and the tip at readings of zero, in the frame of the root link.
 struct Axes {
     std::vector<AxisLine<double>> lines;
     std::vector<urdf::Joint> joints;
@@ -33,7 +34,7 @@ Axes axes_of(const Chain& chain) {
     Axes axes;
     for (const urdf::Joint& joint : chain.joints) {
         axes.X_tip = axes.X_tip * joint.X_PJ;
-        if (joint.kind != urdf::JointKind::rotating) continue;
+        if (!joint.moves()) continue;
         axes.lines.push_back({axes.X_tip.translation(), axes.X_tip.linear() * joint.axis});
         axes.joints.push_back(joint);
     }
@@ -111,9 +112,12 @@ double plain(double value) {
     return std::round(value * 1e9) / 1e9 + 0.0;
 }
 
+/// In gimbal lock the entries that rounding left are taken off first, so that the first angle is 0.
 PoseValue pose_value(const Eigen::Isometry3d& X) {
     PoseValue pose;
-    const Eigen::Vector3d angles = zyx_from_rotation<double>(X.linear());
+    const Eigen::Matrix3d R =
+        X.linear().unaryExpr([](double v) { return std::round(v * 1e15) / 1e15 + 0.0; });
+    const Eigen::Vector3d angles = zyx_from_rotation<double>(R);
     for (std::size_t k = 0; k < 3; ++k) {
         pose.position[k] = plain(pose.length_unit.from_si(X.translation()[static_cast<Eigen::Index>(k)]));
         pose.angles[k] = plain(pose.angle_unit.from_si(angles[static_cast<Eigen::Index>(k)]));
@@ -141,9 +145,11 @@ SetupTable joints_table(const Axes& axes, const FrameChain& chain) {
         for (JointParameter p : joint_parameters)
             if (p != JointParameter::beta || parallel)
                 put(row, symbol_of(p), parallel && p == JointParameter::d ? 0.0 : v[p]);
+        const bool slides = axes.joints[j].kind == urdf::JointKind::sliding;
+        if (slides) row[SetupSchema::column(field, "type")] = std::string("sliding");
         if (axes.joints[j].limited) {
-            put(row, "q_min", axes.joints[j].low);
-            put(row, "q_max", axes.joints[j].high);
+            put(row, slides ? "s_min" : "q_min", axes.joints[j].low);
+            put(row, slides ? "s_max" : "q_max", axes.joints[j].high);
         }
         table.rows.push_back(std::move(row));
     }
@@ -151,32 +157,73 @@ SetupTable joints_table(const Axes& axes, const FrameChain& chain) {
 }
 
 std::string notes_of(const Chain& chain, const Axes& axes) {
-    std::string names;
+    std::string names, remarks;
     for (const urdf::Joint& joint : axes.joints) names += (names.empty() ? "" : ", ") + joint.name;
+    for (const urdf::Remark& remark : chain.remarks)
+        remarks += " Joint " + remark.joint + " " + remark.words + ".";
     return "Imported from URDF, from link " + chain.root + " to link " + chain.tip + ". Joints: " + names +
-           ". Nominal geometry: give the parameters their uncertainty.";
+           "." + remarks + " Nominal geometry: give the parameters their uncertainty.";
+}
+
+std::string limits_of(const urdf::Joint& joint) {
+    if (!joint.limited) return "without limits";
+    const Unit unit = Unit::of(joint.slides() ? "mm" : "deg");
+    char text[80];
+    std::snprintf(text, sizeof text, "%.6g to %.6g %s", unit.from_si(joint.low), unit.from_si(joint.high),
+                  joint.slides() ? "mm" : "deg");
+    return text;
+}
+
+std::string words_of(const PoseValue& pose) {
+    char text[160];
+    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) mm, turned by (%.6g, %.6g, %.6g) deg",
+                  pose.position[0], pose.position[1], pose.position[2], pose.angles[0], pose.angles[1],
+                  pose.angles[2]);
+    return text;
+}
+
+std::vector<std::string> report_of(const Chain& chain, const Axes& axes, const Setup& setup) {
+    std::vector<std::string> lines{std::to_string(axes.joints.size()) +
+                                   (axes.joints.size() == 1 ? " joint" : " joints") + " from link " +
+                                   chain.root + " to link " + chain.tip};
+    for (std::size_t j = 0; j < axes.joints.size(); ++j)
+        lines.push_back("joint " + std::to_string(j + 1) + ": " + axes.joints[j].name + ", " +
+                        (axes.joints[j].slides() ? "slides, " : "turns, ") + limits_of(axes.joints[j]));
+    lines.push_back("tool: link " + chain.tip + " at " +
+                    words_of(std::get<PoseValue>(setup.values.at("tool"))) +
+                    " from the frame of the last joint");
+    PoseValue zero = pose_value(axes.X_tip);
+    lines.push_back("with all readings at 0 the tool stands at " + words_of(zero) + " in link " + chain.root);
+    for (const urdf::Remark& remark : chain.remarks) lines.push_back(remark.joint + ": " + remark.words);
+    return lines;
 }
 
 }  // namespace
 
-Result<ImportedAsset> import_urdf(const std::string& xml, const std::string& tip) {
-    const auto robot = urdf::read(xml);
+Result<ImportedAsset> import_urdf(const std::string& xml, const UrdfChoice& choice) {
+    auto robot = urdf::read(xml);
     if (!robot) return fail(robot.error());
-    const auto chain = urdf::chain_to(*robot, tip);
+    auto frozen = urdf::freeze(*robot, choice.frozen);
+    if (!frozen) return fail(frozen.error());
+    auto chain = urdf::chain_to(*robot, choice.tip);
     if (!chain) return fail(chain.error());
+    chain->remarks.insert(chain->remarks.begin(), frozen->begin(), frozen->end());
     const Axes axes = axes_of(*chain);
     if (axes.lines.size() > most_joints)
         return fail(ErrorCode::bad_input,
                     "the chain to " + chain->tip + " has " + std::to_string(axes.lines.size()) +
-                        " rotating joints; an arm has at most " + std::to_string(most_joints) + " here");
+                        " moving joints; an arm has at most " + std::to_string(most_joints) +
+                        " here: freeze those before the arm, --freeze " + axes.joints.front().name + "=0");
     const FrameChain frames = frames_of(axes);
     ImportedAsset asset{.kind = "serial-robot",
                         .name = robot->name.empty() ? "Robot" : robot->name,
                         .notes = notes_of(*chain, axes),
-                        .setup = {}};
+                        .setup = {},
+                        .report = {}};
     asset.setup.values["joints"] = joints_table(axes, frames);
     asset.setup.values["base"] = pose_value(pose_of(frames.frames.front()));
     asset.setup.values["tool"] = pose_value(pose_of(frames.frames.back()).inverse() * axes.X_tip);
+    asset.report = report_of(*chain, axes, asset.setup);
     return asset;
 }
 

@@ -53,9 +53,15 @@ const std::string_view* find_in(const Table& table, std::string_view key) {
     return it == table.end() ? nullptr : &it->second;
 }
 
+/// Other letters and code points for the same ones.
+constexpr std::array<Replacement, 5> further_letters{
+    {{"mu", "\u00B5"}, {"Delta", "\u2206"}, {"Omega", "\u2126"}, {"epsilon", "\u03F5"}, {"phi", "ϕ"}}};
+
+/// "theta" -> "θ", "theta1" -> "θ1".
 std::string with_greek(std::string_view word) {
-    const std::string_view* letter = find_in(greek, word);
-    return std::string(letter != nullptr ? *letter : word);
+    const std::size_t end = word.find_last_not_of("0123456789") + 1;
+    const std::string_view* letter = find_in(greek, word.substr(0, end));
+    return letter != nullptr ? std::string(*letter) + std::string(word.substr(end)) : std::string(word);
 }
 
 /// "xbar" -> x with a bar, "betahat" -> β with a hat; other words only become Greek letters.
@@ -134,6 +140,36 @@ std::string escaped(std::string_view text) {
 }
 
 }  // namespace
+
+std::optional<GreekLetter> greek_letter_at(std::string_view text) {
+    const auto starts = [&](const Replacement& r) { return text.starts_with(r.second); };
+    if (text.empty() || static_cast<unsigned char>(text.front()) < 0x80) return std::nullopt;
+    if (const auto it = std::find_if(further_letters.begin(), further_letters.end(), starts);
+        it != further_letters.end())
+        return GreekLetter{it->first, it->second.size()};
+    const auto it = std::find_if(greek.begin(), greek.end(), starts);
+    if (it == greek.end() || it->first == "infty" || it->first == "ell") return std::nullopt;
+    return GreekLetter{it->first, it->second.size()};
+}
+
+std::string plain_symbol(std::string_view symbol) {
+    std::string plain;
+    bool below = false;
+    while (!symbol.empty()) {
+        const std::size_t length = std::min(character_length(symbol.front()), symbol.size());
+        const std::string_view character = symbol.substr(0, length);
+        const auto subscript = std::find_if(subscripts.begin(), subscripts.end(),
+                                            [&](const Replacement& r) { return r.second == character; });
+        const bool lowered = subscript != subscripts.end();
+        if (lowered && !below && !plain.ends_with('_')) plain += '_';
+        below = lowered;
+        const std::string_view letter = lowered ? subscript->first : character;
+        const std::optional<GreekLetter> greek_letter = greek_letter_at(letter);
+        plain += greek_letter ? greek_letter->name : letter;
+        symbol.remove_prefix(length);
+    }
+    return plain;
+}
 
 std::string symbol_to_unicode(std::string_view symbol) {
     const SymbolParts parts = split(symbol);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,13 +17,15 @@ namespace covaria {
 namespace {
 
 constexpr std::size_t longest_text = 64;
+constexpr int largest_exponent = 127;
 
 /// One factor of a product of units.
 struct Factor {
-    const detail::UnitEntry* unit = nullptr;
+    detail::KnownUnit unit;
     int exponent = 1;      ///< as written, before the sign of a quotient
     bool divides = false;  ///< stands after '/'
 };
+using Factors = std::vector<Factor>;
 
 tl::unexpected<Error> malformed(std::string_view text, std::string_view what) {
     return fail(ErrorCode::bad_input, "unit \"" + std::string(text) + "\": " + std::string(what));
@@ -64,78 +67,140 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Splits "s^-2" or "s2" into name and exponent; false if the exponent is malformed.
-bool split_power(std::string_view word, std::string_view& name, int& exponent) {
-    exponent = 1;
-    std::size_t end = word.find('^');
-    std::string_view digits;
-    if (end != std::string_view::npos) {
-        digits = word.substr(end + 1);
-    } else {
-        end = word.size();
-        while (end > 0 && is_digit(word[end - 1])) --end;
-        if (end > 0 && word[end - 1] == '-') --end;
-        digits = word.substr(end);
+/// Reads products, quotients, powers and parentheses; the text is short, so recursion is shallow.
+class UnitReader {
+public:
+    UnitReader(std::string_view plain, std::string_view whole) : rest_(plain), whole_(whole) {}
+
+    Result<Factors> read() {
+        Result<Factors> factors = product(false);
+        if (factors && !rest_.empty())
+            return malformed(whole_, "a parenthesis is closed that was not opened.");
+        return factors;
     }
-    if (end == 0) {  // a pure number: only "1" is a unit, the table says so
-        name = word;
+
+private:
+    /// Up to the end or to the closing parenthesis.
+    Result<Factors> product(bool inside) {
+        Factors all;
+        bool divides = false;
+        while (true) {
+            Result<Factors> next = power();
+            if (!next) return next;
+            for (Factor& f : *next) {
+                f.divides = f.divides != divides;
+                all.push_back(std::move(f));
+            }
+            const bool blank = take_blanks();
+            if (rest_.empty() || rest_.front() == ')') return all;
+            if (rest_.front() == '*' || rest_.front() == '/') {
+                divides = rest_.front() == '/';
+                rest_.remove_prefix(1);
+            } else if (!blank || !inside || divides) {  // "m s^-2" may be meant as milliseconds
+                return malformed(whole_,
+                                 "write a product with '*' (\"N*m\", \"W/(m*K)\"), not with a blank.");
+            }
+        }
+    }
+
+    /// A unit or a product in parentheses, with its exponent.
+    Result<Factors> power() {
+        take_blanks();
+        Factors base;
+        if (rest_.starts_with('(')) {
+            rest_.remove_prefix(1);
+            Result<Factors> inside = product(true);
+            if (!inside) return inside;
+            if (rest_.empty()) return malformed(whole_, "a parenthesis is not closed.");
+            rest_.remove_prefix(1);
+            base = *std::move(inside);
+        } else {
+            Result<Factor> unit = name();
+            if (!unit) return fail(std::move(unit.error()));
+            base.push_back(*std::move(unit));
+        }
+        int exponent = 1;
+        if (!take_exponent(exponent))
+            return malformed(whole_,
+                             "the exponent must be a whole number between -9 and 9, not 0 (\"mm^2\").");
+        for (Factor& f : base) {
+            f.exponent *= exponent;
+            if (std::abs(f.exponent) > largest_exponent)
+                return malformed(whole_, "the exponents are too large.");
+        }
+        return base;
+    }
+
+    Result<Factor> name() {
+        if (rest_.empty() || rest_.front() == '*' || rest_.front() == '/' || rest_.front() == ')')
+            return malformed(whole_, "a unit is missing beside '*', '/' or a parenthesis.");
+        const std::size_t end = is_digit(rest_.front()) ? rest_.find_first_not_of("0123456789.")
+                                                        : rest_.find_first_of("*/^() -0123456789");
+        const std::string_view word = rest_.substr(0, end);
+        std::optional<detail::KnownUnit> unit = detail::find_unit(word);
+        if (!unit && is_digit(rest_.front()))
+            return malformed(whole_,
+                             "numbers other than 1 do not belong in a unit; put them into the value.");
+        if (!unit)
+            return malformed(whole_, "the unit \"" + std::string(word) + "\" is not known." +
+                                         detail::unit_suggestion(word));
+        rest_.remove_prefix(word.size());
+        return Factor{*std::move(unit)};
+    }
+
+    /// "^-2", "-2" or "2", where there is one; false if it is malformed.
+    bool take_exponent(int& exponent) {
+        const bool marked = rest_.starts_with('^');
+        std::string_view digits = rest_.substr(marked ? 1 : 0);
+        const bool negative = digits.starts_with('-');
+        if (negative) digits.remove_prefix(1);
+        const std::size_t count = std::min(digits.find_first_not_of("0123456789."), digits.size());
+        if (!marked && !negative && count == 0) return true;
+        if (count != 1 || digits.front() == '0' || digits.front() == '.') return false;
+        exponent = (digits.front() - '0') * (negative ? -1 : 1);
+        rest_ = digits.substr(1);
         return true;
     }
-    name = word.substr(0, end);
-    if (digits.empty()) return word.size() == end;
-    const bool negative = digits.front() == '-';
-    if (negative) digits.remove_prefix(1);
-    if (digits.size() != 1 || !is_digit(digits.front()) || digits.front() == '0') return false;
-    exponent = (digits.front() - '0') * (negative ? -1 : 1);
-    return true;
-}
 
-Result<Factor> parse_factor(std::string_view word, std::string_view whole) {
-    if (word.empty()) return malformed(whole, "a unit is missing beside '*' or '/'.");
-    if (word.find(' ') != std::string_view::npos)
-        return malformed(whole, "write a product with '*' (\"N*m\"), not with a blank.");
-    std::string_view name;
-    Factor factor;
-    if (!split_power(word, name, factor.exponent))
-        return malformed(whole, "the exponent must be a whole number between -9 and 9, not 0 (\"mm^2\").");
-    factor.unit = detail::find_unit(name);
-    if (factor.unit != nullptr) return factor;
-    if (is_digit(name.front()))
-        return malformed(whole, "numbers other than 1 do not belong in a unit; put them into the value.");
-    return malformed(whole,
-                     "the unit \"" + std::string(name) + "\" is not known." + detail::unit_suggestion(name));
-}
-
-Result<std::vector<Factor>> parse_factors(std::string_view plain, std::string_view whole) {
-    std::vector<Factor> factors;
-    bool divides = false;
-    for (std::size_t begin = 0; begin <= plain.size();) {
-        const std::size_t end = std::min(plain.find_first_of("*/", begin), plain.size());
-        Result<Factor> factor = parse_factor(trimmed(plain.substr(begin, end - begin)), whole);
-        if (!factor) return fail(std::move(factor.error()));
-        factor->divides = divides;
-        factors.push_back(*factor);
-        divides = end < plain.size() && plain[end] == '/';
-        begin = end + 1;
+    bool take_blanks() {
+        const std::size_t before = rest_.size();
+        while (rest_.starts_with(' ')) rest_.remove_prefix(1);
+        return rest_.size() < before;
     }
-    return factors;
-}
 
-std::string canonical_text(const std::vector<Factor>& factors) {
-    std::string text;
-    for (const Factor& f : factors) {
-        if (!text.empty()) text += f.divides ? '/' : '*';
-        text += f.unit->name;
-        if (f.exponent != 1) text += "^" + std::to_string(f.exponent);
-    }
-    return text;
-}
+    std::string_view rest_, whole_;
+};
 
 std::string superscript(int exponent) {
     static constexpr std::array<std::string_view, 10> digits{
         "\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074", "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
     return std::string(exponent < 0 ? "\u207B" : "") +
            std::string(digits[static_cast<std::size_t>(std::abs(exponent))]);
+}
+
+struct Texts {
+    std::string file, shown;
+};
+
+/// The factors in the numerator, then those in the denominator: equal units are written alike.
+Texts texts_of(const Factors& factors) {
+    Texts sides[2];
+    int counts[2] = {0, 0};
+    for (const Factor& f : factors) {
+        if (f.unit.name == "1") continue;
+        Texts& side = sides[f.divides];
+        side.file += (counts[f.divides] > 0 ? "*" : "") + f.unit.name;
+        side.shown += (counts[f.divides] > 0 ? "·" : "") + f.unit.display;
+        ++counts[f.divides];
+        if (f.exponent == 1) continue;
+        side.file += "^" + std::to_string(f.exponent);
+        side.shown += superscript(f.exponent);
+    }
+    if (counts[0] == 0) sides[0] = {"1", "1"};
+    if (counts[1] == 0) return sides[0];
+    const bool several = counts[1] > 1;
+    return {sides[0].file + (several ? "/(" + sides[1].file + ")" : "/" + sides[1].file),
+            sides[0].shown + (several ? "/(" + sides[1].shown + ")" : "/" + sides[1].shown)};
 }
 
 }  // namespace
@@ -146,28 +211,30 @@ Result<Unit> Unit::parse(std::string_view text) {
     const std::string plain = plain_letters(text);
     if (trimmed(plain).empty())
         return fail(ErrorCode::bad_input, "the unit is empty: write \"1\" for a pure number.");
-    const Result<std::vector<Factor>> factors = parse_factors(plain, text);
+    const Result<Factors> factors = UnitReader(plain, text).read();
     if (!factors) return fail(factors.error());
     Unit unit;
-    unit.text_ = canonical_text(*factors);
+    Texts texts = texts_of(*factors);
+    unit.text_ = std::move(texts.file);
+    unit.display_ = std::move(texts.shown);
     std::array<int, 8> exponents{};
     for (const Factor& f : *factors) {
         const int power = f.divides ? -f.exponent : f.exponent;
-        const double up = power > 0 ? f.unit->numerator : f.unit->denominator;
-        const double down = power > 0 ? f.unit->denominator : f.unit->numerator;
+        const double up = power > 0 ? f.unit.numerator : f.unit.denominator;
+        const double down = power > 0 ? f.unit.denominator : f.unit.numerator;
         unit.numerator_ *= std::pow(up, std::abs(power));
         unit.denominator_ *= std::pow(down, std::abs(power));
         for (std::size_t i = 0; i < exponents.size(); ++i)
-            exponents[i] += power * f.unit->dimension.exponents[i];
+            exponents[i] += power * f.unit.dimension.exponents[i];
     }
     for (std::size_t i = 0; i < exponents.size(); ++i) {
-        if (std::abs(exponents[i]) > 127) return malformed(text, "the exponents are too large.");
+        if (std::abs(exponents[i]) > largest_exponent) return malformed(text, "the exponents are too large.");
         unit.dimension_.exponents[i] = static_cast<std::int8_t>(exponents[i]);
     }
-    if (!std::isfinite(unit.numerator_) || !std::isfinite(unit.denominator_))
+    if (!std::isnormal(unit.numerator_) || !std::isnormal(unit.denominator_))
         return malformed(text, "the exponents are too large.");
     // Only the scale itself has a zero of its own; in compounds degC stands for an interval.
-    if (factors->size() == 1 && factors->front().exponent == 1) unit.offset_ = factors->front().unit->offset;
+    if (factors->size() == 1 && factors->front().exponent == 1) unit.offset_ = factors->front().unit.offset;
     return unit;
 }
 
@@ -178,16 +245,8 @@ Unit Unit::of(std::string_view text) {
     std::abort();
 }
 
-std::string Unit::display() const {
-    const Result<std::vector<Factor>> factors = parse_factors(text_, text_);
-    if (!factors) return text_;
-    std::string shown;
-    for (const Factor& f : *factors) {
-        if (!shown.empty()) shown += f.divides ? "/" : "·";
-        shown += f.unit->display;
-        if (f.exponent != 1) shown += superscript(f.exponent);
-    }
-    return shown;
+Unit Unit::interval() const {
+    return has_offset() ? of("K") : *this;
 }
 
 }  // namespace covaria

@@ -22,15 +22,15 @@ class Unit {
 public:
     Unit() = default;  ///< the unit one
     /// Parses products, quotients (from left to right) and powers of known units: "mm", "1/K", "um/m", "N*m",
-    /// "mV/V", "m/s^2" or "m/s2", "degC", "arcsec", "%". Both "u" and the micro sign are read as micro; signs
-    /// for degree, ohm, product and powers are accepted too. In a compound, degC stands for an interval of
-    /// temperature. Error: unknown or malformed unit.
+    /// "mV/V", "m/s^2" or "m/s2", "W/(m*K)" or "W/(m K)", "degC", "arcsec", "%". Both "u" and the micro sign
+    /// are read as micro; signs for degree, ohm, product and powers are accepted too. In a compound, degC
+    /// stands for an interval of temperature. Error: unknown or malformed unit.
     static Result<Unit> parse(std::string_view text);
     /// For literals in code that are known to be right; terminates on a malformed text.
     static Unit of(std::string_view text);
 
     const std::string& text() const { return text_; }  ///< as written in files, plain ASCII ("um", "m/s^2")
-    std::string display() const;                       ///< as shown to people ("µm", "°", "N·m")
+    const std::string& display() const { return display_; }  ///< as shown to people ("µm", "°", "N·m")
     const Dimension& dimension() const { return dimension_; }
 
     double to_si(double value) const { return interval_to_si(value) + offset_; }
@@ -39,10 +39,17 @@ public:
     double interval_to_si(double value) const { return value * numerator_ / denominator_; }
     double interval_from_si(double value) const { return value * denominator_ / numerator_; }
 
+    /// Whether zero on the scale is not zero (degC): such a unit states values, `interval()` their
+    /// differences.
+    bool has_offset() const { return offset_ != 0.0; }
+    /// The unit of differences and uncertainties of values in this unit: K for degC, else itself.
+    Unit interval() const;
+
     bool operator==(const Unit& other) const { return text_ == other.text_; }
 
 private:
     std::string text_ = "1";
+    std::string display_ = "1";
     Dimension dimension_{};
     // Kept as a quotient: a millimetre is the exact 1/1000, not the rounded 0.001, so 0.066 mm is 6.6e-5 m to
     // the last bit.

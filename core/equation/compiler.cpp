@@ -90,6 +90,7 @@ public:
         const std::vector<std::size_t> order = StatementOrder(parsed_, problems_).run();
         if (!problems_.empty()) return {};
         registers_.assign(parsed_.nodes.size(), -1);
+        in_branch_ = nodes_in_branches();
         for (const std::size_t s : order) {
             if (parsed_.statements[s].is_system())
                 system(parsed_.statements[s]);
@@ -107,6 +108,19 @@ private:
         if (problems_.size() < most_dimension_problems) problems_.push_back({place, std::move(message)});
     }
     int& at(int node) { return registers_[static_cast<std::size_t>(node)]; }
+
+    /// Nodes inside the second and third argument of an 'if': they need no value where they are not taken.
+    std::vector<bool> nodes_in_branches() const {
+        std::vector<bool> in_branch(parsed_.nodes.size(), false);
+        for (std::size_t i = parsed_.nodes.size(); i-- > 0;) {  // operands stand before what uses them
+            const Node& n = parsed_.nodes[i];
+            const bool is_if = n.operation == Operation::select;
+            for (const int operand : {n.a, n.b, n.c})
+                if (operand >= 0 && (in_branch[i] || (is_if && operand != n.a)))
+                    in_branch[static_cast<std::size_t>(operand)] = true;
+        }
+        return in_branch;
+    }
 
     void nodes(std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) registers_[i] = node(parsed_.nodes[i]);
@@ -148,6 +162,8 @@ private:
         if (!result.objection.empty())
             refuse(r.place, left.text + " is " + kind_words(left.kind) + ", " + right.text + " is " +
                                 kind_words(right.kind) + ": they cannot be equal");
+        else if (const std::string objection = zeros_objection(left, right); !objection.empty())
+            refuse(r.place, objection);
         return emitter_.operation(Operation::subtract, at(r.left), at(r.right), -1, result.kind);
     }
 
@@ -196,7 +212,9 @@ private:
             node.operation == Operation::power
                 ? emitter_.power(at(node.a), at(node.b), result.kind)
                 : emitter_.operation(node.operation, reg(node.a), reg(node.b), reg(node.c), result.kind);
-        if (const auto value = emitter_.value(made); value && !std::isfinite(*value))
+        const auto value = emitter_.value(made);
+        const bool may_be_left_out = in_branch_[static_cast<std::size_t>(&node - parsed_.nodes.data())];
+        if (value && !std::isfinite(*value) && !may_be_left_out)
             refuse(node.sign, "this constant has no value (division by zero, or root of a negative number)");
         return made;
     }
@@ -236,10 +254,23 @@ private:
         if (wanted.unit && !kind.same_dimension(Kind::of(*wanted.unit)))
             refuse(place, "'" + wanted.name + "' is to be given in " + wanted.unit->text() + ", but is " +
                               kind_words(kind));
+        const std::string meaning = output_objection(wanted, kind);
+        if (!meaning.empty()) refuse(place, meaning);
         if (!wanted.unit && coherent.empty())
             refuse(place, "'" + wanted.name + "' is " + kind_words(kind) + ", which has no unit of its own");
         compiled_.program.outputs.push_back(defined->second);
         compiled_.output_units.push_back(wanted.unit ? *wanted.unit : Unit::parse(coherent).value_or(Unit{}));
+    }
+
+    /// Of temperatures: sums, and differences that are wanted in degC.
+    static std::string output_objection(const WantedOutput& wanted, const Kind& kind) {
+        const std::string name = "'" + wanted.name + "'";
+        if (const std::string sum = sum_objection({kind, std::nullopt, name}); !sum.empty()) return sum;
+        if (!wanted.unit || !wanted.unit->has_offset() || !kind.zeros || kind.zeros->count == 1.0) return {};
+        return name +
+               (kind.zeros->count == 0.0 ? " is a difference of temperatures: its unit is K, not "
+                                         : " is a multiple of a temperature: its unit is K, not ") +
+               wanted.unit->text();
     }
 
     const ParsedText& parsed_;
@@ -250,7 +281,8 @@ private:
     std::map<std::string, std::size_t, std::less<>> quantity_;
     std::map<std::string, int, std::less<>> defined_;
     std::set<std::string> unknown_;
-    std::vector<int> registers_;  ///< of the nodes
+    std::vector<int> registers_;   ///< of the nodes
+    std::vector<bool> in_branch_;  ///< of the nodes
 };
 
 }  // namespace

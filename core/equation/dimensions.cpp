@@ -61,6 +61,47 @@ KindOfResult alike(const Operand& a, const Operand& b, const std::string& what) 
     return {a.kind.any ? b.kind : a.kind};
 }
 
+/// Likewise, and with the same zero of temperature.
+KindOfResult alike_to_the_zero(const Operand& a, const Operand& b, const std::string& what) {
+    KindOfResult result = alike(a, b, what);
+    if (!result.objection.empty()) return result;
+    if (const std::string objection = zeros_objection(a, b); !objection.empty()) return refused(objection);
+    result.kind.zeros = a.kind.zeros ? a.kind.zeros : b.kind.zeros;
+    return result;
+}
+
+std::optional<CelsiusZeros> multiplied(std::optional<CelsiusZeros> zeros, double factor) {
+    if (zeros) zeros->count *= factor;
+    return zeros;
+}
+
+KindOfResult of_sum(const Operand& a, const Operand& b, double sign) {
+    KindOfResult result = alike(a, b, sign > 0.0 ? "they cannot be added" : "they cannot be subtracted");
+    if (!result.objection.empty() || !(a.kind.zeros || b.kind.zeros)) return result;
+    const CelsiusZeros first = a.kind.zeros.value_or(CelsiusZeros{});
+    const CelsiusZeros second = b.kind.zeros.value_or(CelsiusZeros{});
+    const double count = first.count + sign * second.count;
+    result.kind.zeros = CelsiusZeros{equal(count, 1.0)   ? 1.0
+                                     : equal(count, 0.0) ? 0.0
+                                                         : count,
+                                     first.of_a_sum || second.of_a_sum || first.count * second.count != 0.0};
+    return result;
+}
+
+/// Products with a pure number keep what is known of a temperature; elsewhere it is a thermodynamic one.
+KindOfResult of_product(const Operand& a, const Operand& b, double exponent) {
+    KindOfResult result{a.kind.times(b.kind, exponent)};
+    const auto factor = [](const Operand& o) { return o.constant && o.kind.is_number() && !o.kind.any; };
+    if (a.kind.zeros && factor(b))
+        result.kind.zeros = multiplied(a.kind.zeros, std::pow(*b.constant, exponent));
+    else if (b.kind.zeros && factor(a) && exponent > 0.0)
+        result.kind.zeros = multiplied(b.kind.zeros, *a.constant);
+    else
+        for (const Operand* operand : {&a, &b})
+            if (result.objection.empty()) result.objection = sum_objection(*operand);
+    return result;
+}
+
 KindOfResult of_number(const Operand& a, const std::string& what, const Kind& result) {
     if (!a.kind.is_number()) return refused(a.text + " is " + kind_words(a.kind) + ": " + what);
     return {result};
@@ -80,12 +121,13 @@ KindOfResult of_power(const Operand& base, const Operand& exponent) {
 KindOfResult of_arithmetic(Operation operation, const Operand& a, const Operand& b) {
     switch (operation) {
         case O::add:
+            return of_sum(a, b, 1.0);
         case O::subtract:
-            return alike(a, b, operation == O::add ? "they cannot be added" : "they cannot be subtracted");
+            return of_sum(a, b, -1.0);
         case O::multiply:
-            return {a.kind.times(b.kind, 1.0)};
+            return of_product(a, b, 1.0);
         case O::divide:
-            return {a.kind.times(b.kind, -1.0)};
+            return of_product(a, b, -1.0);
         case O::power:
             return of_power(a, b);
         case O::arc_tangent_2: {
@@ -93,13 +135,17 @@ KindOfResult of_arithmetic(Operation operation, const Operand& a, const Operand&
             return result.objection.empty() ? KindOfResult{plane_angle()} : result;
         }
         default:  // hypot, min, max
-            return alike(a, b, "a function of both needs quantities of one kind");
+            return alike_to_the_zero(a, b, "a function of both needs quantities of one kind");
     }
 }
 
 KindOfResult of_function(Operation operation, const Operand& a) {
     switch (operation) {
-        case O::negate:
+        case O::negate: {
+            KindOfResult result{a.kind};
+            result.kind.zeros = multiplied(a.kind.zeros, -1.0);
+            return result;
+        }
         case O::absolute:
             return {a.kind};
         case O::sign:
@@ -124,7 +170,7 @@ KindOfResult of_function(Operation operation, const Operand& a) {
 
 KindOfResult of_condition(Operation operation, const Operand& a, const Operand& b) {
     if (is_comparison(operation)) {
-        KindOfResult result = alike(a, b, "they cannot be compared");
+        KindOfResult result = alike_to_the_zero(a, b, "they cannot be compared");
         if (result.objection.empty()) result.kind = Kind::of_condition();
         return result;
     }
@@ -139,6 +185,7 @@ KindOfResult of_condition(Operation operation, const Operand& a, const Operand& 
 Kind Kind::of(const Unit& unit) {
     Kind kind;
     for (std::size_t i = 0; i < kind.exponents.size(); ++i) kind.exponents[i] = unit.dimension().exponents[i];
+    if (unit.has_offset()) kind.zeros = CelsiusZeros{1.0, false};
     return kind;
 }
 
@@ -161,6 +208,7 @@ bool Kind::same_dimension(const Kind& other) const {
 Kind Kind::raised(double exponent) const {
     Kind result = *this;
     for (double& e : result.exponents) e *= exponent;
+    result.zeros.reset();
     return result;
 }
 
@@ -169,12 +217,14 @@ Kind Kind::times(const Kind& other, double exponent_of_other) const {
     for (std::size_t i = 0; i < exponents.size(); ++i)
         result.exponents[i] += exponent_of_other * other.exponents[i];
     result.any = any || other.any;
+    result.zeros.reset();
     return result;
 }
 
 std::string coherent_unit(const Kind& kind) {
     for (const detail::UnitEntry& unit : detail::unit_table())
-        if (unit.numerator == unit.denominator && unit.offset == 0.0 && same_exponents(kind, unit.dimension))
+        if (unit.numerator == unit.denominator && unit.offset == 0.0 && !unit.one_kind_only &&
+            same_exponents(kind, unit.dimension))
             return std::string(unit.name);
     for (const double e : kind.exponents)
         if (!equal(e, std::round(e)) || std::abs(e) > 9.0) return {};
@@ -191,6 +241,31 @@ std::string kind_words(const Kind& kind) {
     return "measured in " + (unit.empty() ? product_words(kind) : unit);
 }
 
+bool CelsiusZeros::is_meaningful() const {
+    return !of_a_sum || equal(count, 0.0) || equal(count, 1.0);
+}
+
+std::string zeros_objection(const Operand& a, const Operand& b) {
+    if ((a.kind.is_celsius() && b.kind.is_difference()) || (a.kind.is_difference() && b.kind.is_celsius())) {
+        const bool first = a.kind.is_celsius();
+        return (first ? a : b).text + " is a temperature in degC, " + (first ? b : a).text +
+               " a difference of temperatures: give differences in K";
+    }
+    const auto bare_zero = [](const Operand& o) { return o.kind.any && o.constant; };
+    if ((a.kind.is_celsius() && bare_zero(b)) || (b.kind.is_celsius() && bare_zero(a)))
+        return (a.kind.is_celsius() ? a : b).text +
+               " is a temperature in degC, and 0 has no unit: write 0 [degC], or 0 [K] for absolute zero";
+    return {};
+}
+
+std::string sum_objection(const Operand& a) {
+    if (!a.kind.zeros || a.kind.zeros->is_meaningful()) return {};
+    return a.text +
+           " is a sum of temperatures in degC, which means nothing: give differences in K, or divide the sum "
+           "by "
+           "the number of temperatures for their mean";
+}
+
 KindOfResult kind_of(Operation operation, const Operand& a, const Operand& b, const Operand& c) {
     if (is_condition(operation)) return of_condition(operation, a, b);
     if (operation == O::select) {
@@ -198,12 +273,16 @@ KindOfResult kind_of(Operation operation, const Operand& a, const Operand& b, co
             return refused(a.text + " is not a condition: write a comparison, as in if(x > 0, x, 0)");
         if (b.kind.condition || c.kind.condition)
             return refused("both values of 'if' must be numbers, not conditions");
-        return alike(b, c, "both values of 'if' must be of one kind");
+        return alike_to_the_zero(b, c, "both values of 'if' must be of one kind");
     }
     for (const Operand* operand : {&a, &b})
         if (operand->kind.condition)
             return refused(operand->text + " is a condition: use it as the first argument of if(...)");
-    return operands_of(operation) == 1 ? of_function(operation, a) : of_arithmetic(operation, a, b);
+    const bool one = operands_of(operation) == 1;
+    KindOfResult result = one ? of_function(operation, a) : of_arithmetic(operation, a, b);
+    if ((one || operation == O::power) && result.objection.empty() && !result.kind.zeros)
+        result.objection = sum_objection(a);
+    return result;
 }
 
 }  // namespace covaria::equation

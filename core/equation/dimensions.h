@@ -10,11 +10,21 @@
 
 namespace covaria::equation {
 
+/// How often the zero of the Celsius scale is in a value: 1 in a temperature stated in degC, 0 in the
+/// difference of two. A sum of two temperatures has two zeros and no meaning, until it is halved.
+struct CelsiusZeros {
+    double count = 0.0;
+    bool of_a_sum = false;  ///< such temperatures have been added
+    bool is_meaningful() const;
+    bool operator==(const CelsiusZeros&) const = default;
+};
+
 /// Of a value inside an equation: a number with a dimension, or a condition (true or false).
 struct Kind {
     std::array<double, 8> exponents{};  ///< as in covaria::Dimension
     bool condition = false;
-    bool any = false;  ///< the literal 0 fits every dimension
+    bool any = false;                        ///< the literal 0 fits every dimension
+    std::optional<CelsiusZeros> zeros = {};  ///< empty: not known (in K), or no temperature
 
     static Kind of(const Unit& unit);
     static Kind of_condition();
@@ -23,6 +33,8 @@ struct Kind {
     bool same_dimension(const Kind& other) const;
     Kind raised(double exponent) const;
     Kind times(const Kind& other, double exponent_of_other) const;
+    bool is_celsius() const { return zeros && zeros->count == 1.0; }
+    bool is_difference() const { return zeros && zeros->count == 0.0; }
 };
 
 /// The coherent SI unit: "m", "N", "kg*m^2"; empty if an exponent is not whole.
@@ -42,5 +54,10 @@ struct KindOfResult {
     std::string objection = {};
 };
 KindOfResult kind_of(Operation operation, const Operand& a, const Operand& b, const Operand& c);
+/// Why two operands of one dimension cannot be equal, compared or chosen between: one a temperature in degC,
+/// the other a difference or the number 0. Empty if they can.
+std::string zeros_objection(const Operand& a, const Operand& b);
+/// Why a value means nothing by itself: a sum of temperatures in degC. Empty if it does.
+std::string sum_objection(const Operand& a);
 
 }  // namespace covaria::equation

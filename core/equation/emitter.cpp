@@ -19,10 +19,11 @@ int Emitter::new_register(const Kind& kind, std::optional<double> value) {
 }
 
 int Emitter::constant(double value, const Kind& kind) {
-    std::array<double, 9> key{};
+    std::array<double, 10> key{};
     std::copy(kind.exponents.begin(), kind.exponents.end(), key.begin());
     key[8] = (kind.any ? 1.0 : 0.0) + (kind.condition ? 2.0 : 0.0) + (std::signbit(value) ? 4.0 : 0.0);
     if (std::isnan(value)) key[8] += 8.0;
+    if (kind.zeros) key[8] += kind.zeros->of_a_sum ? 32.0 : 16.0, key[9] = kind.zeros->count;
     const auto [known, is_new] = constants_.try_emplace({std::isnan(value) ? 0.0 : value, key}, 0);
     if (is_new) {
         known->second = new_register(kind, value);
@@ -48,6 +49,8 @@ int Emitter::operation(Operation operation, int a, int b, int c, const Kind& kin
     const auto known_value = [&](int at) { return at < 0 ? std::optional<double>(0.0) : this->value(at); };
     if (known_value(a) && known_value(b) && known_value(c))
         return constant(evaluated(operation, *known_value(a), *known_value(b), *known_value(c), value), kind);
+    // Of an 'if' that is decided the other branch plays no part.
+    if (operation == Operation::select && known_value(a)) return *known_value(a) != 0.0 ? b : c;
     const Key key{operation, a, b, c, value};
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
     Known& known = in_system_ ? known_in_system_ : known_;

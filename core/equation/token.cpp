@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/symbol.h"
+
 namespace covaria::equation {
 
 namespace {
@@ -28,15 +30,6 @@ constexpr std::array<Replacement, 14> sign_characters{{{"·", "*"},
                                                        {"≠", "!="},
                                                        {"\u00a0", " "},
                                                        {"√", "sqrt"}}};
-
-constexpr std::array<Replacement, 37> greek_letters{
-    {{"α", "alpha"}, {"β", "beta"},    {"γ", "gamma"}, {"δ", "delta"},   {"ε", "epsilon"}, {"ζ", "zeta"},
-     {"η", "eta"},   {"θ", "theta"},   {"ι", "iota"},  {"κ", "kappa"},   {"λ", "lambda"},  {"μ", "mu"},
-     {"µ", "mu"},    {"ν", "nu"},      {"ξ", "xi"},    {"π", "pi"},      {"ρ", "rho"},     {"σ", "sigma"},
-     {"τ", "tau"},   {"υ", "upsilon"}, {"φ", "phi"},   {"ϕ", "phi"},     {"χ", "chi"},     {"ψ", "psi"},
-     {"ω", "omega"}, {"Γ", "Gamma"},   {"Δ", "Delta"}, {"∆", "Delta"},   {"Θ", "Theta"},   {"Λ", "Lambda"},
-     {"Ξ", "Xi"},    {"Π", "Pi"},      {"Σ", "Sigma"}, {"Υ", "Upsilon"}, {"Φ", "Phi"},     {"Ψ", "Psi"},
-     {"Ω", "Omega"}}};
 
 template <std::size_t N>
 const Replacement* starting_with(const std::array<Replacement, N>& table, std::string_view text) {
@@ -91,7 +84,7 @@ private:
             number();
         } else if (c == '[') {
             unit();
-        } else if (is_letter(c) || starting_with(greek_letters, rest())) {
+        } else if (is_letter(c) || greek_letter_at(rest())) {
             name();
         } else {
             sign();
@@ -131,9 +124,9 @@ private:
         std::string text;
         std::size_t characters = 0;
         while (at_ < text_.size()) {
-            if (const Replacement* letter = starting_with(greek_letters, rest())) {
-                text += letter->second;
-                at_ += letter->first.size();
+            if (const auto letter = greek_letter_at(rest())) {
+                text += letter->name;
+                at_ += letter->bytes;
             } else if (is_letter(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '_') {
                 text += text_[at_++];
             } else {

@@ -48,20 +48,40 @@ Matrix3<Real> rotation_from_zyz(const Vector3<Real>& angles) {
     return rotation_z(angles[0]) * rotation_y(angles[1]) * rotation_z(angles[2]);
 }
 
-/// (alpha, beta, gamma) with -pi/2 <= beta <= pi/2.
+namespace rotation_detail {
+
+/// Cosine and sine of the angle of a point (c, s) at the distance h from the origin; those of 0 at the
+/// origin.
+template <class Real>
+std::array<Real, 2> direction(const Real& c, const Real& s, const Real& h) {
+    using namespace real_functions;
+    const auto nowhere = h == Real(0.0);
+    const Real divisor = select(nowhere, Real(1.0), h);
+    return {select(nowhere, Real(1.0), Real(c / divisor)), Real(s / divisor)};
+}
+
+}  // namespace rotation_detail
+
+/// (alpha, beta, gamma) with -pi/2 <= beta <= pi/2. In gimbal lock only alpha -+ gamma is determined: gamma
+/// belongs to the alpha that is returned, so that the angles lead back to R everywhere (derivatives do not
+/// exist there).
 template <class Real>
 Vector3<Real> zyx_from_rotation(const Matrix3<Real>& R) {
     using namespace real_functions;
-    return {Real(atan2(R(2, 1), R(2, 2))), Real(atan2(Real(-R(2, 0)), Real(hypot(R(0, 0), R(1, 0))))),
-            Real(atan2(R(1, 0), R(0, 0)))};
+    const Real h = hypot(R(2, 1), R(2, 2));
+    const auto [c, s] = rotation_detail::direction(R(2, 2), R(2, 1), h);
+    return {Real(atan2(s, c)), Real(atan2(Real(-R(2, 0)), h)),
+            Real(atan2(Real(s * R(0, 2) - c * R(0, 1)), Real(c * R(1, 1) - s * R(1, 2))))};
 }
 
-/// (alpha, beta, gamma) with 0 <= beta <= pi.
+/// (alpha, beta, gamma) with 0 <= beta <= pi; in gimbal lock as above.
 template <class Real>
 Vector3<Real> zyz_from_rotation(const Matrix3<Real>& R) {
     using namespace real_functions;
-    return {Real(atan2(R(1, 2), R(0, 2))), Real(atan2(Real(hypot(R(0, 2), R(1, 2))), R(2, 2))),
-            Real(atan2(R(2, 1), Real(-R(2, 0))))};
+    const Real h = hypot(R(0, 2), R(1, 2));
+    const auto [c, s] = rotation_detail::direction(R(0, 2), R(1, 2), h);
+    return {Real(atan2(s, c)), Real(atan2(h, R(2, 2))),
+            Real(atan2(Real(c * R(1, 0) - s * R(0, 0)), Real(c * R(1, 1) - s * R(0, 1))))};
 }
 
 /// Unit quaternion (q_0, q_x, q_y, q_z) with q_0 >= 0, by the largest of its four squares (Shepperd, Journal

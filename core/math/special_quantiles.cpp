@@ -57,6 +57,13 @@ double f_quantile(double p, double nu1, double nu2) {
     return boost::math::quantile(boost::math::fisher_f_distribution<double, Quiet>(nu1, nu2), p);
 }
 
+double f_upper_tail(double ratio, double nu1, double nu2) {
+    if (!(ratio >= 0.0) || !(nu1 > 0.0) || !(nu2 > 0.0) || std::isinf(nu1) || std::isinf(nu2))
+        return nan_value;
+    return boost::math::cdf(
+        boost::math::complement(boost::math::fisher_f_distribution<double, Quiet>(nu1, nu2), ratio));
+}
+
 Result<double> coverage_factor(double probability, double nu) {
     if (!is_probability(probability))
         return fail(ErrorCode::bad_input, "the coverage probability must lie between 0 and 1.");

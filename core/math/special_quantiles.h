@@ -15,6 +15,8 @@ double t_distribution_function(double t, double nu);
 double chi_squared_quantile(double p, double dof);
 /// Quantile of F; `nu2` may be infinite (chi-squared over nu1). NaN unless 0 < p < 1 and both are positive.
 double f_quantile(double p, double nu1, double nu2);
+/// Probability that F exceeds `ratio` >= 0: the p of an F-test. NaN unless 0 < nu1, nu2 < infinity.
+double f_upper_tail(double ratio, double nu1, double nu2);
 
 /// k of a probabilistically symmetric coverage interval: t at (1 + probability)/2 (JCGM 100 G.3, G.4).
 /// Errors: probability not inside (0, 1), degrees of freedom not positive.

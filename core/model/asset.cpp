@@ -14,6 +14,7 @@ std::vector<JointDeviation> PointUncertaintySource::joint_deviations(
             const std::size_t index = d.common ? known->second : joint.size();
             if (is_new) {
                 JointDeviation added{d.id, d.name, std::move(d.component), {}, {}, {}};
+                added.estimate = d.estimate;
                 if (!d.common) added.point = i;
                 added.directions.assign(points.size(), Eigen::Vector3d::Zero());
                 joint.push_back(std::move(added));

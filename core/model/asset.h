@@ -36,6 +36,9 @@ struct PointDeviation {
         Eigen::Vector3d::UnitX();    ///< per unit of the component; need not be a unit vector
     UncertaintyComponent component;  ///< its id is completed by the model ("b_1." + id)
     bool common = false;             ///< one and the same draw for all points of a set-up
+    /// Name, unique in the asset, of the estimate of variance that it shares with other deviations and points
+    /// (VarianceEstimate); empty: it shares none.
+    std::string estimate = {};
 };
 
 /// Deviation of several points measured together that one component causes.
@@ -45,6 +48,7 @@ struct JointDeviation {
     std::optional<std::size_t> point = {};  ///< whose reading it is; empty: of the whole set-up
     std::string owner = {};  ///< id of the asset whose deviation it is; empty: the asset that is asked
     std::vector<Eigen::Vector3d> directions;  ///< per unit of the component, one for each point
+    std::string estimate = {};                ///< see PointDeviation
 };
 
 /// Capability "point-uncertainty": what the asset says about the uncertainty of a measured point's

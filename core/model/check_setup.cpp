@@ -10,9 +10,8 @@ namespace covaria {
 
 namespace {
 
-bool has_offset(const Unit& unit) {
-    return unit.to_si(0.0) != unit.interval_to_si(0.0);
-}
+// Figures beyond this are refused: squares and sums of squares of what is below it stay finite numbers.
+constexpr double largest_figure = 1e100;
 
 // What one field or one column of a table asks of a value.
 struct Demand {
@@ -215,13 +214,16 @@ void check_field(const FieldSpec& field, const SetupValue& value, Problems& prob
 std::string unit_objection(const std::string& title, const Quantity& given, const Unit& expected) {
     if (std::isnan(given.value) || std::isinf(given.value))
         return in_quotes(title) + " must be a finite number; it is " + readable_number(given.value);
+    if (std::abs(given.value) > largest_figure || std::abs(given.si()) > largest_figure)
+        return in_quotes(title) + " is too large to be computed with (at most 1e100): it is " +
+               readable_number(given.value);
     if (given.unit.dimension() != expected.dimension()) {
         const std::string words =
             given.unit.dimension().is_one() ? "has no unit" : "is " + dimension_words(given.unit);
         return in_quotes(title) + " is " + dimension_words(expected) + "; " +
                in_quotes(quantity_words(given.value, given.unit)) + " " + words;
     }
-    if (has_offset(given.unit) && !has_offset(expected))
+    if (given.unit.has_offset() && !expected.has_offset())
         return in_quotes(title) + " is a difference of temperatures: give it in K, not in " +
                given.unit.text();
     return {};
@@ -236,7 +238,7 @@ std::string column_unit_objection(const FieldSpec& table, const ColumnSpec& colu
         return name + dimension_words(column.unit) + "; '" + unit.text() + "' is the unit of " +
                dimension_words(unit);
     }
-    if (has_offset(unit) && !has_offset(column.unit))
+    if (unit.has_offset() && !column.unit.has_offset())
         return name + "a difference of temperatures: give it in K, not in " + unit.text();
     return {};
 }

@@ -10,7 +10,7 @@ class ArmBuilder {
 public:
     ArmBuilder(const SerialRobotSource& robot, const std::vector<double>& q, const std::string& group,
                Layout& layout)
-        : robot_(robot), group_(group), layout_(layout), frames_(link_frames(robot, q)) {
+        : robot_(robot), q_(q), group_(group), layout_(layout), frames_(link_frames(robot, q)) {
         for (Eigen::Isometry3d& frame : frames_) frame = robot.X_WB() * frame;
         for (std::size_t i = 1; i < frames_.size(); ++i)
             reach_ += (frames_[i].translation() - frames_[i - 1].translation()).norm();
@@ -32,9 +32,10 @@ private:
     void add_link(std::size_t i) {
         const Eigen::Vector3d from = frames_[i].translation(), to = frames_[i + 1].translation();
         const bool craig = robot_.convention() == DhConvention::craig;
-        const JointValues<double>& v = robot_.joints()[i].values;
-        const Eigen::Vector3d corner = craig ? Eigen::Vector3d(from + v.a * frames_[i].linear().col(0))
-                                             : Eigen::Vector3d(from + v.d * frames_[i].linear().col(2));
+        const RobotJoint& joint = robot_.joints()[i];
+        const double a = joint.values.a, d = joint.values.d + (joint.slides ? joint.travel(q_[i]) : 0.0);
+        const Eigen::Vector3d corner = craig ? Eigen::Vector3d(from + a * frames_[i].linear().col(0))
+                                             : Eigen::Vector3d(from + d * frames_[i].linear().col(2));
         add_segment("link " + std::to_string(i + 1), from, corner);
         add_segment("link " + std::to_string(i + 1), corner, to);
     }
@@ -66,6 +67,7 @@ private:
     }
 
     const SerialRobotSource& robot_;
+    const std::vector<double>& q_;
     const std::string& group_;
     Layout& layout_;
     std::vector<Eigen::Isometry3d> frames_, drawn_;

@@ -6,7 +6,7 @@
 
 namespace covaria {
 
-/// Adds the arm at the readings q (rad) to a layout, in the world frame; `group` as in LayoutItems.
+/// Adds the arm at the readings q (rad or m) to a layout, in the world frame; `group` as in LayoutItems.
 void add_arm(const SerialRobotSource& robot, const std::vector<double>& q, const std::string& group,
              Layout& layout);
 

@@ -1,4 +1,5 @@
 #include "core/model/sensor.h"
+#include "core/math/decompositions.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -60,7 +61,7 @@ Eigen::SelfAdjointEigenSolver<Matrix6> correlation_of(const SensorSource& sensor
         const auto i = static_cast<int>(c.first), j = static_cast<int>(c.second);
         R(i, j) = R(j, i) = c.coefficient;
     }
-    return Eigen::SelfAdjointEigenSolver<Matrix6>(R);
+    return eigen_decomposition(R);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ struct Station {
 /// A deviation that all readings of the sensor share: scale, index, axes ...
 struct SystematicDeviation {
     UncertaintyComponent component;  ///< its id is completed by the model
-    /// Change of a reading of the target at v (sensor's axes, m) per unit of the component.
+    /// Change of a reading of the target at v (sensor's axes, m) per unit; of an azimuth in m across it.
     double (*effect)(Observable, const Eigen::Vector3d& v) = nullptr;
 };
 

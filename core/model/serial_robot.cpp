@@ -17,11 +17,14 @@ const char* name_of(JointParameter parameter) {
     return names[static_cast<std::size_t>(parameter)];
 }
 
-std::vector<double> joint_angles(const SerialRobotSource& robot, const std::vector<double>& q) {
-    std::vector<double> angles;
+std::string reading_symbol(const SerialRobotSource& robot, std::size_t joint) {
+    return (robot.joints()[joint].slides ? "s_" : "q_") + std::to_string(joint + 1);
+}
+
+std::size_t first_sliding_joint(const SerialRobotSource& robot) {
     for (std::size_t i = 0; i < robot.joints().size(); ++i)
-        angles.push_back(robot.joints()[i].angle_at(q[i]));
-    return angles;
+        if (robot.joints()[i].slides) return i + 1;
+    return 0;
 }
 
 std::vector<Eigen::Isometry3d> link_frames(const SerialRobotSource& robot, const std::vector<double>& q) {
@@ -29,7 +32,7 @@ std::vector<Eigen::Isometry3d> link_frames(const SerialRobotSource& robot, const
     for (std::size_t i = 0; i < robot.joints().size(); ++i) {
         const RobotJoint& joint = robot.joints()[i];
         JointValues<double> values = joint.values;
-        values.theta = joint.angle_at(q[i]);
+        (joint.slides ? values.d : values.theta) += joint.travel(q[i]);
         const JointTransform<double> T = joint_transform(values, true);
         Matrix3<double> R = Matrix3<double>::Identity();
         Vector3<double> p = Vector3<double>::Zero();
@@ -66,7 +69,7 @@ Combined combined(const SerialRobotSource& robot, std::size_t joint, JointParame
         const double u = d.component.distribution.standard_uncertainty();
         sum.by_source[d.component.origin] += u * u;
         sum.squares += u * u;
-        sum.welch += std::pow(u, 4) / d.component.degrees_of_freedom;
+        sum.welch += std::pow(u, 4) / degrees_of_freedom_of(d.component);
     }
     return sum;
 }

@@ -24,7 +24,8 @@ struct RobotJoint {
     JointValues<double> values;  ///< SI
     /// The next axis is (nearly) parallel: beta is a parameter and d is 0 by definition.
     bool parallel = false;
-    double zero = 0.0;  ///< reading q at which theta holds: joint angle = theta + direction (q − zero)
+    bool slides = false;  ///< its reading, a length, adds to d; else an angle that adds to theta
+    double zero = 0.0;    ///< reading at which theta and d hold
     double direction = 1.0;
     double low = -std::numeric_limits<double>::infinity();  ///< limits of the reading q
     double high = std::numeric_limits<double>::infinity();
@@ -32,7 +33,9 @@ struct RobotJoint {
     bool has(JointParameter p) const {
         return p == JointParameter::beta ? parallel : !(p == JointParameter::d && parallel);
     }
-    double angle_at(double q) const { return values.theta + direction * (q - zero); }
+    /// direction (q − zero): what the reading adds.
+    double travel(double q) const { return direction * (q - zero); }
+    Unit reading_unit() const { return Unit::of(slides ? "mm" : "deg"); }
 };
 
 /// One component of the uncertainty of one parameter.
@@ -63,8 +66,11 @@ public:
     virtual std::vector<UncertaintyComponent> tool() const = 0;
 };
 
-/// Joint angles theta_i at a reading q of every joint.
-std::vector<double> joint_angles(const SerialRobotSource& robot, const std::vector<double>& q);
+/// "q_2", or "s_2" of a joint that slides: symbol and column of a reading.
+std::string reading_symbol(const SerialRobotSource& robot, std::size_t joint);
+
+/// Number from 1 of the first joint that slides; 0: all turn.
+std::size_t first_sliding_joint(const SerialRobotSource& robot);
 
 /// Frames 0 ... n of the arm in the base frame at the readings q, then the tool.
 std::vector<Eigen::Isometry3d> link_frames(const SerialRobotSource& robot, const std::vector<double>& q);

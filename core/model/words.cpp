@@ -50,6 +50,17 @@ constexpr NamedDimension named_dimensions[] = {
     {{{-1, 1, -2, 0, 0, 0, 0, 0}}, "a pressure"},
     {{{0, 1, -2, 0, 0, 0, 0, 0}}, "a stiffness"},
     {{{2, 1, -3, -1, 0, 0, 0, 0}}, "a voltage"},
+    {{{2, 1, -3, -2, 0, 0, 0, 0}}, "an electric resistance"},
+    {{{0, 0, 1, 1, 0, 0, 0, 0}}, "an electric charge"},
+    {{{-2, -1, 4, 2, 0, 0, 0, 0}}, "a capacitance"},
+    {{{2, 1, -2, -2, 0, 0, 0, 0}}, "an inductance"},
+    {{{0, 1, -2, -1, 0, 0, 0, 0}}, "a magnetic flux density"},
+    {{{2, 1, -2, -1, 0, 0, 0, 0}}, "a magnetic flux"},
+    {{{2, 1, -3, 0, 0, 0, 0, 0}}, "a power"},
+    {{{0, 0, 0, 0, 0, 1, 0, 0}}, "an amount of substance"},
+    {{{0, 0, 0, 0, 0, 0, 1, 0}}, "a luminous intensity"},
+    {{{0, 0, -1, 0, 0, 0, 0, 1}}, "an angular velocity"},
+    {{{-3, 1, 0, 0, 0, 0, 0, 0}}, "a density"},
 };
 
 }  // namespace

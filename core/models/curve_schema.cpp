@@ -54,6 +54,40 @@ FieldSpec predictions_table() {
     return table;
 }
 
+FieldSpec inverse_table() {
+    FieldSpec table{.key = "inverse",
+                    .title = "Inverse use",
+                    .kind = FieldKind::table,
+                    .help = "Observed values of y whose x is wanted, with its uncertainty.",
+                    .optional = true,
+                    .section = "Use"};
+    table.columns = {
+        {.key = "y", .title = "y", .help = "Observed, in the unit of y."},
+        {.key = "u_y",
+         .title = "u_y",
+         .range = {.low = 0.0},
+         .optional = true,
+         .help = "Standard uncertainty of the observed y; empty: none beside that of the readings."},
+        {.key = "readings",
+         .title = "readings",
+         .kind = FieldKind::integer,
+         .range = {.low = 1.0},
+         .optional = true,
+         .help = "The observed y is the mean of so many readings, which scatter as the points of the "
+                 "calibration do. With the uncertainty from the residuals only."},
+        {.key = "near",
+         .title = "near",
+         .optional = true,
+         .help = "Of several x that give this y, the one nearest to here, in the unit of x. Needed where the "
+                 "curve reaches y more than once between its points."},
+        {.key = "name",
+         .title = "name",
+         .kind = FieldKind::text,
+         .optional = true,
+         .help = "What it is, for tables and reports."}};
+    return table;
+}
+
 }  // namespace
 
 SetupSchema curve_schema() {
@@ -76,6 +110,12 @@ SetupSchema curve_schema() {
                   "are hardly correlated.",
           .default_value = Quantity{0.0, Unit{}},
           .section = "Curve"},
+         {.key = "through_origin",
+          .title = "Through the origin",
+          .kind = FieldKind::flag,
+          .help = "No constant term: the curve is zero at x_0.",
+          .default_value = false,
+          .section = "Curve"},
          {.key = "uncertainty",
           .title = "Uncertainty",
           .kind = FieldKind::choice,
@@ -84,7 +124,8 @@ SetupSchema curve_schema() {
           .default_value = std::string("residuals"),
           .choices = {{"residuals", "from the residuals"}, {"stated", "as stated for x and y"}},
           .section = "Curve"},
-         predictions_table()});
+         predictions_table(),
+         inverse_table()});
 }
 
 }  // namespace covaria::curve

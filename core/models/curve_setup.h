@@ -7,11 +7,9 @@
 
 #include "core/model/measurement_model.h"
 #include "core/model/setup_schema.h"
+#include "core/models/curve_polynomials.h"
 
 namespace covaria::curve {
-
-inline constexpr std::size_t most_points = 400;
-inline constexpr std::size_t most_coefficients = 6;
 
 struct Point {
     double x = 0.0, y = 0.0;  ///< SI
@@ -23,34 +21,35 @@ struct Prediction {
     double x = 0.0;  ///< SI
 };
 
+/// An observed y whose x is wanted.
+struct Observation {
+    std::string name;
+    double y = 0.0, u_y = 0.0;  ///< SI
+    double readings = 0.0;      ///< y is the mean of so many, which scatter as the points do; 0: not stated
+    std::optional<double> near = {};
+};
+
 struct CurveSetup {
     std::vector<Point> points;
     std::vector<Prediction> predictions;
-    std::size_t coefficients = 2;
-    double origin = 0.0;  ///< x_0
-    double scale = 1.0;   ///< largest |x - x_0|: powers are of (x - x_0)/scale while they are computed
+    std::vector<Observation> observations;
+    std::size_t degree = 1;
+    bool through_origin = false;  ///< no constant term: the curve is 0 at x_0
+    double origin = 0.0;          ///< x_0
     bool from_residuals = true;
     Unit x_unit, y_unit;
     bool has_u_x() const;
-    double degrees_of_freedom() const { return double(points.size()) - double(coefficients); }
+    std::size_t first_power() const { return through_origin ? 1 : 0; }
+    std::size_t coefficients() const { return degree + 1 - first_power(); }
+    double degrees_of_freedom() const { return double(points.size()) - double(coefficients()); }
 };
 
 SetupSchema curve_schema();
 std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, Problems& problems);
 
-/// Least squares at the points as given (JCGM 100 H.3).
-struct Fit {
-    Eigen::VectorXd coefficients;  ///< of powers of x - x_0, SI
-    Eigen::MatrixXd covariance;
-    std::vector<double> residuals;    ///< y_i - curve(x_i)
-    double standard_deviation = 0.0;  ///< s of the residuals
-    double chi_squared = 0.0;         ///< weighted sum of squares; of stated uncertainties only
-};
-Fit fit_of(const CurveSetup& setup);
-
-/// Unit of coefficient k: y per x^k.
-Unit coefficient_unit(const CurveSetup& setup, std::size_t k);
-/// What the curve says about the points: residuals, s, chi-squared.
-std::vector<DataTable> curve_evaluation(const CurveSetup& setup, const Fit& fit);
+/// Unit of the coefficient of a power: y per x^power.
+Unit coefficient_unit(const CurveSetup& setup, std::size_t power);
+/// A value of x or y with its unit, for people.
+std::string place_text(const Unit& unit, double si);
 
 }  // namespace covaria::curve

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/symbol.h"
 #include "core/equation/operations.h"
 #include "core/models/equation_observations.h"
 #include "core/models/equation_setup.h"
@@ -24,10 +25,6 @@ bool is_symbol(const std::string& text) {
     });
 }
 
-Unit interval_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
-}
-
 /// A quantity while its rows are read.
 struct Draft {
     InputQuantity quantity;
@@ -36,6 +33,7 @@ struct Draft {
     std::optional<double> estimate;  ///< SI
     std::size_t components = 0;
     std::optional<std::size_t> observed;  ///< component from observations
+    std::string estimate_of_variance;     ///< with quantities observed at the same time
 };
 
 class QuantityReader {
@@ -67,13 +65,14 @@ private:
     }
 
     void read(std::size_t row) {
-        const std::string symbol = text(row, "symbol");
+        const std::string symbol = plain_symbol(text(row, "symbol"));
         if (!is_symbol(symbol) || equation::is_reserved(symbol))
-            return refuse(row, "symbol",
-                          is_symbol(symbol)
-                              ? "the name is one of a function or a word of the equations; choose "
-                                "another"
-                              : "a symbol is made of letters, digits and '_', a letter first");
+            return refuse(
+                row, "symbol",
+                is_symbol(symbol)
+                    ? "the name is one of a function or a word of the equations; choose "
+                      "another"
+                    : "a symbol is made of letters, Greek ones too, digits and '_', a letter first");
         const Result<Unit> unit = Unit::parse(empty(row, "unit") ? "1" : text(row, "unit"));
         if (!unit) return refuse(row, "unit", unit.error().message);
         const auto known = index_.find(symbol);
@@ -110,7 +109,7 @@ private:
         }
         UncertaintyComponent made;
         made.name = first || empty(row, "name") ? draft.quantity.name : text(row, "name");
-        made.unit = interval_unit(unit);
+        made.unit = unit.interval();
         if (kind == "instrument") return reading(draft, row);
         const bool done = kind == "observations" || kind == "pooled" ? observed(draft, row, kind, made)
                                                                      : stated(draft, row, unit, made);
@@ -156,12 +155,11 @@ private:
         }
         const double u = draft.unit.interval_to_si(mean->u);
         if (!draft.estimate && mean->count > 0) draft.estimate = draft.unit.to_si(mean->mean);
-        made.unit = interval_unit(draft.unit);
+        made.unit = draft.unit.interval();
         made.type = EvaluationType::type_a;
         made.degrees_of_freedom = mean->degrees_of_freedom;
-        made.distribution = reader_.text("type_a") == "normal"
-                                ? Distribution::normal(u)
-                                : Distribution::of(StudentT{0.0, u, mean->degrees_of_freedom});
+        made.distribution = Distribution::normal(u);
+        made.normal_draws = reader_.text("type_a") == "normal";
         made.origin = kind == "pooled" ? "pooled standard deviation"
                                        : "mean of " + std::to_string(mean->count) + " observations";
         if (kind == "observations") draft.observed = result_.inputs.components.size();
@@ -193,7 +191,8 @@ private:
     void own_reading(Draft& draft, std::size_t row, const AssetLibrary::Entry& entry,
                      UncertaintyComponent own) {
         own.origin = entry.name + " (" + own.origin + ")";
-        own.contributor = entry.name;
+        own.contributor = text(row, "instrument");
+        own.contributor_name = entry.name;
         add(draft, row, std::move(own));
     }
 
@@ -206,7 +205,8 @@ private:
             UncertaintyComponent made = component;
             made.id = id;
             made.origin = name + " (" + component.origin + ")";
-            made.contributor = name;
+            made.contributor = text(row, "instrument");
+            made.contributor_name = name;
             result_.inputs.add(std::move(made));
         }
         draft.quantity.shares.push_back({known->second, factor});
@@ -228,14 +228,30 @@ private:
                                 "'" + quantity + "' has observations and no row in the table of quantities");
     }
 
+    /// Means of simultaneous observations have one estimate of their covariance matrix: c^T S c has n - 1
+    /// degrees of freedom for any c.
+    void observed_together(std::size_t i, std::size_t j) {
+        std::string& of_first = drafts_[i].estimate_of_variance;
+        std::string& of_second = drafts_[j].estimate_of_variance;
+        if (of_first.empty()) {
+            of_first = drafts_[i].quantity.symbol + ".observations";
+            result_.inputs.rest_on_estimate(of_first, *drafts_[i].observed);
+        }
+        if (!of_second.empty()) return;
+        of_second = of_first;
+        result_.inputs.rest_on_estimate(of_second, *drafts_[j].observed);
+    }
+
     void correlate() {
         for (std::size_t i = 0; i < drafts_.size(); ++i)
             for (std::size_t j = i + 1; j < drafts_.size(); ++j) {
                 if (!drafts_[i].observed || !drafts_[j].observed) continue;
                 const auto r =
                     observations_.correlation(drafts_[i].quantity.symbol, drafts_[j].quantity.symbol);
-                if (r && *r != 0.0)
+                if (!r) continue;
+                if (*r != 0.0)
                     result_.inputs.correlations.push_back({*drafts_[i].observed, *drafts_[j].observed, *r});
+                observed_together(i, j);
             }
     }
 

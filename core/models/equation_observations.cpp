@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/symbol.h"
+
 namespace covaria::equation_model {
 
 Observations::Observations(const SetupReader& reader) {
@@ -10,7 +12,7 @@ Observations::Observations(const SetupReader& reader) {
         const std::string name = reader.cell_empty("observations", row, "series")
                                      ? ""
                                      : reader.cell_text("observations", row, "series");
-        Series& series = of_[reader.cell_text("observations", row, "quantity")][name];
+        Series& series = of_[plain_symbol(reader.cell_text("observations", row, "quantity"))][name];
         series.values.push_back(reader.cell_number("observations", row, "value"));
         if (!reader.cell_empty("observations", row, "number"))
             series.numbers.push_back(static_cast<int>(reader.cell_number("observations", row, "number")));

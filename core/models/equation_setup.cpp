@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/symbol.h"
 #include "core/model/words.h"
 
 namespace covaria::equation_model {
@@ -87,7 +88,7 @@ private:
     void add_row(const equation::ParsedText& parsed, std::size_t row,
                  std::vector<equation::WantedOutput>& wanted, std::vector<OutputQuantity>& outputs) {
         const std::string path = "/outputs/rows/" + std::to_string(row);
-        const std::string symbol = cell(row, "symbol");
+        const std::string symbol = plain_symbol(cell(row, "symbol"));
         if (!parsed.find(symbol) && !parsed.statements.empty()) {
             std::vector<std::string> names;
             for (const equation::Statement& s : parsed.statements)
@@ -127,7 +128,7 @@ SetupTable empty_table(const FieldSpec& field) {
 bool has_symbol(const SetupTable& table, const std::string& symbol) {
     return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<SetupCell>& row) {
         const std::string* text = row.empty() ? nullptr : std::get_if<std::string>(&row.front());
-        return text && *text == symbol;
+        return text && plain_symbol(*text) == symbol;
     });
 }
 

@@ -151,7 +151,8 @@ private:
                 .unit = Unit::of("mV/V"),
                 .distribution = std::move(distribution),
                 .origin = setup_.sensor_name + ": " + origin,
-                .contributor = setup_.sensor_name,
+                .contributor = setup_.sensor_id,
+                .contributor_name = setup_.sensor_name,
                 .tags = {{"source", name}}};
     }
 
@@ -159,10 +160,8 @@ private:
         const double u = u_repeatability(setup_, channel);
         const double freedom = channel.s_degrees_of_freedom(setup_.pooled);
         UncertaintyComponent a =
-            component(channel, "repeatability", "repeatability",
-                      setup_.student_t && u > 0.0 ? Distribution::of(StudentT{0.0, u, freedom})
-                                                  : Distribution::normal(u),
-                      "Eqs 3, 4");
+            component(channel, "repeatability", "repeatability", Distribution::normal(u), "Eqs 3, 4");
+        a.normal_draws = !setup_.student_t;
         a.type = EvaluationType::type_a;
         a.degrees_of_freedom = freedom;
         return a;

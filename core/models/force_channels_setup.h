@@ -20,7 +20,7 @@ enum class OtherLoads {
 
 struct ChannelSetup {
     std::shared_ptr<const Asset> asset;
-    std::string sensor_name;
+    std::string sensor_id, sensor_name;
     OtherLoads others = OtherLoads::all;
     bool pooled = false;     ///< standard deviation pooled over the steps
     bool student_t = false;  ///< Type A by a t-distribution in Monte Carlo (JCGM 101 6.4.9)
@@ -36,7 +36,6 @@ struct ChannelSetup {
     std::size_t strongest(std::size_t h) const;
     /// Whether the load on c is part of the equation of h.
     bool interferes(std::size_t h, std::size_t c) const;
-    std::string sensor_id;
 };
 
 SetupSchema schema();

@@ -57,8 +57,19 @@ private:
                                              Distribution::normal(std::abs(u)), "least squares");
         fit.type = EvaluationType::type_a;
         if (element.degrees_of_freedom > 0.0) fit.degrees_of_freedom = element.degrees_of_freedom;
+        fit.normal_draws = !setup_.student_t;
         fit.tags = {{"source", "regression"}};
         return fit;
+    }
+
+    /// Both coefficients of an element rest on the residuals of one fit; without readings on the
+    /// repeatability that the channel states.
+    void rest_on_residuals(std::size_t component, std::size_t h, std::size_t c) {
+        if (std::isinf(inputs_.components[component].degrees_of_freedom)) return;
+        const bool stated = setup_.sensor().increasing().empty();
+        inputs_.rest_on_estimate(stated ? (setup_.pooled ? "largest " : "repeatability of ") + key(h)
+                                        : "residuals of " + pair(h, c),
+                                 component);
     }
 
     void add_element(std::size_t h, std::size_t c) {
@@ -67,6 +78,7 @@ private:
         const std::string symbol = "S_" + pair(h, c);
         first_.push_back(
             inputs_.add(regression(symbol, element, element_unit(c, false), element.aa * scale)));
+        rest_on_residuals(first_.back(), h, c);
         inputs_.quantities.push_back({.symbol = symbol,
                                       .name = "reading of " + key(h) + " by load " + key(c),
                                       .unit = element_unit(c, false),
@@ -81,6 +93,7 @@ private:
         const std::string symbol = "Q_" + pair(h, c);
         const std::size_t own =
             inputs_.add(regression(symbol, element, element_unit(c, true), element.bb * scale));
+        rest_on_residuals(own, h, c);
         std::vector<Share> shares{{own, 1.0}, {c, 2.0 * element.b * scale}};
         if (element.aa > 0.0) {
             const double sign = setup_.scale(h, c) < 0.0 ? -1.0 : 1.0;  // the component is |aa scale|
@@ -109,11 +122,9 @@ private:
         const ForceChannel& channel = setup_.channels()[h];
         const double s = channel.s_single(setup_.pooled);
         const double freedom = channel.s_degrees_of_freedom(setup_.pooled);
-        UncertaintyComponent c =
-            of_reading(k, h, "repeatability", "repeatability",
-                       setup_.student_t && s > 0.0 ? Distribution::of(StudentT{0.0, s, freedom})
-                                                   : Distribution::normal(s),
-                       "standard deviation of one reading, Eq 3");
+        UncertaintyComponent c = of_reading(k, h, "repeatability", "repeatability", Distribution::normal(s),
+                                            "standard deviation of one reading, Eq 3");
+        c.normal_draws = !setup_.student_t;
         c.type = EvaluationType::type_a;
         c.degrees_of_freedom = freedom;
         return c;
@@ -127,6 +138,7 @@ private:
             return Distribution::of(Rectangular{-0.5 * width, 0.5 * width});
         };
         const double part = setup_.full_hysteresis ? 1.0 : std::min(1.0, std::abs(one.l[i]));
+        const std::size_t first = inputs_.components.size();
         inputs_.add(
             InputQuantity{.symbol = "V_" + key(h) + "," + std::to_string(k + 1),
                           .name = "net reading of " + key(h) + ", " + one.name,
@@ -140,6 +152,8 @@ private:
              of_reading(k, h, "hysteresis", "hysteresis", limits(part * channel.hysteresis),
                         setup_.full_hysteresis ? "Eq 10, full width of the loop"
                                                : "Eq 10, in proportion to the load")});
+        if (std::isfinite(inputs_.components[first].degrees_of_freedom))
+            inputs_.rest_on_estimate("repeatability of " + key(h), first);
     }
 
     LoadsSetup& setup_;

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "core/math/decompositions.h"
 #include "core/model/words.h"
 #include "core/models/force_loads_equations.h"
 
@@ -33,7 +34,7 @@ public:
         const Eigen::VectorXd beta = qr.solve(y);
         Element element{beta[0], quadratic ? beta[1] : 0.0, 0.0, 0.0, 0.0, double(n - p)};
         const double s = (y - X * beta).norm() / std::sqrt(double(n - p));
-        const Eigen::MatrixXd F = s * Eigen::MatrixXd((X.transpose() * X).inverse().llt().matrixL());
+        const Eigen::MatrixXd F = s * Eigen::MatrixXd(cholesky((X.transpose() * X).inverse()).matrixL());
         element.aa = F(0, 0);
         if (quadratic) {
             element.ba = F(1, 0);

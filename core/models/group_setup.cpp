@@ -3,16 +3,11 @@
 #include <cmath>
 #include <map>
 
-#include "core/math/special_quantiles.h"
 #include "core/quantity/type_a.h"
 
 namespace covaria::group_observations {
 
 namespace {
-
-Unit interval_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
-}
 
 class GroupReader {
 public:
@@ -24,13 +19,15 @@ public:
         setup_.unit = unit.value_or(Unit{});
         setup_.symbol = reader_.text("symbol");
         setup_.name = reader_.text("name");
-        setup_.between_counts = reader_.text("between") == "included";
+        const std::string between = reader_.text("between");
+        setup_.between = between == "included"     ? Between::included
+                         : between == "components" ? Between::components
+                                                   : Between::none;
         if (reader_.text("data") == "summary")
             read_summary();
         else
             read_observations();
-        if (!problems_.has_errors() && setup_.groups.size() < 2)
-            problems_.error(table(), "an analysis of variance needs at least two groups");
+        if (!problems_.has_errors()) check();
         if (problems_.has_errors()) return std::nullopt;
         return std::move(setup_);
     }
@@ -38,12 +35,28 @@ public:
 private:
     std::string table() const { return reader_.text("data") == "summary" ? "/groups" : "/observations"; }
 
+    void check() {
+        double observations = 0.0;
+        for (const Group& group : setup_.groups) observations += group.count;
+        const auto groups = static_cast<double>(setup_.groups.size());
+        if (groups < 2.0)
+            problems_.error(table(), "an analysis of variance needs at least two groups");
+        else if (!(observations > groups))
+            problems_.error(table(),
+                            "no group has more than one observation: nothing tells the scatter within "
+                            "the groups from that between them");
+    }
+
     void read_summary() {
-        setup_.per_group = static_cast<std::size_t>(reader_.integer("per_group"));
-        for (std::size_t row = 0; row < reader_.rows("groups"); ++row)
-            setup_.groups.push_back({reader_.cell_text("groups", row, "group"),
+        const int per_group = reader_.integer("per_group");
+        for (std::size_t row = 0; row < reader_.rows("groups"); ++row) {
+            const double n = reader_.cell_empty("groups", row, "n") ? double(per_group)
+                                                                    : reader_.cell_number("groups", row, "n");
+            const double s = setup_.unit.interval_to_si(reader_.cell_number("groups", row, "s"));
+            setup_.groups.push_back({reader_.cell_text("groups", row, "group"), n,
                                      setup_.unit.to_si(reader_.cell_number("groups", row, "mean")),
-                                     setup_.unit.interval_to_si(reader_.cell_number("groups", row, "s"))});
+                                     (n - 1.0) * s * s});
+        }
     }
 
     void read_observations() {
@@ -55,16 +68,17 @@ private:
             values[group].push_back(setup_.unit.to_si(reader_.cell_number("observations", row, "value")));
         }
         for (const std::string& group : order) {
-            const auto series = type_a_evaluation(values[group]);
+            const std::vector<double>& of_group = values[group];
+            if (of_group.size() == 1) {
+                setup_.groups.push_back({group, 1.0, of_group.front(), 0.0});
+                continue;
+            }
+            const auto series = type_a_evaluation(of_group);
             if (!series)
                 return problems_.error("/observations", "group '" + group + "': " + series.error().message);
-            if (setup_.per_group == 0) setup_.per_group = values[group].size();
-            if (values[group].size() != setup_.per_group)
-                return problems_.error("/observations",
-                                       "group '" + group + "' has " + std::to_string(values[group].size()) +
-                                           " observations, others have " + std::to_string(setup_.per_group) +
-                                           ": every group needs the same number");
-            setup_.groups.push_back({group, series->mean, series->standard_deviation});
+            setup_.groups.push_back(
+                {group, double(of_group.size()), series->mean,
+                 series->degrees_of_freedom * series->standard_deviation * series->standard_deviation});
         }
     }
 
@@ -126,11 +140,17 @@ std::vector<FieldSpec> tables() {
         {.key = "s",
          .title = "s",
          .range = {.low = 0.0},
-         .help = "Experimental standard deviation of a single observation of the group."}};
+         .help = "Experimental standard deviation of a single observation of the group."},
+        {.key = "n",
+         .title = "n",
+         .kind = FieldKind::integer,
+         .range = {.low = 1.0, .high = 1e6},
+         .optional = true,
+         .help = "Number of observations in the group; empty: observations per group, as below."}};
     FieldSpec per_group{.key = "per_group",
                         .title = "Observations per group",
                         .kind = FieldKind::integer,
-                        .help = "Number of observations in each group.",
+                        .help = "Number of observations in each group whose row does not say it.",
                         .range = {.low = 2.0, .high = 1e6},
                         .default_value = Quantity{5.0, Unit{}},
                         .shown_if = Condition{"data", {"summary"}},
@@ -144,67 +164,24 @@ SetupSchema group_schema() {
     std::vector<FieldSpec> fields = quantity_fields();
     fields.push_back(data_field());
     for (FieldSpec& field : tables()) fields.push_back(std::move(field));
-    fields.push_back({.key = "between",
-                      .title = "Effect of the groups",
-                      .kind = FieldKind::choice,
-                      .help =
-                          "Included: u of the mean from the scatter of the groups' means. Not included: all "
-                          "observations count as independent, which the F-test in the evaluation must allow.",
-                      .default_value = std::string("included"),
-                      .choices = {{"included", "included"}, {"none", "not included"}},
-                      .section = "Evaluation"});
+    fields.push_back(
+        {.key = "between",
+         .title = "Effect of the groups",
+         .kind = FieldKind::choice,
+         .help = "Included: u of the mean of the groups' means from their scatter. By components of "
+                 "variance: the same for groups of one size, else groups with more observations have "
+                 "more weight. Not included: all observations count as independent, which the F-test "
+                 "in the evaluation must allow.",
+         .default_value = std::string("included"),
+         .choices = {{"included", "included"},
+                     {"components", "by components of variance"},
+                     {"none", "not included"}},
+         .section = "Evaluation"});
     return SetupSchema(std::move(fields));
 }
 
 std::optional<GroupSetup> read_group_setup(const SetupReader& reader, Problems& problems) {
     return GroupReader(reader, problems).run();
-}
-
-Variances variances_of(const GroupSetup& setup) {
-    std::vector<double> means;
-    double within = 0.0;
-    for (const Group& group : setup.groups) {
-        means.push_back(group.mean);
-        within += group.standard_deviation * group.standard_deviation;
-    }
-    const double J = double(setup.groups.size()), K = double(setup.per_group);
-    Variances v;
-    const TypeA of_means = type_a_evaluation(means).value_or(TypeA{});
-    v.mean = of_means.mean;
-    v.s_of_means = of_means.standard_deviation;
-    v.nu_a = J - 1.0;
-    v.nu_b = J * (K - 1.0);
-    v.s_a = std::sqrt(K) * v.s_of_means;
-    v.s_b = std::sqrt(within / J);
-    v.ratio = v.s_b > 0.0 ? v.s_a * v.s_a / (v.s_b * v.s_b) : 0.0;
-    v.s_between = std::sqrt(std::max(0.0, (v.s_a * v.s_a - v.s_b * v.s_b) / K));
-    if (setup.between_counts) {
-        v.u = v.s_of_means / std::sqrt(J);
-        v.degrees_of_freedom = v.nu_a;
-    } else {
-        v.degrees_of_freedom = J * K - 1.0;
-        v.u = std::sqrt((v.nu_a * v.s_a * v.s_a + v.nu_b * v.s_b * v.s_b) / v.degrees_of_freedom / (J * K));
-    }
-    return v;
-}
-
-std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v) {
-    const Unit unit = interval_unit(setup.unit);
-    DataTable table{"anova", "Analysis of variance", {{"what"}, {"value", {}, false, 3}}, {}, {}};
-    const auto deviation = [&](const char* what, double s) {
-        table.rows.push_back({std::string(what), Quantity{unit.interval_from_si(s), unit}});
-    };
-    deviation("standard deviation of the means of the groups", v.s_of_means);
-    deviation("s_a, from the means of the groups", v.s_a);
-    deviation("s_b, within the groups", v.s_b);
-    deviation("s_B, between the groups", v.s_between);
-    table.rows.push_back({std::string("F = s_a²/s_b²"), v.ratio});
-    const double limit = f_quantile(0.95, v.nu_a, v.nu_b);
-    table.rows.push_back({std::string("95 % quantile of F"), limit});
-    table.rows.push_back({std::string("97.5 % quantile of F"), f_quantile(0.975, v.nu_a, v.nu_b)});
-    table.notes.push_back(v.ratio > limit ? "There is an effect of the groups at the level of 5 %."
-                                          : "No effect of the groups is seen at the level of 5 %.");
-    return {table};
 }
 
 }  // namespace covaria::group_observations

@@ -3,26 +3,10 @@
 
 #include <type_traits>
 
-#include "core/math/dual.h"
 #include "core/math/frames.h"
-#include "core/models/network_setup.h"
+#include "core/models/network_search.h"
 
 namespace covaria::network {
-
-/// A station as drawn in one trial: axes by columns, and where they meet.
-template <class Real>
-struct Place {
-    Matrix3<Real> R;
-    Vector3<Real> o;
-};
-
-template <class Real, class In>
-Place<Real> place_of(const NetworkSetup& setup, const In& x, std::size_t set_up, std::size_t sensor) {
-    const std::size_t first = setup.station_input(set_up, sensor);
-    const Vector3<Real> angles(Real(x[first + 3]), Real(x[first + 4]), Real(x[first + 5]));
-    return {station_rotation<Real>(setup.sensors[sensor].source().station().angles, angles),
-            Vector3<Real>(Real(x[first]), Real(x[first + 1]), Real(x[first + 2]))};
-}
 
 /// Rows a·X = b of a least-squares problem in three unknowns, X counted from a reference point.
 template <class Real>
@@ -68,19 +52,6 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Directions of the spherical coordinates at the angles that a sensor read, in the sensor's axes.
-template <class Real>
-struct ReadDirections {
-    Vector3<Real> r, azimuth, elevation;
-    ReadDirections(const Real& az, const Real& el) {
-        using namespace real_functions;
-        const Real ca = cos(az), sa = sin(az), ce = cos(el), se = sin(el), zero(0.0);
-        r = Vector3<Real>(Real(ce * ca), Real(ce * sa), se);
-        azimuth = Vector3<Real>(Real(-sa), ca, zero);
-        elevation = Vector3<Real>(Real(-se * ca), Real(-se * sa), ce);
-    }
-};
-
 /// M X = B (Eq 1) for X counted from P: an equation for every reading that has a linear one.
 template <class Real, class In>
 void linear_rows(const Target& target, const Place<Real>* places, const In& x, const Vector3<Real>& P,
@@ -91,13 +62,13 @@ void linear_rows(const Target& target, const Place<Real>* places, const In& x, c
         const Place<Real>& place = places[sight.sensor];
         const Vector3<Real> from = place.o - P;
         const Real elevation = sight.has[2] ? Real(x[sight.input[2]]) : Real(0.0);
-        const ReadDirections<Real> e(Real(x[sight.input[1]]), elevation);
+        const ReadDirections<Real> e(azimuth_of<Real>(sight, x), elevation);
         if (sight.has[0] && sight.has[2]) {
             const Vector3<Real> a = place.R * e.r;
             rows.add(a, Real(a.dot(from) + Real(x[sight.input[0]])));
         }
         const Vector3<Real> a = place.R * e.azimuth;
-        rows.add(a, a.dot(from));
+        rows.add(a, Real(a.dot(from) + across_of<Real>(sight, x)));
         if (sight.has[2]) {
             const Vector3<Real> b = place.R * e.elevation;
             rows.add(b, b.dot(from));
@@ -133,76 +104,23 @@ Vector3<Real> linear_estimate(const Target& target, const Place<Real>* places, c
     return P + rows.solve();
 }
 
-/// A target in the axes of a sensor.
-template <class Real>
-struct View {
-    Vector3<Real> v;
-    Real rho2, rho, d2;
-    View(const Place<Real>& place, const Vector3<Real>& X) : v(place.R.transpose() * (X - place.o)) {
-        using namespace real_functions;
-        rho2 = v[0] * v[0] + v[1] * v[1];
-        rho = sqrt(rho2);
-        d2 = rho2 + v[2] * v[2];
-    }
-};
-
-/// Reading minus what the sensor would read of X.
-template <class Real, class In>
-Real residual(const Sight& sight, std::size_t observable, const View<Real>& view, const In& x) {
-    using namespace real_functions;
-    const Real reading = x[sight.input[observable]];
-    const Vector3<Real>& v = view.v;
-    if (observable == 0) return reading - sqrt(view.d2);
-    if (observable == 2 && sight.overhead && sight.has[1]) {  // past the zenith an elevation goes on growing
-        const ReadDirections<Real> e(Real(x[sight.input[1]]), reading);
-        return -e.elevation.dot(v) / sqrt(view.d2);
-    }
-    if (observable == 2) return reading - atan2(v[2], view.rho);
-    // The difference of two angles on the circle, from the components along and across the reading.
-    const Real c = cos(reading), s = sin(reading), across = s * v[0] - c * v[1];
-    return sight.overhead ? across : Real(atan2(across, Real(c * v[0] + s * v[1])));
-}
-
 /// Residuals of the readings at X and their derivatives by X, weighted; one row each.
 template <class Real, class In>
 void reading_rows(const Target& target, const Place<Real>* places, const In& x, const Vector3<Real>& X,
                   Rows<Real>& rows) {
-    using namespace real_functions;
     rows.clear();
     for (const Sight& sight : target.sights) {
         const Place<Real>& place = places[sight.sensor];
         const View<Real> view(place, X);
-        const Vector3<Real>& v = view.v;
-        const Real zero(0.0);
-        if (sight.has[0])
-            rows.add(place.R * (v * Real(Real(1.0) / sqrt(view.d2))), residual(sight, 0, view, x));
-        if (sight.has[1]) {
-            const Real azimuth = x[sight.input[1]];
-            const Vector3<Real> turn(Real(-v[1] / view.rho2), Real(v[0] / view.rho2), zero);
-            const Vector3<Real> across(Real(-sin(azimuth)), Real(cos(azimuth)), zero);
-            rows.add(place.R * (sight.overhead ? across : turn), residual(sight, 1, view, x));
-        }
-        if (sight.has[2]) {
-            const Real factor = Real(1.0) / (view.rho * view.d2);
-            const Vector3<Real> rise(Real(-v[0] * v[2] * factor), Real(-v[1] * v[2] * factor),
-                                     Real(view.rho2 * factor));
-            const Vector3<Real> off =
-                sight.overhead && sight.has[1]
-                    ? Vector3<Real>(
-                          ReadDirections<Real>(Real(x[sight.input[1]]), Real(x[sight.input[2]])).elevation *
-                          Real(Real(1.0) / sqrt(view.d2)))
-                    : rise;
-            rows.add(place.R * off, residual(sight, 2, view, x));
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!sight.has[i]) continue;
+            rows.add(gradient<Real>(sight, i, place, view, x), residual<Real>(sight, i, view, x));
+            rows.scale(rows.size() - 1, Real(1.0 / sight.u[i]));
         }
     }
-    std::size_t row = 0;
-    for (const Sight& sight : target.sights)
-        for (std::size_t i = 0; i < 3; ++i)
-            if (sight.has[i]) rows.scale(row++, Real(1.0 / sight.u[i]));
 }
 
 inline constexpr int most_steps = 20;
-inline constexpr double last_step = 1e-9;  // m
 
 /// Gauss-Newton method from X on; a lane that has converged stays as it is, whatever the others do.
 /// Derivatives (Dual) follow in some more steps.
@@ -238,42 +156,46 @@ mask_of<Real> estimate(const NetworkSetup& setup, const Target& target, const Pl
         X = linear_estimate(target, places, x, setup.estimator == Estimator::linear, rows);
         return mask_of<Real>(true);
     }
-    X = start_of(target, places, x, rows);
-    return refine(target, places, x, X, rows);
+    const Vector3<Real> start = start_of(target, places, x, rows);
+    X = start;
+    const mask_of<Real> done = refine(target, places, x, X, rows);
+    const Part part{&setup, &target, 1, {}, target.inverse_normal.data(), nullptr, 0};
+    return search_rest<Real>(part, places, x, &start, done, &X);
 }
 
-/// All targets of a set-up together, X[t] for target first + t: X += gain * residuals until it stays.
+inline Part part_of(const NetworkSetup& setup, const JointSetUp& joint) {
+    return {&setup,     &setup.targets[joint.first], joint.targets,
+            joint.bars, joint.inverse_normal.data(), &joint,
+            joint.first};
+}
+
+/// All targets of a set-up together, X[t] for target first + t: X += (J₀ᵀWJ₀)⁻¹ JᵀW r, J₀ at the estimates,
+/// until it stays, which is where the weighted sum of squares is least.
 template <class Real, class In>
 mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& joint, const Place<Real>* places,
                                const In& x, Vector3<Real>* X) {
     using namespace real_functions;
+    std::array<Vector3<Real>, most_joint_targets> start;
     {
         Rows<Real> rows;
         for (std::size_t t = 0; t < joint.targets; ++t)
-            X[t] = start_of(setup.targets[joint.first + t], places, x, rows);
+            X[t] = start[t] = start_of(setup.targets[joint.first + t], places, x, rows);
     }
     constexpr bool with_derivatives = std::is_same_v<Real, Dual>;
-    std::array<Real, most_joint_rows> r;
+    const Part part = part_of(setup, joint);
+    Linearised<Real> at;
+    std::array<Real, 3 * most_joint_targets> descent;
     mask_of<Real> done(false);
     for (int k = 0; k < most_steps; ++k) {
-        std::size_t row = 0;
-        for (std::size_t t = 0; t < joint.targets; ++t)
-            for (const Sight& sight : setup.targets[joint.first + t].sights) {
-                const View<Real> view(places[sight.sensor], X[t]);
-                for (std::size_t i = 0; i < 3; ++i)
-                    if (sight.has[i]) r[row++] = residual(sight, i, view, x);
-            }
-        for (const std::size_t b : joint.bars) {
-            const ScaleBar& bar = setup.bars[b];
-            const Vector3<Real> d = X[bar.to - joint.first] - X[bar.from - joint.first];
-            r[row++] = Real(x[bar.input]) - sqrt(Real(d.dot(d)));
-        }
-        const double* gain = joint.gain.data();
+        at.take(part, places, x, X);
+        at.weigh(part);
+        at.transpose(part, at.weighted.data(), descent.data());
+        const double* inverse = part.inverse_normal;
         Real step2(0.0);
         for (std::size_t t = 0; t < joint.targets; ++t)
             for (int c = 0; c < 3; ++c) {
                 Real step(0.0);
-                for (std::size_t i = 0; i < row; ++i) step += Real(*gain++) * r[i];
+                for (std::size_t i = 0; i < 3 * joint.targets; ++i) step += Real(*inverse++) * descent[i];
                 step2 += step * step;
                 const Real moved = X[t][c] + step;
                 X[t][c] = with_derivatives ? moved : Real(select(done, X[t][c], moved));
@@ -281,7 +203,7 @@ mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& join
         done = done || (step2 < Real(last_step * last_step));
         if (all(done) && (!with_derivatives || k >= 7)) break;
     }
-    return done;
+    return search_rest<Real>(part, places, x, start.data(), done, X);
 }
 
 /// Distances, angles and frames of targets, and differences of distances from calibrated lengths, from output
@@ -349,7 +271,7 @@ mask_of<Real> some_targets(const NetworkSetup& setup, const JointSetUp& joint, s
                            std::size_t count, const Place<Real>* places, const In& x, Out& y) {
     std::array<Vector3<Real>, most_joint_targets> X;
     mask_of<Real> valid(true);
-    const bool together = !joint.gain.empty();
+    const bool together = joint.together();
     if (together) valid = estimate_jointly(setup, joint, places, x, X.data());
     for (std::size_t t = 0; t < count; ++t) {
         if (!together) valid = valid && estimate(setup, setup.targets[first + t], places, x, X[0]);

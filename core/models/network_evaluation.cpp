@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "core/assets/adjustment.h"
+#include "core/math/decompositions.h"
 #include "core/models/network_setup.h"
 
 namespace covaria::network {
@@ -23,8 +25,8 @@ struct Precision {
 
 /// What multiplies the residuals in the estimate.
 Matrix gain_of(const NetworkSetup& setup, const JointSetUp& joint, const Sensitivities& s) {
+    if (joint.together()) return least_squares_gain(s.to_point, s.u, s.shared);
     Matrix weights = s.u.cwiseAbs2().cwiseInverse().asDiagonal();
-    if (!joint.gain.empty()) weights = joint_covariance(s).inverse();
     if (setup.estimator == Estimator::linear_start) {
         Eigen::VectorXd squares(s.u.size());
         Eigen::Index row = 0;
@@ -36,7 +38,7 @@ Matrix gain_of(const NetworkSetup& setup, const JointSetUp& joint, const Sensiti
         weights = squares.asDiagonal();
     }
     const Matrix JtW = s.to_point.transpose() * weights;
-    return (JtW * s.to_point).llt().solve(JtW);
+    return cholesky(JtW * s.to_point).solve(JtW);
 }
 
 Precision precision_of(const NetworkSetup& setup, const JointSetUp& joint) {
@@ -121,8 +123,9 @@ private:
     Eigen::VectorXd systematic(Eigen::VectorXd shared) const {
         Eigen::Index column = 0;
         for (const Sensor& sensor : setup_.sensors) {
+            column += static_cast<Eigen::Index>(sensor.source().systematic().size());
             shared.segment<6>(column).setZero();
-            column += 6 + static_cast<Eigen::Index>(sensor.source().systematic().size());
+            column += 6;
         }
         return shared;
     }
@@ -141,7 +144,8 @@ double residual_of(const Sensor& sensor, const Sight& sight, std::size_t i, cons
     return std::sin(sight.reading[1]) * v.x() - std::cos(sight.reading[1]) * v.y();
 }
 
-/// Residuals of given readings (W. Baarda's data snooping, for correlated readings).
+/// Residuals of given readings, judged with everything that makes them uncertain, the stations too, whatever
+/// the weights of the estimate (W. Baarda's data snooping, for correlated readings).
 class ResidualTable {
 public:
     explicit ResidualTable(const NetworkSetup& setup) : setup_(setup) {
@@ -161,16 +165,31 @@ public:
 
     DataTable take() { return std::move(table_); }
 
+    void warn(Problems& problems) const {
+        if (!too_large()) return;
+        problems.warning(worst_.source, test_words() +
+                                            " The residuals are larger than the uncertainties "
+                                            "allow; the largest for its uncertainty is the " +
+                                            worst_.name +
+                                            ". Look for mistyped or exchanged readings, or figures of the "
+                                            "instruments that are too small");
+    }
+
 private:
+    struct Worst {
+        double w = 0.0;
+        std::string source = "/readings", name;
+    };
+
     void add(const JointSetUp& joint) {
         const Sensitivities s = sensitivities_of(setup_, joint);
         const Matrix& J = s.to_point;
-        Matrix C = s.u.cwiseAbs2().asDiagonal();
-        if (!joint.gain.empty()) C = joint_covariance(s);
+        const Matrix C = joint_covariance(s);
         const Matrix W = C.inverse(), Q = (J.transpose() * W * J).inverse();
         const Matrix of_residuals = C - J * Q * J.transpose();
         const Matrix redundancy = of_residuals * W, tested = W * of_residuals * W;
-        const Eigen::VectorXd e = residuals_of(joint, s.u.size()), We = W * e;
+        const Eigen::VectorXd e = residuals_of(joint, s.u.size());
+        const Eigen::VectorXd We = W * (e - J * (Q * (J.transpose() * (W * e))));
         chi_square_ += e.dot(We);
         degrees_ += static_cast<int>(J.rows() - J.cols());
         Eigen::Index row = 0;
@@ -215,12 +234,19 @@ private:
     void add_row(const Target& target, const Sight& sight, std::size_t i, const Numbers& numbers) {
         static const char* const names[] = {"distance", "azimuth", "elevation"};
         const Unit unit = Unit::of(i == 0 || (i == 1 && sight.overhead) ? "mm" : "arcsec");
-        put(target.name, setup_.sensors[sight.sensor].name, names[i], unit, numbers);
+        const std::string& sensor = setup_.sensors[sight.sensor].name;
+        put(target.name, sensor, names[i], unit, numbers);
+        compare(numbers.w, sight.source[i], std::string(names[i]) + " of " + target.name + " by " + sensor);
     }
 
     void add_bar(const ScaleBar& bar, const Numbers& numbers) {
         put(setup_.targets[bar.from].name + " – " + setup_.targets[bar.to].name, "scale bar", "length",
             Unit::of("mm"), numbers);
+        compare(numbers.w, bar.source, "length of the " + bar.name);
+    }
+
+    void compare(double w, const std::string& source, const std::string& name) {
+        if (std::abs(w) > worst_.w) worst_ = {std::abs(w), source, name};
     }
 
     void put(const std::string& target, const std::string& sensor, const char* reading, const Unit& unit,
@@ -242,29 +268,43 @@ private:
             table_.notes.push_back("No redundancy: as many readings as unknowns, so nothing can be checked.");
             return;
         }
-        const boost::math::chi_squared distribution(degrees_);
-        const double p = boost::math::cdf(boost::math::complement(distribution, chi_square_));
-        char text[160];
-        std::snprintf(text, sizeof text,
-                      "Chi-square of the residuals: %.3g with %d degrees of freedom, p = %.2g.", chi_square_,
-                      degrees_, p);
-        table_.notes.push_back(text);
-        table_.notes.push_back(p < 0.01   ? "The residuals are larger than the uncertainties allow."
-                               : p > 0.99 ? "The residuals are smaller than the uncertainties lead to expect."
-                                          : "The residuals agree with the uncertainties.");
+        table_.notes.push_back(test_words());
+        table_.notes.push_back(too_large() ? "The residuals are larger than the uncertainties allow."
+                               : p_value() > 0.99
+                                   ? "The residuals are smaller than the uncertainties lead to expect."
+                                   : "The residuals agree with the uncertainties.");
         if (outliers_ > 0)
             table_.notes.push_back(
                 std::to_string(outliers_) +
                 " readings have |w| > 3.29 (0.1 %); where several do, look at the largest first.");
     }
 
+    double p_value() const {
+        return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_), chi_square_));
+    }
+
+    bool too_large() const { return degrees_ > 0 && p_value() < 0.01; }
+
+    std::string test_words() const {
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "Chi-square of the residuals: %.3g with %d degrees of freedom, p = %.2g.", chi_square_,
+                      degrees_, p_value());
+        return text;
+    }
+
     const NetworkSetup& setup_;
     DataTable table_;
+    Worst worst_;
     double chi_square_ = 0.0;
     int degrees_ = 0, outliers_ = 0;
 };
 
 }  // namespace
+
+void check_residuals(const NetworkSetup& setup, Problems& problems) {
+    ResidualTable(setup).warn(problems);
+}
 
 std::vector<DataTable> network_evaluation(const NetworkSetup& setup) {
     std::vector<DataTable> tables{PrecisionTable(setup).make()};

@@ -2,6 +2,7 @@
 #include <cctype>
 #include <map>
 
+#include "core/assets/specification.h"
 #include "core/models/network_setup.h"
 
 namespace covaria::network {
@@ -48,7 +49,8 @@ private:
             quantity.group = sensor.name;
             component.id = sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
-            component.contributor = sensor.name;
+            component.contributor = sensor.id;
+            component.contributor_name = sensor.name;
             quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
             inputs_.quantities.push_back(std::move(quantity));
         }
@@ -58,27 +60,31 @@ private:
 
     void add_sight(std::size_t t, std::size_t i) {
         static const char* const symbols[] = {"d", "theta", "phi"};
+        constexpr const char* across_symbol = "q";
         Target& target = setup_.targets[t];
         Sight& sight = target.sights[i];
         const Sensor& sensor = setup_.sensors[sight.sensor];
-        const Eigen::Vector3d v = sensor.source().station().X_WS().inverse() * target.nominal;
+        const LinearReading reading = sensitivity_of(setup_, sight, target.nominal);
         const std::string suffix = label_of(target.name, t) + "_" + sensor_label(sight.sensor);
         const std::string again = repeats_[{t, sight.sensor}]++ == 0 ? "" : "_" + std::to_string(i + 1);
         for (std::size_t o = 0; o < 3; ++o) {
             if (!sight.has[o]) continue;
-            UncertaintyComponent component = sensor.source().reading(observables[o], v);
+            const bool across = sight.overhead && observables[o] == Observable::azimuth;
+            UncertaintyComponent component = sensor.source().reading(observables[o], reading.v);
             InputQuantity quantity;
-            quantity.symbol = std::string(symbols[o]) + "_" + suffix + again;
-            quantity.name = sensor.name + " to " + target.name + ", " + component.name;
-            quantity.unit = o == 0 ? Unit::of("mm") : Unit::of("rad");
-            quantity.offset = sight.reading[o];
+            quantity.symbol = std::string(across ? across_symbol : symbols[o]) + "_" + suffix + again;
+            quantity.name = sensor.name + " to " + target.name + ", " +
+                            (across ? "displacement across the azimuth" : component.name);
+            quantity.unit = o == 0 || across ? Unit::of("mm") : Unit::of("deg");
+            quantity.offset = across ? 0.0 : sight.reading[o];
             quantity.group = target.name;
             quantity.source = sight.source[o];
             component.id = target.name + "." + sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
-            component.contributor = sensor.name;
-            quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
-            add_systematic(sight, o, v, quantity);
+            component.contributor = sensor.id;
+            component.contributor_name = sensor.name;
+            quantity.shares.push_back({inputs_.add(std::move(component)), reading.scale(observables[o])});
+            add_systematic(sensor, observables[o], reading, quantity);
             sight.input[o] = inputs_.quantities.size();
             inputs_.quantities.push_back(std::move(quantity));
         }
@@ -91,9 +97,10 @@ private:
         UncertaintyComponent component{.id = "bar." + ends + again,
                                        .name = "calibrated length",
                                        .unit = Unit::of("mm"),
-                                       .distribution = Distribution::normal(bar.u),
+                                       .distribution = distribution_of_shape(bar.distribution, bar.u),
                                        .origin = "calibration of the " + bar.name,
-                                       .contributor = bar.name};
+                                       .contributor = "bar of length " + bar.name,
+                                       .contributor_name = bar.name};
         InputQuantity quantity;
         quantity.symbol = "L_" + ends + again;
         quantity.name = bar.name + ", calibrated length";
@@ -106,12 +113,10 @@ private:
         inputs_.quantities.push_back(std::move(quantity));
     }
 
-    void add_systematic(const Sight& sight, std::size_t o, const Eigen::Vector3d& v,
+    void add_systematic(const Sensor& sensor, Observable o, const LinearReading& reading,
                         InputQuantity& quantity) {
-        const Sensor& sensor = setup_.sensors[sight.sensor];
-        if (sight.overhead && observables[o] == Observable::azimuth) return;
         for (const SystematicDeviation& deviation : sensor.source().systematic()) {
-            const double factor = deviation.effect(observables[o], v);
+            const double factor = reading.effect_of(deviation, o);
             if (factor == 0.0) continue;
             const std::string id = sensor.id + "." + deviation.component.id;
             const auto [known, is_new] = shared_.try_emplace(id, inputs_.components.size());
@@ -119,7 +124,8 @@ private:
                 UncertaintyComponent component = deviation.component;
                 component.id = id;
                 component.origin = sensor.name + " (" + component.origin + ")";
-                component.contributor = sensor.name;
+                component.contributor = sensor.id;
+                component.contributor_name = sensor.name;
                 inputs_.add(std::move(component));
             }
             quantity.shares.push_back({known->second, factor});

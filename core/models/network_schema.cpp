@@ -1,4 +1,5 @@
 // Fields of "points from sensors".
+#include "core/assets/specification.h"
 #include "core/models/network_setup.h"
 
 namespace covaria::network {
@@ -86,7 +87,8 @@ FieldSpec scale_bars_table() {
          .kind = FieldKind::choice,
          .choices = {{"check", "check"}, {"constraint", "constraint"}},
          .help = "Check: the difference between network and calibration is a measurand. Constraint: the "
-                 "length is adjusted with the readings."}};
+                 "length is adjusted with the readings."},
+        distribution_column()};
     return table;
 }
 

@@ -45,7 +45,7 @@ public:
 
 private:
     bool add_targets(const JointSetUp& joint) {
-        if (!joint.gain.empty()) return add_part(joint, joint.first, joint.targets);
+        if (joint.together()) return add_part(joint, joint.first, joint.targets);
         for (std::size_t t = 0; t < joint.targets; ++t)
             if (!add_part(joint, joint.first + t, 1)) return false;
         return true;

@@ -84,7 +84,7 @@ private:
         }
         for (std::size_t t = 0; t < network_.targets.size(); ++t) {
             if (network_.set_ups.size() <= network_.targets[t].set_up)
-                network_.set_ups.push_back({network_.targets[t].set_up, t, 0, {}, {}});
+                network_.set_ups.push_back({network_.targets[t].set_up, t, 0, {}});
             ++network_.set_ups.back().targets;
         }
         network_.stations = network_.set_ups.size();
@@ -119,6 +119,8 @@ private:
             bar.to = target_called(to, bar.source);
             bar.name = "scale bar " + from + " – " + to;
             bar.u = setup_.cell_number("scale_bars", row, "u");
+            if (!setup_.cell_empty("scale_bars", row, "distribution"))
+                bar.distribution = setup_.cell_text("scale_bars", row, "distribution");
             bar.constrains = setup_.cell_text("scale_bars", row, "role") == "constraint";
             if (!problems_.has_errors()) take_length(bar, row);
             if (bar.constrains) check_constraint(bar);
@@ -282,26 +284,20 @@ private:
             if (sensor.source().glyph() == "camera" && v.x() <= 0.0)
                 problems_.error(sight.source[0],
                                 "target " + target.name + " is behind the camera " + sensor.name);
-            const double rho = v.head<2>().norm();
-            sight.overhead = rho < near_zenith * v.norm();
-            for (std::size_t i = 0; i < 3; ++i) take_uncertainty(target, sight, i, v);
-            if (sight.overhead) sight.u[1] *= std::max(rho, near_zenith * v.norm());
+            const LinearReading reading = sensitivity_of(network_, sight, target.nominal);
+            sight.overhead = reading.overhead;
+            for (std::size_t i = 0; i < 3; ++i)
+                if (sight.has[i]) take_uncertainty(target, sight, i, reading);
             located = located || (sight.has[1] && sight.has[2]);
         }
         target.has_linear_start = located;
     }
 
-    void take_uncertainty(Target& target, Sight& sight, std::size_t i, const Eigen::Vector3d& v) {
-        if (!sight.has[i]) return;
-        static const char* const words[] = {"distance", "azimuth", "elevation"};
-        const Sensor& sensor = network_.sensors[sight.sensor];
-        sight.u[i] = sensor.source().reading(observables[i], v).distribution.standard_uncertainty();
+    void take_uncertainty(Target& target, Sight& sight, std::size_t i, const LinearReading& reading) {
+        const SensorSource& source = network_.sensors[sight.sensor].source();
+        const Observable o = observables[i];
+        sight.u[i] = source.reading(o, reading.v).distribution.standard_uncertainty() * reading.scale(o);
         ++target.rows;
-        if (sight.u[i] > 0.0) return;
-        problems_.error(sight.source[i], std::string("the ") + words[i] + " of target " + target.name +
-                                             " by " + sensor.name +
-                                             " has no uncertainty and would have infinite weight: give the "
-                                             "instrument's figure for it");
     }
 
     const SetupReader& setup_;
@@ -320,6 +316,11 @@ Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame) 
     X.linear() = axes_3_2_1<double>(p(0), p(1), p(2), ThirdPoint::positive_y);
     X.translation() = p(0);
     return X;
+}
+
+LinearReading sensitivity_of(const NetworkSetup& setup, const Sight& sight, const Eigen::Vector3d& p) {
+    return linear_reading(setup.sensors[sight.sensor].source().station(), p,
+                          sight.has[1] ? sight.reading[1] : 0.0);
 }
 
 std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d& p) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/model/asset.h"
+#include "core/model/linear_reading.h"
 #include "core/model/setup_schema.h"
 
 namespace covaria::network {
@@ -16,6 +17,7 @@ namespace covaria::network {
 inline constexpr std::size_t most_sensors = 40;
 inline constexpr std::size_t most_rows = 3 * most_sensors;
 inline constexpr std::size_t most_joint_rows = 600;
+inline constexpr std::size_t most_shared = 16 * most_sensors;  ///< deviations that readings share
 inline constexpr std::size_t most_joint_targets = most_joint_rows / 3;
 
 enum class Estimator {
@@ -42,7 +44,9 @@ struct Sight {
     std::array<double, 3> u{};            ///< standard uncertainties for the weights, SI
     std::array<std::size_t, 3> input{};   ///< indices of the input quantities
     std::array<std::string, 3> source{};  ///< place in the set-up
-    bool overhead = false;                ///< so near to the zenith that the azimuth is read by its effect
+    /// So near to the zenith that the azimuth is read by its effect: its input quantity is then the
+    /// displacement across the azimuth `reading[1]`, which is a constant.
+    bool overhead = false;
 };
 
 struct Target {
@@ -52,6 +56,8 @@ struct Target {
     std::vector<Sight> sights;
     std::size_t rows = 0;  ///< readings
     bool has_linear_start = false;
+    /// (JᵀWJ)⁻¹ with weights of its readings alone, by rows.
+    std::array<double, 9> inverse_normal{};
 };
 
 /// Targets measured while the sensors stood where they stand, estimated together.
@@ -60,8 +66,10 @@ struct JointSetUp {
     std::size_t first = 0;  ///< target
     std::size_t targets = 0;
     std::vector<std::size_t> bars = {};  ///< scale bars that constrain its targets
-    /// (JᵀC⁻¹J)⁻¹ JᵀC⁻¹ by rows, 3 targets x (readings, then bars); empty: each target by itself.
-    std::vector<double> gain = {};
+    /// Weights W = diag(1/u) (I − A S) diag(1/u) = C⁻¹ of the readings, then the bars: 1/u; A, readings x
+    /// shared deviations, and S by rows. (JᵀWJ)⁻¹ of the targets by rows. All empty: each target by itself.
+    std::vector<double> by_u = {}, shared = {}, estimate_of_shared = {}, inverse_normal = {};
+    bool together() const { return !by_u.empty(); }
 };
 
 struct Distance {
@@ -71,12 +79,13 @@ struct Distance {
 /// A calibrated length between two targets.
 struct ScaleBar {
     std::size_t from = 0, to = 0;
-    double length = 0.0;      ///< calibrated, m; in a design that of the nominal targets
-    double u = 0.0;           ///< standard uncertainty, m
-    bool constrains = false;  ///< takes part in the estimation; else it is compared with its result
-    std::string name = {};    ///< "scale bar A – B"
-    std::string source = {};  ///< place in the set-up
-    std::size_t input = 0;    ///< index of the input quantity
+    double length = 0.0;            ///< calibrated, m; in a design that of the nominal targets
+    double u = 0.0;                 ///< standard uncertainty, m
+    std::string distribution = {};  ///< shape of its deviation
+    bool constrains = false;        ///< takes part in the estimation; else it is compared with its result
+    std::string name = {};          ///< "scale bar A – B"
+    std::string source = {};        ///< place in the set-up
+    std::size_t input = 0;          ///< index of the input quantity
 };
 
 /// At the target `at`, between the directions to `from` and `to`.
@@ -123,6 +132,9 @@ SetupSchema network_schema();
 std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const AssetLibrary& assets,
                                                Problems& problems);
 
+/// What the readings of a sight depend on, of a target at p.
+LinearReading sensitivity_of(const NetworkSetup& setup, const Sight& sight, const Eigen::Vector3d& p);
+
 /// Readings of the target at p: by Observable, in SI.
 std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d& p);
 
@@ -152,6 +164,9 @@ InputSet network_inputs(NetworkSetup& setup);
 /// Tables about the network: precision by observations alone and in total; with given readings residuals,
 /// redundancy, outliers, chi-square test.
 std::vector<DataTable> network_evaluation(const NetworkSetup& setup);
+
+/// Warns of given readings that contradict each other more than their uncertainties allow.
+void check_residuals(const NetworkSetup& setup, Problems& problems);
 
 Layout network_layout(const NetworkSetup& setup, std::span<const double> x);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/assets/adjustment.h"
 #include "core/models/network_setup.h"
 
 namespace covaria::network {
@@ -46,11 +47,15 @@ public:
 
     void make(Target& target, const std::string& path) {
         if (target.rows == 0) return refuse(target, path);
-        const Sensitivities s = sensitivities_at(setup_, target, target.nominal);
+        Sensitivities s = sensitivities_at(setup_, target, target.nominal);
+        if (!localises(s.to_point)) return refuse(target, path);
+        s.u = weighting_uncertainties(s.to_point, s.u, s.shared);
+        keep_weights(target, s.u);
         const Eigen::MatrixXd weighted = s.u.cwiseInverse().asDiagonal() * s.to_point;
-        const Eigen::VectorXd values = weighted.jacobiSvd().singularValues();
-        if (values.size() < 3 || !(values[2] > 1e-9 * values[0])) return refuse(target, path);
-        warn(target, path, 1.0 / values[2]);
+        warn(target, path, 1.0 / weighted.jacobiSvd().singularValues()[2]);
+        const Eigen::MatrixXd own =
+            least_squares_gain(s.to_point, s.u, Eigen::MatrixXd(s.u.size(), 0)) * s.u.asDiagonal();
+        Eigen::Map<Eigen::Matrix3d>(target.inverse_normal.data()) = own * own.transpose();
         find_linear_start(target, s);
         if (setup_.estimator != Estimator::nonlinear && !target.has_linear_start)
             return problems_.error(path, "target " + target.name +
@@ -80,6 +85,13 @@ private:
                               "the stations that measure target " + target.name +
                                   " lie in one plane and read distances only: its mirror image behind that "
                                   "plane fits as well; the one near the nominal coordinates is taken");
+    }
+
+    static void keep_weights(Target& target, const Eigen::VectorXd& u) {
+        Eigen::Index row = 0;
+        for (Sight& sight : target.sights)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (sight.has[i]) sight.u[i] = u[row++];
     }
 
     void find_linear_start(Target& target, const Sensitivities& s) {
@@ -117,7 +129,7 @@ void divide_large_set_ups(NetworkSetup& setup, Problems& problems) {
                                          "target is estimated from its own readings, weighted with the "
                                          "stations");
         for (std::size_t t = 0; t < joint.targets; ++t)
-            divided.push_back({joint.index, joint.first + t, 1, {}, {}});
+            divided.push_back({joint.index, joint.first + t, 1, {}});
     }
     setup.set_ups = std::move(divided);
 }
@@ -129,12 +141,30 @@ void assign_scale_bars(NetworkSetup& setup) {
                 joint.bars.push_back(b);
 }
 
-void add_gain(const NetworkSetup& setup, JointSetUp& joint) {
+void keep_rows(const Eigen::MatrixXd& M, std::vector<double>& rows) {
+    for (Eigen::Index i = 0; i < M.rows(); ++i)
+        for (Eigen::Index k = 0; k < M.cols(); ++k) rows.push_back(M(i, k));
+}
+
+/// Without those that have no uncertainty.
+Eigen::MatrixXd uncertain_columns(const Eigen::MatrixXd& shared) {
+    Eigen::MatrixXd kept(shared.rows(), shared.cols());
+    Eigen::Index column = 0;
+    for (Eigen::Index k = 0; k < shared.cols(); ++k)
+        if (shared.col(k).squaredNorm() > 0.0) kept.col(column++) = shared.col(k);
+    return kept.leftCols(column);
+}
+
+void add_weights(const NetworkSetup& setup, JointSetUp& joint) {
     const Sensitivities all = sensitivities_of(setup, joint);
-    const Eigen::MatrixXd WJ = joint_covariance(all).llt().solve(all.to_point);
-    const Eigen::MatrixXd gain = (all.to_point.transpose() * WJ).llt().solve(WJ.transpose());
-    for (Eigen::Index i = 0; i < gain.rows(); ++i)
-        for (Eigen::Index k = 0; k < gain.cols(); ++k) joint.gain.push_back(gain(i, k));
+    const Eigen::MatrixXd F = uncertain_columns(all.shared);
+    const Eigen::MatrixXd gain = least_squares_gain(all.to_point, all.u, F);
+    const Eigen::MatrixXd own = gain * all.u.asDiagonal(), shared = gain * F;
+    const Eigen::MatrixXd A = all.u.cwiseInverse().asDiagonal() * F;
+    for (const double u : all.u) joint.by_u.push_back(1.0 / u);
+    keep_rows(A, joint.shared);
+    keep_rows(estimate_of_shared(A), joint.estimate_of_shared);
+    keep_rows(own * own.transpose() + shared * shared.transpose(), joint.inverse_normal);
 }
 
 }  // namespace
@@ -164,23 +194,17 @@ Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, 
         for (std::size_t k = 0; k < sight.sensor; ++k)
             column += 6 + static_cast<Eigen::Index>(setup.sensors[k].source().systematic().size());
         const SensorSource& source = setup.sensors[sight.sensor].source();
-        const Eigen::Vector3d v = source.station().X_WS().inverse() * p;
-        const ReadingSensitivity reading =
-            reading_sensitivity(source.station(), p, sight.has[1] ? sight.reading[1] : 0.0);
-        const Eigen::Matrix<double, 3, 6> K = reading.to_station * station_factor(source);
+        const LinearReading reading = sensitivity_of(setup, sight, p);
+        const Eigen::Matrix3Xd effects = shared_effects(source, reading);
+        const std::vector<UncertaintyComponent> components = shared_components(source);
         for (std::size_t i = 0; i < 3; ++i) {
             if (!sight.has[i]) continue;
             const auto g = static_cast<Eigen::Index>(i);
             s.to_point.row(row) = reading.to_point.row(g);
-            s.shared.block<1, 6>(row, column) = K.row(g);
-            for (std::size_t k = 0; k < source.systematic().size(); ++k) {
-                const SystematicDeviation& deviation = source.systematic()[k];
-                const bool undefined = sight.overhead && observables[i] == Observable::azimuth;
-                if (!undefined)
-                    s.shared(row, column + 6 + static_cast<Eigen::Index>(k)) =
-                        deviation.effect(observables[i], v) *
-                        deviation.component.distribution.standard_uncertainty();
-            }
+            for (Eigen::Index k = 0; k < effects.cols(); ++k)
+                s.shared(row, column + k) =
+                    effects(g, k) *
+                    components[static_cast<std::size_t>(k)].distribution.standard_uncertainty();
             s.u[row++] = sight.u[i];
         }
     }
@@ -228,7 +252,7 @@ void prepare_weights(NetworkSetup& setup, Problems& problems) {
     if (setup.weights == Weights::observations_only || problems.has_errors()) return;
     assign_scale_bars(setup);
     divide_large_set_ups(setup, problems);
-    for (JointSetUp& joint : setup.set_ups) add_gain(setup, joint);
+    for (JointSetUp& joint : setup.set_ups) add_weights(setup, joint);
 }
 
 }  // namespace covaria::network

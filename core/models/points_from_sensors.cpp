@@ -116,6 +116,7 @@ std::unique_ptr<MeasurementModel> create_network_model(const SetupReader& reader
     InputSet inputs = network::network_inputs(*setup);
     if (setup->measured) locate_targets(*setup, inputs, problems);
     if (problems.has_errors()) return nullptr;
+    if (setup->measured) network::check_residuals(*setup, problems);
     return std::make_unique<PointsFromSensors>(std::move(*setup), std::move(inputs));
 }
 

@@ -1,7 +1,7 @@
 // The equations of "pose from points", once for every number type (Porath et al., Eqs 9-23, corrected).
 #pragma once
 
-#include "core/math/rotation.h"
+#include "core/math/registration.h"
 #include "core/models/pose_setup.h"
 
 namespace covaria::pose {
@@ -42,15 +42,11 @@ Frame<Real> frame_least_squares(const FrameRule& rule, const In& x, std::size_t 
         H += d * li.transpose();
         sum += d;
     }
-    const Matrix3<Real> axes =
-        axes_3_2_1<Real>(point<Real>(x, first + 3 * rule.start[0]), point<Real>(x, first + 3 * rule.start[1]),
-                         point<Real>(x, first + 3 * rule.start[2]), ThirdPoint::positive_y);
-    const Matrix3<Real> start_axes = rule.start_axes.cast<Real>();
-    Matrix3<Real> R = axes * start_axes.transpose();
-    const mask_of<Real> converged = refine_registration(H, R);
+    Matrix3<Real> R;
+    const mask_of<Real> valid = registration(H, R);
     const Vector3<Real> c = rule.centroid.cast<Real>();
     const Vector3<Real> o = q1 + sum * Real(1.0 / static_cast<double>(l.size())) - R * c;
-    return {R, o, converged};
+    return {R, o, valid};
 }
 
 template <class Real, class In>

@@ -3,6 +3,7 @@
 
 #include "core/model/equation_model.h"
 #include "core/models/pose_equations.h"
+#include "core/models/pose_fit.h"
 #include "core/models/pose_layout.h"
 
 namespace covaria {
@@ -11,8 +12,8 @@ namespace {
 
 class PoseFromPoints : public EquationModel<PoseFromPoints> {
 public:
-    PoseFromPoints(pose::PoseSetup setup, InputSet inputs)
-        : setup_(std::move(setup)), inputs_(std::move(inputs)) {
+    PoseFromPoints(pose::PoseSetup setup, InputSet inputs, std::vector<pose::FrameFit> fits)
+        : setup_(std::move(setup)), inputs_(std::move(inputs)), fits_(std::move(fits)) {
         const auto& info = rotation_convention(setup_.orientation);
         for (const pose::Pose& pose : setup_.poses) {
             for (const std::string axis : {"x", "y", "z"})
@@ -32,6 +33,7 @@ public:
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double> x) const override { return pose::pose_layout(setup_, x); }
+    std::vector<DataTable> evaluation() const override { return pose::fit_tables(fits_); }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
@@ -41,6 +43,7 @@ public:
 private:
     pose::PoseSetup setup_;
     InputSet inputs_;
+    std::vector<pose::FrameFit> fits_;
     std::vector<OutputQuantity> outputs_;
 };
 
@@ -52,7 +55,9 @@ std::unique_ptr<MeasurementModel> create_pose_model(const SetupReader& setup, co
     if (problems.has_errors()) return nullptr;
     InputSet inputs = pose::pose_inputs(*read);
     pose::warn_about(*read, inputs, problems);
-    return std::make_unique<PoseFromPoints>(std::move(*read), std::move(inputs));
+    std::vector<pose::FrameFit> fits = pose::frame_fits(*read, inputs);
+    pose::warn_of_misfits(fits, problems);
+    return std::make_unique<PoseFromPoints>(std::move(*read), std::move(inputs), std::move(fits));
 }
 
 std::vector<ModelEquation> pose_equations() {
@@ -66,7 +71,7 @@ std::vector<ModelEquation> pose_equations() {
             {"α = atan2(r₃₂, r₃₃),  β = atan2(−r₃₁, √(r₁₁² + r₂₁²)),  γ = atan2(r₂₁, r₁₁)",
              paper + "Eqs 21-23, corrected"},
             {"least squares: R maximises tr(Rᵀ Σ (q_i − q̄) l_iᵀ),  o = q̄ − R l̄",
-             "orthogonal Procrustes problem, Newton's method from the 3-2-1 frame"}};
+             "orthogonal Procrustes problem, closed form: B. K. P. Horn (1987)"}};
 }
 
 std::vector<std::string> pose_notes() {
@@ -78,8 +83,13 @@ std::vector<std::string> pose_notes() {
         "Table 3 use Z-Y-X angles, R = Rz(γ) Ry(β) Rx(α).",
         "b₃ lies at negative y of its frame (Eq 10) and p₃ at positive y of its own (Eq 14); other "
         "arrangements can be chosen.",
-        "Typed uncertainties lie along the axes of the frame that the points define and are turned into "
-        "frame 0; those of an instrument lie along and across its line of sight.",
+        "Typed uncertainties lie along the axes of the frame that the points define (those of the moving "
+        "frame "
+        "along the base's on request) and are turned into frame 0; those of an instrument lie along and "
+        "across "
+        "its line of sight.",
+        "Measured points of a least-squares frame are tested against their nominal coordinates: residuals, "
+        "redundancy, chi-square with the full covariance of the stated uncertainties.",
         "All poses of an analysis share one measurement of the base, so their results are correlated.",
         "The uncertainty of the mean of repeated measurements (a posteriori) is taken as that of one "
         "measurement, as in the paper: the systematic part does not average out.",

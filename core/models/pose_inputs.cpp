@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/assets/specification.h"
 #include "core/models/pose_equations.h"
 
 namespace covaria::pose {
@@ -20,7 +21,7 @@ struct MeasuredPoint {
     std::size_t index;  ///< in its frame
     std::size_t pose;   ///< counts from 1; 0 is the base
     Eigen::Vector3d p_0;
-    Eigen::Matrix3d axes;  ///< of the frame that it is a point of
+    Eigen::Matrix3d axes;  ///< of its uncertainties: the frame that it is a point of, or the base
 
     const NominalPoint& nominal() const { return rule->points[index]; }
     bool is_world() const {
@@ -55,7 +56,9 @@ public:
 private:
     void list_points(const FrameRule& rule, const UncertaintyRule& uncertainty,
                      const std::vector<Eigen::Vector3d>& points, std::size_t pose) {
-        const Eigen::Matrix3d axes = frame_of(rule, points).linear();
+        const bool along_base = uncertainty.along_base;
+        const Eigen::Matrix3d axes =
+            along_base ? frame_of(setup_.base, setup_.base_points).linear() : frame_of(rule, points).linear();
         const Side side = pose == 0 ? Side::base : Side::moving;
         for (std::size_t i = 0; i < points.size(); ++i)
             points_.push_back({&rule, &uncertainty, side, i, pose, points[i], axes});
@@ -99,8 +102,11 @@ private:
             const std::string whose = d.point           ? points_[measured[*d.point]].symbol()
                                       : d.owner.empty() ? rule.asset_id
                                                         : d.owner;
-            const std::size_t component =
-                component_of(d.component, whose + "." + d.id, rule.asset_name, !d.point);
+            const std::size_t before = inputs_.components.size();
+            const std::size_t component = component_of(d.component, whose + "." + d.id, rule, !d.point);
+            if (!d.estimate.empty() && component == before)
+                inputs_.rest_on_estimate((d.owner.empty() ? rule.asset_id : d.owner) + "." + d.estimate,
+                                         component);
             for (std::size_t k = 0; k < measured.size(); ++k) {
                 const MeasuredPoint& point = points_[measured[k]];
                 const Eigen::Vector3d& direction = d.directions[k];
@@ -120,10 +126,12 @@ private:
                 .id = {},
                 .name = "coordinate " + axis,
                 .unit = Unit::of("mm"),
-                .distribution = Distribution::normal(own.value_or(point.uncertainty->u[c])),
+                .distribution = distribution_of_shape(point.uncertainty->distribution,
+                                                      own.value_or(point.uncertainty->u[c])),
                 .origin = "typed"};
             const std::string id = (common ? prefix_of(point.side) : point.symbol()) + "." + axis;
-            add_shares(i, component_of(component, id, {}, common), point.axes.col(static_cast<int>(c)));
+            add_shares(i, component_of(component, id, UncertaintyRule{}, common),
+                       point.axes.col(static_cast<int>(c)));
         }
     }
 
@@ -136,10 +144,12 @@ private:
 
     /// Index of the component: a new one, or the common one that another point has made.
     std::size_t component_of(UncertaintyComponent& component, const std::string& id,
-                             const std::string& asset_name, bool common) {
+                             const UncertaintyRule& rule, bool common) {
         component.id = id;
-        if (!asset_name.empty()) component.origin = asset_name + " (" + component.origin + ")";
-        component.contributor = asset_name;
+        if (!rule.asset_id.empty()) component.origin = rule.asset_name + " (" + component.origin + ")";
+        component.contributor = rule.asset_id;
+        component.contributor_name = rule.asset_name;
+        component.local = !common;
         if (!common) return inputs_.add(std::move(component));
         const auto [known, is_new] = common_.try_emplace(id, inputs_.components.size());
         if (is_new) inputs_.add(std::move(component));

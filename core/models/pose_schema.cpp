@@ -1,4 +1,5 @@
 // The fields of "pose from points".
+#include "core/assets/specification.h"
 #include "core/models/pose_setup.h"
 
 namespace covaria::pose {
@@ -122,6 +123,10 @@ std::vector<FieldSpec> uncertainty_fields(const Words& words) {
                           .shown_if = typed,
                           .section = section});
     }
+    FieldSpec distribution =
+        distribution_field(prefix + "_distribution", "typed deviations of the points", section);
+    distribution.shown_if = typed;
+    fields.push_back(distribution);
     fields.push_back(
         {.key = prefix + "_asset",
          .title = "Artefact or instrument",
@@ -195,6 +200,20 @@ FieldSpec orientation_field() {
     return field;
 }
 
+FieldSpec uncertainty_axes_field() {
+    return {
+        .key = "moving_uncertainty_axes",
+        .title = "Uncertainties along",
+        .kind = FieldKind::choice,
+        .help =
+            "Along which axes the typed uncertainties of the moving points lie: those of the moving frame, "
+            "which turn with it, or those of the base frame, the same in all poses.",
+        .default_value = std::string("own"),
+        .choices = {{"own", "the axes of the moving frame"}, {"base", "the axes of the base frame"}},
+        .shown_if = Condition{"moving_uncertainty", {"typed"}},
+        .section = "Uncertainty: " + moving_words.section};
+}
+
 FieldSpec base_pose_field() {
     return {.key = "base_pose",
             .title = "Pose of the base in frame 0",
@@ -229,6 +248,7 @@ SetupSchema pose_schema() {
     fields.push_back(orientation_field());
     append(uncertainty_fields(base_words));
     append(uncertainty_fields(moving_words));
+    fields.push_back(uncertainty_axes_field());
     return SetupSchema(std::move(fields));
 }
 

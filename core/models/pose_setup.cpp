@@ -102,7 +102,6 @@ private:
                                       rule.points[0].name + " and " + rule.points[1].name + ": " + frame);
     }
 
-    // Local coordinates from their centroid, and the three points with the largest triangle for the start.
     void complete_least_squares(FrameRule& rule, const std::string& table) {
         std::vector<Eigen::Vector3d> positions;
         for (const NominalPoint& p : rule.points) {
@@ -114,19 +113,6 @@ private:
             return;
         }
         for (const Eigen::Vector3d& p : positions) rule.centred.push_back(p - rule.centroid);
-        double largest = 0.0;
-        const std::size_t n = positions.size();
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = i + 1; j < n; ++j)
-                for (std::size_t k = j + 1; k < n; ++k) {
-                    const double area =
-                        (positions[j] - positions[i]).cross(positions[k] - positions[i]).norm();
-                    if (area <= largest) continue;
-                    largest = area;
-                    rule.start = {i, j, k};
-                }
-        rule.start_axes = axes_3_2_1<double>(positions[rule.start[0]], positions[rule.start[1]],
-                                             positions[rule.start[2]], ThirdPoint::positive_y);
     }
 
     UncertaintyRule uncertainty_rule(Side side) {
@@ -137,6 +123,8 @@ private:
                 rule.u[i] = setup_.number(prefix + "_u_" + "xyz"[i]);
                 rule.common[i] = setup_.flag(prefix + "_common_" + "xyz"[i]);
             }
+            rule.along_base = side == Side::moving && setup_.text("moving_uncertainty_axes") == "base";
+            rule.distribution = setup_.text(prefix + "_distribution");
             return rule;
         }
         rule.asset_id = setup_.text(prefix + "_asset");

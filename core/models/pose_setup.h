@@ -30,11 +30,9 @@ struct FrameRule {
     bool least_squares = false;
     ThirdPoint third_point = ThirdPoint::positive_y;
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< s_b, s_p of Eqs 17, 18
-    // least squares: local coordinates from their centroid, and three points for the start
+    // least squares: local coordinates from their centroid
     std::vector<Eigen::Vector3d> centred;
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-    std::array<std::size_t, 3> start{0, 1, 2};
-    Eigen::Matrix3d start_axes = Eigen::Matrix3d::Identity();
 };
 
 /// Where the standard uncertainties of a frame's points come from.
@@ -43,6 +41,8 @@ struct UncertaintyRule {
     std::string asset_id, asset_name;
     std::array<double, 3> u{};
     std::array<bool, 3> common{};
+    bool along_base = false;  ///< typed ones of the moving points lie along the axes of the base frame
+    std::string distribution = {};  ///< shape of typed deviations
 };
 
 struct Pose {

@@ -19,8 +19,10 @@ public:
     InverseSolver(const SerialRobotSource& robot, const Target& target) : robot_(robot), target_(target) {
         for (const Eigen::Isometry3d& X : link_frames(robot, std::vector<double>(robot.joints().size(), 0.0)))
             reach_ = std::max(reach_, X.translation().norm());
-        reach_ = std::max(reach_, 1e-3);
+        reach_ = std::max({reach_, 1e-3, first_sliding_joint(robot) > 0 ? target.position.norm() : 0.0});
     }
+
+    double reach() const { return reach_; }
 
     InverseSolution from(std::vector<double> q) const {
         Eigen::VectorXd e = miss(q);
@@ -31,9 +33,11 @@ public:
             N.diagonal().array() += damping * damping;
             const Eigen::VectorXd dq = N.ldlt().solve(J.transpose() * e);
             std::vector<double> next = q;
-            for (std::size_t i = 0; i < q.size(); ++i)
-                next[i] = std::clamp(q[i] + dq[static_cast<Eigen::Index>(i)], robot_.joints()[i].low,
-                                     robot_.joints()[i].high);
+            for (std::size_t i = 0; i < q.size(); ++i) {
+                const RobotJoint& joint = robot_.joints()[i];
+                const double scale = joint.slides ? reach_ : 1.0;
+                next[i] = std::clamp(q[i] + scale * dq[static_cast<Eigen::Index>(i)], joint.low, joint.high);
+            }
             const Eigen::VectorXd e_next = miss(next);
             const bool better = e_next.norm() < e.norm();
             damping = better ? damping / 4.0 : damping * 3.0;
@@ -66,10 +70,12 @@ private:
         Eigen::MatrixXd J(target_.orientation ? 6 : 3, static_cast<Eigen::Index>(q.size()));
         for (std::size_t i = 0; i < q.size(); ++i) {
             const Eigen::Isometry3d& X = frames[robot_.convention() == DhConvention::craig ? i + 1 : i];
+            const bool slides = robot_.joints()[i].slides;
             const Eigen::Vector3d z = robot_.joints()[i].direction * X.linear().col(2);
             const auto column = static_cast<Eigen::Index>(i);
-            J.col(column).head<3>() = z.cross(p - X.translation()) / reach_;
-            if (target_.orientation) J.col(column).tail<3>() = z;
+            // A sliding joint moves by its share of the reach, so that all columns have the same size.
+            J.col(column).head<3>() = slides ? z : Eigen::Vector3d(z.cross(p - X.translation()) / reach_);
+            if (target_.orientation) J.col(column).tail<3>() = slides ? Eigen::Vector3d(0, 0, 0) : z;
         }
         return J;
     }
@@ -81,13 +87,14 @@ private:
 
 /// Readings of attempt k: an additive recurrence over the range of every joint (Roberts' sequence), the same
 /// at every call.
-std::vector<double> readings_of_attempt(const SerialRobotSource& robot, int k) {
+std::vector<double> readings_of_attempt(const SerialRobotSource& robot, double reach, int k) {
     std::vector<double> q;
     double share = 0.5;
     for (std::size_t i = 0; i < robot.joints().size(); ++i) {
         const RobotJoint& joint = robot.joints()[i];
-        const double low = std::max(joint.low, joint.zero - std::numbers::pi);
-        const double high = std::min(joint.high, joint.zero + std::numbers::pi);
+        const double range = joint.slides ? reach : std::numbers::pi;
+        const double low = std::max(joint.low, joint.zero - range);
+        const double high = std::min(joint.high, joint.zero + range);
         share = std::fmod(std::sqrt(double(i + 2) * 7.0) * k, 1.0);
         q.push_back(low + share * (high - low));
     }
@@ -105,6 +112,7 @@ void unwind(const SerialRobotSource& robot, const std::vector<double>& start, st
     constexpr double turn = 2.0 * std::numbers::pi;
     for (std::size_t i = 0; i < q.size(); ++i) {
         const RobotJoint& joint = robot.joints()[i];
+        if (joint.slides) continue;
         const double near = start[i] + std::remainder(q[i] - start[i], turn);
         if (near >= joint.low && near <= joint.high) q[i] = near;
     }
@@ -117,7 +125,7 @@ InverseSolution solve_inverse(const SerialRobotSource& robot, const Target& targ
     const InverseSolver solver(robot, target);
     InverseSolution best = solver.from(start);
     for (int k = 1; k <= attempts; ++k) {
-        InverseSolution found = solver.from(readings_of_attempt(robot, k));
+        InverseSolution found = solver.from(readings_of_attempt(robot, solver.reach(), k));
         if (!found.q.empty()) unwind(robot, start, found.q);
         const bool nearer = !found.q.empty() && (best.q.empty() || distance_between(found.q, start) + 1e-9 <
                                                                        distance_between(best.q, start));

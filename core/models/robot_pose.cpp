@@ -92,7 +92,7 @@ private:
     void prepare_turns(const robot::Pose& pose) {
         const auto& joints = setup_.robot().joints();
         for (std::size_t i = 0; i < joints.size(); ++i)
-            turns_.push_back(Turn<double>(joints[i].direction * (pose.q[i] - joints[i].zero)));
+            turns_.push_back(joints[i].slides ? Turn<double>() : Turn<double>(joints[i].travel(pose.q[i])));
     }
 
     template <class Real>
@@ -131,7 +131,10 @@ private:
         Matrix3<Real> R = tool.R;
         for (std::size_t i = n; i-- > 0;) {
             JointTransform<Real> joint = T[i];
-            joint.theta = joint.theta * turn_of<Real>(k, i, x);
+            if (source.joints()[i].slides)
+                joint.d = joint.d + travel_of<Real>(k, i, x);
+            else
+                joint.theta = joint.theta * turn_of<Real>(k, i, x);
             apply(source.convention(), joint, p);
             if (setup_.orientation) apply_to_axes(source.convention(), joint, R);
         }
@@ -150,11 +153,16 @@ private:
 
     /// From the zero reading to the reading of the pose.
     template <class Real>
-    Turn<Real> turn_of(std::size_t k, std::size_t i, const Inputs<Real>& x) const {
+    Real travel_of(std::size_t k, std::size_t i, const Inputs<Real>& x) const {
         const RobotJoint& joint = setup_.robot().joints()[i];
         const std::size_t input = setup_.poses[k].input[i];
-        if (input != no_input)
-            return Turn<Real>(Real(Real(joint.direction) * (Real(x[input]) - Real(joint.zero))));
+        if (input == no_input) return Real(joint.travel(setup_.poses[k].q[i]));
+        return Real(joint.direction) * (Real(x[input]) - Real(joint.zero));
+    }
+
+    template <class Real>
+    Turn<Real> turn_of(std::size_t k, std::size_t i, const Inputs<Real>& x) const {
+        if (setup_.poses[k].input[i] != no_input) return Turn<Real>(travel_of<Real>(k, i, x));
         const Turn<double>& turn = turns_[k * setup_.robot().joints().size() + i];
         return {Real(turn.c), Real(turn.s)};
     }
@@ -177,7 +185,8 @@ std::vector<ModelEquation> robot_pose_equations() {
     const std::string paper = "Wen et al., ";
     return {{"T_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i) Ry(beta_i)", paper + "Eq 5"},
             {"T_i = Rx(alpha_i) Tx(a_i) Rz(theta_i) Tz(d_i)", "J. J. Craig, as a convention to choose"},
-            {"theta_i(q) = theta_i + (q_i − q_0i)", "joint angle at a reading"},
+            {"theta_i(q) = theta_i + (q_i − q_0i),  d_i(s) = d_i + (s_i − s_0i)",
+             "joint angle at a reading; offset of a sliding joint"},
             {"T = T_1 T_2 … T_n X_tool", paper + "Eq 6"},
             {"P = f(a, alpha, d, beta, theta)", paper + "Eq 7: position, and here also orientation"}};
 }

@@ -49,7 +49,7 @@ private:
 
     std::size_t add_component(const UncertaintyComponent& own, InputQuantity& quantity) {
         if (setup_.combine && !quantity.shares.empty()) {
-            combine(own, inputs_.components[quantity.shares.front().component]);
+            combine(own, quantity.symbol, inputs_.components[quantity.shares.front().component]);
             return quantity.shares.front().component;
         }
         UncertaintyComponent component = own;
@@ -60,7 +60,8 @@ private:
     }
 
     /// Root sum of squares, with effective degrees of freedom (Welch-Satterthwaite).
-    void combine(const UncertaintyComponent& more, UncertaintyComponent& sum) const {
+    void combine(const UncertaintyComponent& more, const std::string& symbol,
+                 UncertaintyComponent& sum) const {
         const double a = sum.distribution.standard_uncertainty(),
                      b = more.distribution.standard_uncertainty();
         const double u = std::hypot(a, b);
@@ -68,7 +69,6 @@ private:
             std::pow(a, 4) / sum.degrees_of_freedom + std::pow(b, 4) / more.degrees_of_freedom;
         sum.degrees_of_freedom = welch > 0.0 ? std::pow(u, 4) / welch : infinity;
         sum.distribution = Distribution::normal(u);
-        const std::string symbol = sum.id.substr(0, sum.id.find('.'));
         sum.id = symbol + ".combined";
         sum.name = symbol + ", combined";
         sum.origin += ", " + more.origin;
@@ -99,10 +99,10 @@ private:
         for (std::size_t i = 0; i < pose.q.size(); ++i) {
             std::vector<UncertaintyComponent> components = robot_.reading(i);
             if (components.empty()) continue;
-            const std::string symbol = "q_" + std::to_string(i + 1) + "," + std::to_string(k + 1);
+            const std::string symbol = reading_symbol(robot_, i) + "," + std::to_string(k + 1);
             InputQuantity quantity{.symbol = symbol,
                                    .name = "reading of " + joint_name(i) + ", " + pose.name,
-                                   .unit = Unit::of("deg"),
+                                   .unit = robot_.joints()[i].reading_unit(),
                                    .offset = pose.q[i],
                                    .group = pose.name,
                                    .source = pose.source};

@@ -24,7 +24,13 @@ FieldSpec poses_field() {
                                  .title = "q_" + std::to_string(i),
                                  .unit = deg,
                                  .optional = true,
-                                 .help = "Reading of joint " + std::to_string(i) + "."});
+                                 .help = "Reading of joint " + std::to_string(i) + ", if it turns."});
+    for (std::size_t i = 1; i <= most_joints; ++i)
+        field.columns.push_back({.key = "s_" + std::to_string(i),
+                                 .title = "s_" + std::to_string(i),
+                                 .unit = mm,
+                                 .optional = true,
+                                 .help = "Reading of joint " + std::to_string(i) + ", if it slides."});
     return field;
 }
 

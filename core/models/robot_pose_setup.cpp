@@ -13,9 +13,10 @@ namespace covaria::robot {
 
 namespace {
 
-std::string degrees(double rad) {
+std::string reading_text(const RobotJoint& joint, double reading) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.4g°", Unit::of("deg").from_si(rad));
+    std::snprintf(text, sizeof text, joint.slides ? "%.4g mm" : "%.4g°",
+                  joint.reading_unit().from_si(reading));
     return text;
 }
 
@@ -66,9 +67,10 @@ private:
     void warn_of_limits(const Pose& pose, std::size_t i) {
         const RobotJoint& joint = read_.robot().joints()[i];
         if (pose.q[i] >= joint.low - 1e-9 && pose.q[i] <= joint.high + 1e-9) return;
-        problems_.warning(pose.source, "pose " + pose.name + ": reading " + degrees(pose.q[i]) +
+        problems_.warning(pose.source, "pose " + pose.name + ": reading " + reading_text(joint, pose.q[i]) +
                                            " of joint " + std::to_string(i + 1) + " is beyond its limits, " +
-                                           degrees(joint.low) + " to " + degrees(joint.high));
+                                           reading_text(joint, joint.low) + " to " +
+                                           reading_text(joint, joint.high));
     }
 
     void warn_of_singular_angles(const Pose& pose) {
@@ -84,17 +86,26 @@ private:
         Pose pose{.name = setup_.cell_text("poses", row, "name"),
                   .source = "/poses/rows/" + std::to_string(row)};
         const auto& joints = read_.robot().joints();
-        for (std::size_t i = 0; i < most_joints; ++i) {
-            const std::string column = "q_" + std::to_string(i + 1);
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            const std::string column = reading_symbol(read_.robot(), i);
             const bool empty = setup_.cell_empty("poses", row, column);
-            if (i < joints.size())
-                pose.q.push_back(empty ? joints[i].zero : setup_.cell_number("poses", row, column));
-            else if (!empty)
-                problems_.error(pose.source + "/" + column, read_.asset_name + " has only " +
-                                                                std::to_string(joints.size()) +
-                                                                " joints; leave " + column + " empty");
+            pose.q.push_back(empty ? joints[i].zero : setup_.cell_number("poses", row, column));
         }
+        for (std::size_t i = 0; i < most_joints; ++i)
+            for (const char* letter : {"q_", "s_"}) refuse_unused(row, letter + std::to_string(i + 1), i);
         add(std::move(pose));
+    }
+
+    void refuse_unused(std::size_t row, const std::string& column, std::size_t i) {
+        const std::size_t n = read_.robot().joints().size();
+        if (setup_.cell_empty("poses", row, column)) return;
+        if (i < n && column == reading_symbol(read_.robot(), i)) return;
+        problems_.error("/poses/rows/" + std::to_string(row) + "/" + column,
+                        i >= n ? read_.asset_name + " has only " + std::to_string(n) + " joints; leave " +
+                                     column + " empty"
+                               : "joint " + std::to_string(i + 1) + " of " + read_.asset_name +
+                                     (read_.robot().joints()[i].slides ? " slides" : " turns") +
+                                     ": its reading is " + reading_symbol(read_.robot(), i));
     }
 
     void read_target(std::size_t row) {
@@ -149,8 +160,9 @@ std::vector<DataTable> pose_evaluation(const PoseSetup& setup) {
     table.columns = {{.header = "pose"}};
     const std::size_t n = setup.robot().joints().size();
     for (std::size_t i = 0; i < n; ++i)
-        table.columns.push_back(
-            {.header = "q_" + std::to_string(i + 1), .unit = Unit::of("deg"), .is_symbol = true});
+        table.columns.push_back({.header = reading_symbol(setup.robot(), i),
+                                 .unit = setup.robot().joints()[i].reading_unit(),
+                                 .is_symbol = true});
     for (const char* axis : {"x", "y", "z"})
         table.columns.push_back({.header = axis, .unit = Unit::of("mm"), .is_symbol = true});
     for (const Pose& pose : setup.poses) {

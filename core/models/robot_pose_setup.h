@@ -18,7 +18,7 @@ inline constexpr std::size_t no_input = InputSet::npos;
 struct Pose {
     std::string name;
     std::string source;                            ///< place in the set-up
-    std::vector<double> q = {};                    ///< readings of the joints, rad
+    std::vector<double> q = {};                    ///< readings of the joints, rad or m
     std::array<std::size_t, most_joints> input{};  ///< index of each reading, or no_input: it is exact
 };
 

@@ -241,6 +241,17 @@ void read_lengths(const TcpSetup& setup, const Point& point, const In& x, Real* 
     }
 }
 
+/// All lengths by least squares, each with the weight of its own uncertainty at this point, from where the
+/// first three meet; in trials in which they do not, from where the point is at the estimates.
+template <class Real>
+void adjust_by_all(const Point& point, std::span<const Vector3<Real>> supports, const Real* lengths,
+                   const mask_of<Real>& meets, Vector3<Real>& p) {
+    using namespace real_functions;
+    for (int c = 0; c < 3; ++c) p[c] = select(meets, p[c], Real(point.p_B[c]));
+    for (int step = 0; step < multilateration_steps; ++step)
+        multilateration_step<Real>(supports, lengths, point.weights.data(), 3, p);
+}
+
 /// One trial. Inputs: lengths between supports, heights of further supports, then for every point its
 /// readings, the robot's deviation and rotation. Outputs: see OutputPlaces.
 template <class Real, class In, class Out>
@@ -260,9 +271,11 @@ mask_of<Real> procedure(const TcpSetup& setup, const In& x, Out& y) {
     for (std::size_t i = 0; i < setup.points.size(); ++i) {
         read_lengths<Real>(setup, setup.points[i], x, lengths.data());
         Vector3<Real> p;
-        valid = valid && by_three.locate(lengths.data(), side, p);
-        for (int step = 0; n > 3 && step < multilateration_steps; ++step)
-            multilateration_step<Real>({supports.data(), n}, lengths.data(), setup.weights.data(), 3, p);
+        const mask_of<Real> meets = by_three.locate(lengths.data(), side, p);
+        if (n > 3)
+            adjust_by_all<Real>(setup.points[i], {supports.data(), n}, lengths.data(), meets, p);
+        else
+            valid = valid && meets;
         for (int c = 0; c < 3; ++c) y.set(places.points + 3 * i + static_cast<std::size_t>(c), p[c]);
         q[i] = p - centre;
     }

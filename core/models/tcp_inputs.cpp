@@ -23,16 +23,21 @@ public:
     }
 
 private:
-    std::size_t add_component(UncertaintyComponent component, const std::string& id,
-                              const std::string& owner) {
+    struct Owner {
+        std::string id, name;
+    };
+    Owner instrument() const { return {setup_.instrument_id, setup_.instrument_name}; }
+
+    std::size_t add_component(UncertaintyComponent component, const std::string& id, const Owner& owner) {
         component.id = id;
-        component.origin = owner + " (" + component.origin + ")";
-        component.contributor = owner;
+        component.origin = owner.name + " (" + component.origin + ")";
+        component.contributor = owner.id;
+        component.contributor_name = owner.name;
         return inputs_.add(std::move(component));
     }
 
     void add_quantity(InputQuantity quantity, const UncertaintyComponent& component, const std::string& id,
-                      const std::string& owner) {
+                      const Owner& owner) {
         quantity.unit = component.unit;
         const auto& shares = quantity.shares;
         quantity.shares.insert(shares.begin(), {add_component(component, id, owner), 1.0});
@@ -47,8 +52,7 @@ private:
             const std::string id = setup_.instrument_id + "." + deviation.component.id;
             const auto known = shared_.find(id);
             const std::size_t component =
-                known != shared_.end() ? known->second
-                                       : add_component(deviation.component, id, setup_.instrument_name);
+                known != shared_.end() ? known->second : add_component(deviation.component, id, instrument());
             shared_[id] = component;
             shares.push_back({component, deviation.is_scale ? length : 1.0});
         }
@@ -63,7 +67,7 @@ private:
         quantity.group = "supports";
         quantity.shares = shared_of(setup_.supports.size(), length.length);
         add_quantity(std::move(quantity), length.component, setup_.instrument_id + "." + length.component.id,
-                     setup_.instrument_name);
+                     instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
     }
 
@@ -75,7 +79,7 @@ private:
         quantity.offset = height.z;
         quantity.group = "supports";
         add_quantity(std::move(quantity), height.component, setup_.instrument_id + "." + height.component.id,
-                     setup_.instrument_name);
+                     instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
     }
 
@@ -89,8 +93,7 @@ private:
         quantity.group = point.name;
         quantity.source = point.source;
         quantity.shares = shared_of(bar, length);
-        add_quantity(std::move(quantity), component, point.label + "." + component.id,
-                     setup_.instrument_name);
+        add_quantity(std::move(quantity), component, point.label + "." + component.id, instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
     }
 
@@ -115,7 +118,7 @@ private:
             quantity.group = point.name;
             quantity.source = point.source;
             add_quantity(std::move(quantity), components[c], point.label + "." + components[c].id,
-                         setup_.robot_name);
+                         {setup_.robot_id, setup_.robot_name});
         }
         return first;
     }

@@ -165,17 +165,24 @@ private:
     }
 
     void finish() {
-        for (Point& point : tcp_.points) {
-            double weight = 0.0;
-            for (std::size_t j = 0; j < tcp_.supports.size(); ++j) {
-                point.length[j] = (point.p_B - tcp_.supports[j]).norm();
-                const double u =
-                    tcp_.ballbars().reading(j, point.length[j]).distribution.standard_uncertainty();
-                weight = u > 0.0 ? 1.0 / (u * u) : 1.0;
-                tcp_.weights[j] += weight;
-            }
-        }
+        for (Point& point : tcp_.points) weigh(point);
         for (Sequence& sequence : tcp_.sequences) describe(sequence);
+    }
+
+    // 1/u² of each length as it is read at this point; no uncertainty at all counts as the limit of a small
+    // one.
+    void weigh(Point& point) const {
+        constexpr double least_share = 1e-4;
+        std::array<double, most_supports> u{};
+        double largest = 0.0;
+        for (std::size_t j = 0; j < tcp_.supports.size(); ++j) {
+            point.length[j] = (point.p_B - tcp_.supports[j]).norm();
+            u[j] = tcp_.ballbars().reading(j, point.length[j]).distribution.standard_uncertainty();
+            largest = std::max(largest, u[j]);
+        }
+        for (std::size_t j = 0; j < tcp_.supports.size(); ++j)
+            point.weights[j] =
+                largest > 0.0 ? std::pow(largest / std::max(u[j], least_share * largest), 2) : 1.0;
     }
 
     // Radius and span of the arc, and how small rotations of the flange move its points.

@@ -43,6 +43,7 @@ struct Point {
     double angle = 0.0;  ///< commanded rotation from the zero pose
     double cosine = 1.0, sine = 0.0;
     std::array<double, most_supports> length{};       ///< to the supports, at the estimates
+    std::array<double, most_supports> weights{};      ///< of them, when there are more than three
     Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();  ///< displacement by small rotations of the flange
     std::size_t reading = 0, position = 0, orientation = 0;  ///< first input quantity of each
 };
@@ -69,8 +70,7 @@ struct TcpSetup {
     bool geometric_sphere = true;
     Eigen::Isometry3d X_BF = Eigen::Isometry3d::Identity();  ///< flange at zero rotation
     Eigen::Vector3d tool_F = Eigen::Vector3d::Zero();
-    std::array<double, most_supports> weights{};  ///< of the lengths, when there are more than three
-    bool turns = false;                           ///< the robot's orientation scatters too
+    bool turns = false;  ///< the robot's orientation scatters too
 
     const BallbarSource& ballbars() const { return *instrument->ballbars(); }
     const RepeatabilitySource* repeatability() const { return robot ? robot->repeatability() : nullptr; }

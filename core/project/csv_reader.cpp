@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "core/base/utf8.h"
 
 namespace covaria {
 
@@ -11,15 +12,6 @@ namespace {
 
 Error error_at(int line, std::string message) {
     return {ErrorCode::bad_input, std::move(message), {}, {}, line};
-}
-
-bool is_utf8(std::string_view text) {
-    try {
-        static_cast<void>(nlohmann::json(text).dump());
-        return true;
-    } catch (const nlohmann::json::type_error&) {
-        return false;
-    }
 }
 
 std::string trimmed(std::string_view text) {
@@ -30,18 +22,19 @@ std::string trimmed(std::string_view text) {
 
 class CsvScanner {
 public:
-    CsvScanner(std::string_view text, char separator) : text_(text) { csv_.separator = separator; }
+    CsvScanner(std::string_view text, char separator, const TakeCsvRow& take)
+        : text_(text), separator_(separator), take_(take) {}
 
-    Result<CsvText> run() {
+    Result<void> run() {
         while (at_ < text_.size()) {
             if (skip_comment()) continue;
             CsvRow row{line_, {}};
             if (auto read = read_row(row); !read) return fail(read.error());
             const bool empty = std::all_of(row.cells.begin(), row.cells.end(),
                                            [](const std::string& cell) { return cell.empty(); });
-            if (!empty) csv_.rows.push_back(std::move(row));
+            if (!empty) take_(std::move(row));
         }
-        return std::move(csv_);
+        return {};
     }
 
 private:
@@ -61,7 +54,7 @@ private:
             row.cells.push_back(std::move(*cell));
             if (at_ >= text_.size()) return {};
             const char stop = text_[at_++];
-            if (stop == csv_.separator) continue;
+            if (stop == separator_) continue;
             ++line_;
             return {};
         }
@@ -69,12 +62,12 @@ private:
 
     // Ends at a separator, a line feed or the end of the text.
     Result<std::string> read_cell() {
-        const std::size_t begin = text_.find_first_not_of(csv_.separator == '\t' ? " " : " \t", at_);
+        const std::size_t begin = text_.find_first_not_of(separator_ == '\t' ? " " : " \t", at_);
         if (begin != std::string_view::npos && text_[begin] == '"') {
             at_ = begin;
             return read_quoted();
         }
-        const char stops[] = {csv_.separator, '\n'};
+        const char stops[] = {separator_, '\n'};
         const std::size_t end = std::min(text_.find_first_of({stops, 2}, at_), text_.size());
         std::string cell = trimmed(text_.substr(at_, end - at_));
         at_ = end;
@@ -97,7 +90,7 @@ private:
             return fail(error_at(begin_line, "the quote that begins here is not closed"));
         ++at_;
         while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\r')) ++at_;
-        if (at_ < text_.size() && text_[at_] != csv_.separator && text_[at_] != '\n')
+        if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n')
             return fail(error_at(line_,
                                  "text follows the closing quote of a cell; write a quote inside a "
                                  "quoted cell twice"));
@@ -105,13 +98,15 @@ private:
     }
 
     std::string_view text_;
-    CsvText csv_;
+    char separator_;
+    const TakeCsvRow& take_;
     std::size_t at_ = 0;
     int line_ = 1;
 };
 
-// From the first line with content; what stands in quotes does not count.
-char find_separator(std::string_view text) {
+}  // namespace
+
+char csv_separator(std::string_view text) {
     bool quoted = false, comment = false, content = false, semicolon = false;
     for (const char c : text) {
         if (c == '\n' && !quoted) {
@@ -130,14 +125,24 @@ char find_separator(std::string_view text) {
     return semicolon ? ';' : ',';
 }
 
-}  // namespace
-
-Result<CsvText> read_csv(std::string_view text, std::optional<char> separator) {
+Result<void> scan_csv(std::string_view text, char separator, const TakeCsvRow& take) {
     if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF")
         return fail(error_at(1, "the text is encoded as UTF-16; save it as UTF-8"));
     if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-    if (!is_utf8(text)) return fail(error_at(0, "the text is not encoded as UTF-8; save it as UTF-8"));
-    return CsvScanner(text, separator ? *separator : find_separator(text)).run();
+    if (const std::size_t valid = valid_utf8(text); valid < text.size()) {
+        const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(valid), '\n');
+        return fail(
+            error_at(1 + static_cast<int>(lines), "the text is not encoded as UTF-8; save it as UTF-8"));
+    }
+    return CsvScanner(text, separator, take).run();
+}
+
+Result<CsvText> read_csv(std::string_view text, std::optional<char> separator) {
+    CsvText csv;
+    csv.separator = separator ? *separator : csv_separator(text);
+    auto scanned = scan_csv(text, csv.separator, [&](CsvRow&& row) { csv.rows.push_back(std::move(row)); });
+    if (!scanned) return fail(scanned.error());
+    return csv;
 }
 
 std::optional<double> csv_number(std::string text, bool decimal_comma) {

@@ -1,6 +1,7 @@
 // Text of a CSV file (or of the clipboard) to rows of texts: RFC 4180 with comma, semicolon or tab.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,12 @@ struct CsvText {
 /// order mark is accepted. Without `separator` it is found from the first row: tab before semicolon before
 /// comma. Errors (with `line`): not UTF-8, a quote that is not closed, text after a closing quote.
 Result<CsvText> read_csv(std::string_view text, std::optional<char> separator = {});
+
+/// The separator that the first line with content suggests; what stands in quotes does not count.
+char csv_separator(std::string_view text);
+/// Row by row, for files that are not to be kept whole; errors as `read_csv`.
+using TakeCsvRow = std::function<void(CsvRow&&)>;
+Result<void> scan_csv(std::string_view text, char separator, const TakeCsvRow& take);
 
 /// A number as people write it: leading '+', the minus sign U+2212, and a decimal comma if `decimal_comma`.
 /// Empty if it is not one finite number.

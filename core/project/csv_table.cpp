@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
+#include "core/base/counted_problems.h"
+#include "core/base/file_io.h"
 #include "core/model/words.h"
-#include "core/project/file_io.h"
 #include "core/project/table_columns.h"
 
 namespace covaria {
@@ -31,19 +33,14 @@ std::string choice_key(const ColumnSpec& column, const std::string& text) {
 
 class RowsReader {
 public:
-    RowsReader(const CsvText& csv, const FieldSpec& field, std::vector<std::size_t> target, CsvTable& out)
-        : csv_(csv), field_(field), target_(std::move(target)), out_(out) {}
+    /// `decimal_comma`: numbers may have one, because another character separates the cells.
+    RowsReader(bool decimal_comma, const FieldSpec& field, std::vector<std::size_t> target, CsvTable& out)
+        : decimal_comma_(decimal_comma), field_(field), target_(std::move(target)), out_(out) {}
 
-    void read(std::size_t first_row) {
-        for (std::size_t i = first_row; i < csv_.rows.size(); ++i) read_row(csv_.rows[i]);
-    }
-
-private:
     void read_row(const CsvRow& row) {
         if (row.cells.size() != target_.size() && !only_empty_beyond(row))
-            out_.problems.add(problem_at(row.line, "this row has " + std::to_string(row.cells.size()) +
-                                                       " cells; there are " + std::to_string(target_.size()) +
-                                                       " columns"));
+            report(row.line, "this row has " + std::to_string(row.cells.size()) + " cells; there are " +
+                                 std::to_string(target_.size()) + " columns");
         std::vector<SetupCell> cells(field_.columns.size());
         for (std::size_t i = 0; i < std::min(row.cells.size(), target_.size()); ++i)
             if (target_[i] != SetupSchema::npos)
@@ -52,6 +49,7 @@ private:
         out_.lines.push_back(row.line);
     }
 
+private:
     // Spreadsheets put separators behind the last cell.
     bool only_empty_beyond(const CsvRow& row) const {
         const auto begin =
@@ -63,24 +61,33 @@ private:
     SetupCell read_cell(const ColumnSpec& column, const std::string& text, int line) {
         if (text.empty()) return {};
         if (column.kind == FieldKind::number || column.kind == FieldKind::integer) {
-            if (const auto number = csv_number(text, csv_.separator != ',')) return *number;
-            out_.problems.add(
-                problem_at(line, "column '" + column.key + "': '" + text + "' is not a number"));
+            if (const auto number = csv_number(text, decimal_comma_)) return *number;
+            report(line, "column '" + column.key + "': '" + text + "' is not a number");
             return {};
         }
         if (column.kind == FieldKind::flag) {
             if (const auto flag = csv_flag(text)) return *flag;
-            out_.problems.add(
-                problem_at(line, "column '" + column.key + "': '" + text + "' is neither true nor false"));
+            report(line, "column '" + column.key + "': '" + text + "' is neither true nor false");
             return {};
         }
         return column.kind == FieldKind::choice ? choice_key(column, text) : text;
     }
 
-    const CsvText& csv_;
+    // A file of wrong cells must not become a memory of messages: the last one counts the rest.
+    void report(int line, std::string message) {
+        if (++reported_ < most_of_a_kind)
+            out_.problems.add(problem_at(line, std::move(message)));
+        else if (reported_ == most_of_a_kind)
+            out_.problems.add(problem_at(line, counted_words(1)));
+        else
+            out_.problems.items().back().message = counted_words(reported_ - most_of_a_kind + 1);
+    }
+
+    bool decimal_comma_;
     const FieldSpec& field_;
     std::vector<std::size_t> target_;
     CsvTable& out_;
+    std::size_t reported_ = 0;
 };
 
 /// Headers with those of `renamed` replaced and those that are not read left out; `read` says which remain.
@@ -101,32 +108,61 @@ std::vector<std::string> renamed_headers(const std::vector<std::string>& headers
     return kept;
 }
 
-}  // namespace
-
-std::vector<std::string> headers_of(const CsvText& csv) {
-    std::vector<std::string> headers = csv.rows.front().cells;
+/// Cells of a row without the empty ones at its end: separators behind the last header are no columns.
+std::vector<std::string> headers_in(const CsvRow& row) {
+    std::vector<std::string> headers = row.cells;
     while (!headers.empty() && headers.back().empty()) headers.pop_back();
     return headers;
 }
 
-CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field, const CsvColumns& renamed) {
-    CsvTable out;
-    if (csv.rows.empty()) {
-        out.problems.add(problem_at(0, "there is no row with the names of the columns"));
-        return out;
+/// Takes the head, then row by row.
+class TableReader {
+public:
+    TableReader(const FieldSpec& field, const CsvColumns& renamed) : field_(field), renamed_(renamed) {}
+
+    void take(const CsvRow& row, bool decimal_comma) {
+        if (!head_read_)
+            read_head(row, decimal_comma);
+        else if (rows_)
+            rows_->read_row(row);
     }
-    Problems header_problems;
-    std::vector<std::size_t> read;  // columns of the file
-    const std::vector<std::string> headers = renamed_headers(headers_of(csv), renamed, read, header_problems);
-    const auto columns = match_columns(field, headers, header_problems);
-    for (const Problem& problem : header_problems.items())
-        out.problems.add(problem_at(csv.rows.front().line, problem.message));
-    if (!columns || header_problems.has_errors()) return out;
-    out.table.units = columns->units;
-    std::vector<std::size_t> target(headers_of(csv).size(), SetupSchema::npos);
-    for (std::size_t i = 0; i < read.size(); ++i) target[read[i]] = columns->target[i];
-    RowsReader(csv, field, std::move(target), out).read(1);
-    return out;
+    CsvTable finish() {
+        if (!head_read_) out_.problems.add(problem_at(1, "there is no row with the names of the columns"));
+        return std::move(out_);
+    }
+
+private:
+    void read_head(const CsvRow& row, bool decimal_comma) {
+        head_read_ = true;
+        Problems found;
+        std::vector<std::size_t> read;  // columns of the file
+        const std::vector<std::string> all = headers_in(row);
+        const auto columns = match_columns(field_, renamed_headers(all, renamed_, read, found), found);
+        for (const Problem& problem : found.items()) out_.problems.add(problem_at(row.line, problem.message));
+        if (!columns || found.has_errors()) return;
+        out_.table.units = columns->units;
+        std::vector<std::size_t> target(all.size(), SetupSchema::npos);
+        for (std::size_t i = 0; i < read.size(); ++i) target[read[i]] = columns->target[i];
+        rows_.emplace(decimal_comma, field_, std::move(target), out_);
+    }
+
+    const FieldSpec& field_;
+    const CsvColumns& renamed_;
+    CsvTable out_;
+    bool head_read_ = false;
+    std::optional<RowsReader> rows_;  // after a head that could be read
+};
+
+}  // namespace
+
+std::vector<std::string> headers_of(const CsvText& csv) {
+    return headers_in(csv.rows.front());
+}
+
+CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field, const CsvColumns& renamed) {
+    TableReader reader(field, renamed);
+    for (const CsvRow& row : csv.rows) reader.take(row, csv.separator != ',');
+    return reader.finish();
 }
 
 CsvTable table_from_csv_rows(const CsvText& csv, const FieldSpec& field, const std::vector<Unit>& units) {
@@ -135,7 +171,8 @@ CsvTable table_from_csv_rows(const CsvText& csv, const FieldSpec& field, const s
     std::vector<std::size_t> target;
     const std::size_t given = csv.rows.empty() ? 0 : csv.rows.front().cells.size();
     for (std::size_t i = 0; i < std::min(given, field.columns.size()); ++i) target.push_back(i);
-    RowsReader(csv, field, target, out).read(0);
+    RowsReader reader(csv.separator != ',', field, target, out);
+    for (const CsvRow& row : csv.rows) reader.read_row(row);
     return out;
 }
 
@@ -155,11 +192,12 @@ CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec&
         out.problems.add({Severity::error, {}, text.error().message, file.string(), 0});
         return out;
     }
-    const Result<CsvText> csv = read_csv(*text);
-    if (csv)
-        out = table_from_csv(*csv, field, renamed);
-    else
-        out.problems.add(problem_at(csv.error().line, csv.error().message));
+    TableReader reader(field, renamed);
+    const char separator = csv_separator(*text);
+    const auto scanned =
+        scan_csv(*text, separator, [&](CsvRow&& row) { reader.take(row, separator != ','); });
+    out = scanned ? reader.finish() : CsvTable{};
+    if (!scanned) out.problems.add(problem_at(scanned.error().line, scanned.error().message));
     for (Problem& problem : out.problems.items()) problem.file = file.string();
     return out;
 }

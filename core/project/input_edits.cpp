@@ -5,8 +5,11 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/symbol.h"
 #include "core/model/setup_schema.h"
 #include "core/model/words.h"
+#include "core/project/component_edit.h"
+#include "core/quantity/component_pairs.h"
 
 namespace covaria {
 
@@ -30,24 +33,6 @@ bool is_own(const InputSet& inputs, std::size_t component) {
                            [&](const Share& share) { return share.component == component; });
     };
     return std::count_if(inputs.quantities.begin(), inputs.quantities.end(), uses) == 1;
-}
-
-// In SI, as deviations; parameters without a unit stay (those of a lognormal distribution are of the number
-// in SI).
-std::vector<double> parameters_in_si(const ComponentEdit& edit) {
-    std::vector<double> parameters = edit.parameters;
-    const auto& kinds = distribution_kinds();
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const DistributionKindInfo& candidate) {
-        return candidate.key == edit.distribution;
-    });
-    if (kind == kinds.end()) return parameters;
-    const bool discrete = kind->parameters.empty();  // values, then probabilities
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const bool has_unit = discrete ? i < parameters.size() / 2
-                                       : i < kind->parameters.size() && kind->parameters[i].has_unit;
-        if (has_unit) parameters[i] = edit.unit.interval_to_si(parameters[i]);
-    }
-    return parameters;
 }
 
 class QuantityEdit {
@@ -92,7 +77,7 @@ private:
                                                  dimension_words(quantity_.unit) + "; the unit " +
                                                  in_quotes(edit.unit.text()) + " of " + in_quotes(name) +
                                                  " is the unit of " + dimension_words(edit.unit));
-        const auto distribution = distribution_from(edit.distribution, parameters_in_si(edit));
+        const auto distribution = distribution_of(edit);
         if (!distribution) problems_.error(place + "/parameters", what + ": " + distribution.error().message);
         UncertaintyComponent made{edit_.symbol + ".edit" + std::to_string(i + 1), name, edit.unit};
         if (distribution) made.distribution = *distribution;
@@ -107,19 +92,22 @@ private:
 
     void put_in_place(const std::vector<UncertaintyComponent>& components) {
         const std::vector<std::size_t> places = give_up_own();
-        const std::string contributor = places.empty() ? "" : inputs_.components[places[0]].contributor;
+        const UncertaintyComponent before =
+            places.empty() ? UncertaintyComponent{} : inputs_.components[places[0]];
         for (std::size_t i = 0; i < components.size(); ++i) {
             std::size_t place = i < places.size() ? places[i] : InputSet::npos;
             if (place == InputSet::npos)
                 place = inputs_.add(components[i]);
             else
                 inputs_.components[place] = components[i];
-            inputs_.components[place].contributor = contributor;
+            inputs_.components[place].contributor = before.contributor;
+            inputs_.components[place].contributor_name = before.contributor_name;
             quantity_.shares.push_back({place, 1.0});
         }
     }
 
-    // Takes the quantity's own components out of it, with their correlations; their places stay.
+    // Takes the quantity's own components out of it, with their correlations; their places stay. Components
+    // of its point go too, and stay in the other coordinates.
     std::vector<std::size_t> give_up_own() {
         std::vector<std::size_t> places;
         for (const Share& share : quantity_.shares)
@@ -127,10 +115,14 @@ private:
         const auto given_up = [&](std::size_t component) {
             return std::find(places.begin(), places.end(), component) != places.end();
         };
-        std::erase_if(quantity_.shares, [&](const Share& share) { return given_up(share.component); });
+        std::erase_if(quantity_.shares, [&](const Share& share) {
+            return given_up(share.component) || inputs_.components[share.component].local;
+        });
         std::erase_if(inputs_.correlations, [&](const ComponentCorrelation& correlation) {
             return given_up(correlation.first) || given_up(correlation.second);
         });
+        for (VarianceEstimate& estimate : inputs_.variance_estimates)
+            std::erase_if(estimate.components, given_up);
         for (const std::size_t place : places) inputs_.components[place].held = true;
         return places;
     }
@@ -165,7 +157,7 @@ void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& 
             known.insert(known.end(), ids.begin(), ids.end());
         }
         problems.error(path + "/symbol", "the model has no input quantity " + in_quotes(edit.symbol) +
-                                             did_you_mean(edit.symbol, known));
+                                             did_you_mean(plain_symbol(edit.symbol), known));
         return;
     }
     if (edit.estimate || edit.components || edit.combination)
@@ -176,32 +168,55 @@ void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& 
         inputs.components[component].held = edit.held;
 }
 
-std::size_t correlated_component(const InputSet& inputs, const std::string& id, const std::string& path,
-                                 Problems& problems) {
-    const std::size_t found = find_component(inputs, id);
-    if (found == InputSet::npos)
-        problems.error(path,
-                       "there is no component " + in_quotes(id) + did_you_mean(id, component_ids(inputs)));
-    return found;
+/// What a correlation is stated for: one component, or a quantity as a whole, which is its components by
+/// their correlation with its total deviation.
+std::vector<Share> correlated_parts(const InputSet& inputs, const std::string& name, const std::string& path,
+                                    Problems& problems) {
+    if (const std::size_t found = find_component(inputs, name); found != InputSet::npos)
+        return {{found, 1.0}};
+    if (const std::size_t found = inputs.find(name); found != InputSet::npos) {
+        std::vector<Share> parts = detail::correlations_with_total(inputs, found);
+        if (parts.empty()) problems.error(path, in_quotes(name) + " has no uncertainty to be correlated");
+        return parts;
+    }
+    std::vector<std::string> known = component_ids(inputs);
+    for (const InputQuantity& quantity : inputs.quantities) known.push_back(quantity.symbol);
+    problems.error(path, "there is no component or quantity " + in_quotes(name) + did_you_mean(name, known));
+    return {};
 }
 
-// Takes the place of a correlation that the model declares between the same two.
-void add_correlation(InputSet& inputs, const CorrelationEdit& edit, const std::string& path,
-                     Problems& problems) {
+/// Takes the place of a correlation that the model declares between the same two.
+void set_correlation(InputSet& inputs, std::size_t first, std::size_t second, double coefficient) {
+    std::erase_if(inputs.correlations, [&](const ComponentCorrelation& other) {
+        return std::minmax(other.first, other.second) == std::minmax(first, second);
+    });
+    inputs.correlations.push_back({first, second, coefficient});
+}
+
+void apply_correlation(InputSet& inputs, const CorrelationEdit& edit, const std::string& path,
+                       Problems& problems) {
     const std::size_t before = problems.items().size();
-    const std::size_t first = correlated_component(inputs, edit.first, path + "/first", problems);
-    const std::size_t second = correlated_component(inputs, edit.second, path + "/second", problems);
+    const std::vector<Share> first = correlated_parts(inputs, edit.first, path + "/first", problems);
+    const std::vector<Share> second = correlated_parts(inputs, edit.second, path + "/second", problems);
     if (problems.items().size() > before) return;
-    if (first == second)
+    if (edit.first == edit.second)
         return problems.error(path + "/second", in_quotes(edit.first) + " cannot be correlated with itself");
     if (!(std::abs(edit.coefficient) <= 1.0))
         return problems.error(path + "/coefficient",
                               "a correlation coefficient must lie between -1 and 1; it is " +
                                   readable_number(edit.coefficient));
-    std::erase_if(inputs.correlations, [&](const ComponentCorrelation& other) {
-        return std::minmax(other.first, other.second) == std::minmax(first, second);
-    });
-    inputs.correlations.push_back({first, second, edit.coefficient});
+    for (const Share& a : first)
+        for (const Share& b : second)
+            if (a.component == b.component)
+                return problems.error(path, in_quotes(edit.first) + " and " + in_quotes(edit.second) +
+                                                " have the component " +
+                                                in_quotes(inputs.components[a.component].id) +
+                                                " in common, which correlates them; state the correlation of "
+                                                "other components instead");
+    // The covariance of the totals is then the coefficient times their standard uncertainties.
+    for (const Share& a : first)
+        for (const Share& b : second)
+            set_correlation(inputs, a.component, b.component, edit.coefficient * a.factor * b.factor);
 }
 
 void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& problems) {
@@ -218,25 +233,24 @@ void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& pro
     }
 }
 
-void apply_correlations(InputSet& inputs, const AnalysisEntry& analysis, Problems& problems) {
+}  // namespace
+
+void apply_correlations(InputSet& inputs, const std::vector<CorrelationEdit>& edits, Problems& problems) {
     std::set<std::pair<std::string, std::string>> pairs;
-    for (std::size_t i = 0; i < analysis.correlations.size(); ++i) {
-        const CorrelationEdit& edit = analysis.correlations[i];
+    for (std::size_t i = 0; i < edits.size(); ++i) {
         const std::string path = "/correlations/" + std::to_string(i);
-        if (pairs.insert(std::minmax(edit.first, edit.second)).second)
-            add_correlation(inputs, edit, path, problems);
+        if (pairs.insert(std::minmax(edits[i].first, edits[i].second)).second)
+            apply_correlation(inputs, edits[i], path, problems);
         else
-            problems.error(path, "the correlation of " + in_quotes(edit.first) + " and " +
-                                     in_quotes(edit.second) + " is given twice");
+            problems.error(path, "the correlation of " + in_quotes(edits[i].first) + " and " +
+                                     in_quotes(edits[i].second) + " is given twice");
     }
 }
-
-}  // namespace
 
 InputSet apply_edits(InputSet inputs, const AnalysisEntry& analysis, Problems& problems) {
     const std::size_t before = problems.items().size();
     apply_inputs(inputs, analysis, problems);
-    apply_correlations(inputs, analysis, problems);
+    apply_correlations(inputs, analysis.correlations, problems);
     if (problems.items().size() > before) return inputs;
     if (const auto resolved = resolved_correlations(inputs); !resolved)
         problems.error(analysis.correlations.empty() ? "/setup" : "/correlations", resolved.error().message);

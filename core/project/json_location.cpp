@@ -1,6 +1,7 @@
 #include "core/project/json_location.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -123,7 +124,10 @@ private:
         if (depth > deepest) return refuse("lists and objects are nested too deeply");
         skip_space();
         if (at_end()) return refuse_end("where a value is expected");
-        found_.lines_[pointer] = line_;
+        line_at_[static_cast<std::size_t>(depth)] = line_;
+        // On the line of what is around it, it is found by that: a row's cells by their row.
+        if (depth <= 1 || line_at_[static_cast<std::size_t>(depth - 1)] != line_)
+            found_.lines_[pointer] = line_;
         if (text_[at_] == '{') return object(pointer, depth);
         if (text_[at_] == '[') return list(pointer, depth);
         if (text_[at_] == '"') return string();
@@ -149,6 +153,7 @@ private:
     std::size_t at_ = 0;
     std::size_t line_begin_ = 0;
     int line_ = 1;
+    std::array<int, deepest + 1> line_at_{};  // of the value around, by depth
     Error error_;
 };
 

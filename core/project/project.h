@@ -46,7 +46,7 @@ struct InputEdit {
 };
 
 struct CorrelationEdit {
-    std::string first, second;  ///< component ids
+    std::string first, second;  ///< ids of components, or symbols of quantities as a whole
     double coefficient = 0.0;
     bool operator==(const CorrelationEdit&) const = default;
 };

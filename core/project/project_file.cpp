@@ -2,9 +2,12 @@
 #include "core/project/project_file.h"
 
 #include <algorithm>
+#include <set>
 
+#include "core/base/counted_problems.h"
+#include "core/base/file_io.h"
+#include "core/base/guarded.h"
 #include "core/project/analysis_json.h"
-#include "core/project/file_io.h"
 #include "core/project/json_location.h"
 #include "core/project/migration.h"
 #include "core/project/project_text.h"
@@ -98,23 +101,34 @@ private:
     ReadContext context_;
 };
 
-bool lies_at_or_below(const std::string& path, const std::string& place) {
-    return path.compare(0, place.size(), place) == 0 &&
-           (path.size() == place.size() || path[place.size()] == '/');
-}
+// Places where something was not readable. What lies at, above or below them is not reported a second time.
+class UnreadPlaces {
+public:
+    explicit UnreadPlaces(const Problems& read) {
+        for (const Problem& problem : read.items())
+            if (problem.severity == Severity::error && !problem.path.empty()) places_.insert(problem.path);
+    }
+
+    bool touch(const std::string& path) const {
+        const auto below = places_.lower_bound(path + "/");
+        if (places_.contains(path) || (below != places_.end() && below->starts_with(path + "/"))) return true;
+        for (std::size_t end = path.rfind('/'); end != std::string::npos && end > 0;
+             end = path.rfind('/', end - 1))
+            if (places_.contains(path.substr(0, end))) return true;
+        return false;
+    }
+
+private:
+    std::set<std::string> places_;
+};
 
 // What was not readable (a field, a cell of it) is not reported a second time as missing.
 void add_checks(const Project& project, Problems& problems) {
     Problems checks;
     check_project(project, checks);
-    const std::vector<Problem> read = problems.items();
-    for (const Problem& found : checks.items()) {
-        const bool known = std::any_of(read.begin(), read.end(), [&](const Problem& before) {
-            return before.severity == Severity::error && !before.path.empty() &&
-                   (lies_at_or_below(found.path, before.path) || lies_at_or_below(before.path, found.path));
-        });
-        if (!known) problems.add(found);
-    }
+    const UnreadPlaces unread(problems);
+    for (const Problem& found : checks.items())
+        if (!unread.touch(found.path)) problems.add(found);
 }
 
 void locate_in_csv(Problem& problem, const std::vector<CsvOrigin>& csv) {
@@ -133,7 +147,8 @@ void locate(Problems& problems, const JsonLocations& locations, const std::vecto
         if (problem.file.empty()) locate_in_csv(problem, csv);
         if (!problem.file.empty()) continue;
         problem.file = name;
-        if (problem.line == 0) problem.line = locations.line(problem.path);
+        // What is missing in the project itself is missing in the object that begins in the first line.
+        if (problem.line == 0) problem.line = std::max(1, locations.line(problem.path));
     }
 }
 
@@ -171,14 +186,29 @@ LoadedProject parse_project(const std::string& text, const fs::path& directory, 
     loaded.project = reader.read(*document);
     add_checks(loaded.project, loaded.problems);
     locate(loaded.problems, *locations, reader.csv(), name);
+    count_beyond_a_hundred(loaded.problems);
     return loaded;
 }
 
+fs::path project_folder(const fs::path& file) {
+    std::error_code failure;
+    if (!fs::is_symlink(file, failure)) return file.parent_path();
+    const fs::path target = fs::canonical(file, failure);
+    return failure ? file.parent_path() : target.parent_path();
+}
+
 LoadedProject load_project(const fs::path& file) {
-    const Result<std::string> text = read_file(file);
-    if (text) return parse_project(*text, file.parent_path(), file.string());
+    auto read = guarded([&]() -> Result<LoadedProject> {
+        const Result<std::string> text = read_file(file);
+        if (!text) return fail(text.error());
+        remove_leftovers(file.parent_path());
+        return parse_project(*text, project_folder(file), file.string());
+    });
+    if (read && *read) return std::move(**read);
     LoadedProject loaded;
-    add_error(loaded.problems, text.error());
+    Error error = read ? read->error() : read.error();
+    error.file = file.string();
+    add_error(loaded.problems, error);
     return loaded;
 }
 

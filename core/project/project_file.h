@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/file_io.h"
 #include "core/project/project.h"
 
 namespace covaria {
@@ -24,12 +25,13 @@ LoadedProject load_project(const std::filesystem::path& file);
 LoadedProject parse_project(const std::string& text, const std::filesystem::path& directory,
                             const std::string& name);
 
+/// Where the CSV files of a project file are looked for: beside it, or beside what a link leads to.
+std::filesystem::path project_folder(const std::filesystem::path& file);
+
 /// Canonical text: loading and writing a canonical file gives the same bytes.
 std::string project_text(const Project& project);
 /// Atomic: temporary file in the same folder, flush, rename. Error{io} leaves the old file as it was.
 Result<void> save_project(const Project& project, const std::filesystem::path& file);
-/// Any text, the same way; for everything the program writes.
-Result<void> write_file_atomically(const std::filesystem::path& file, const std::string& bytes);
 
 /// 16 hexadecimal digits over everything that influences numbers (not titles and notes), CSV contents
 /// included.

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "core/base/in_quotes.h"
+#include "core/base/symbol.h"
 #include "core/model/setup_schema.h"
+#include "core/model/words.h"
 
 namespace covaria {
 
@@ -102,7 +104,10 @@ std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
             });
         if (output == outputs.end()) {
             const std::string where = typed.group.empty() ? "" : " in " + in_quotes(typed.group);
-            problems.error(path, "the model has no output quantity " + in_quotes(typed.symbol) + where);
+            std::vector<std::string> known;
+            for (const OutputQuantity& candidate : outputs) known.push_back(candidate.symbol);
+            problems.error(path, "the model has no output quantity " + in_quotes(typed.symbol) + where +
+                                     did_you_mean(plain_symbol(typed.symbol), known));
             continue;
         }
         OutputRequirement made;

@@ -14,10 +14,6 @@ namespace covaria {
 
 namespace {
 
-bool has_offset(const Unit& unit) {
-    return unit.to_si(0.0) != unit.interval_to_si(0.0);
-}
-
 class StudyCheck {
 public:
     StudyCheck(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
@@ -95,13 +91,13 @@ private:
                 problems_.error(path + "/unit", "a factor has no unit");
             else if (factor_only && (axis.from < 0 || axis.to < 0))
                 problems_.error(path + "/from", "a factor of an uncertainty must not be negative");
-            if (has_offset(target.unit))
+            if (target.unit.has_offset())
                 problems_.error(path + "/change", "a temperature in " + target.unit.text() +
                                                       " cannot be multiplied; add to it, or give its values");
             return;
         }
         if (target.kind == Kind::estimate && !inputs_) return;
-        if (axis.change == StudyChange::added && has_offset(axis.unit))
+        if (axis.change == StudyChange::added && axis.unit.has_offset())
             return problems_.error(path + "/unit", "a difference of temperatures is given in K");
         const std::string objection = unit_objection(target.title, {axis.from, axis.unit}, target.unit);
         if (!objection.empty() && std::isfinite(axis.from)) problems_.error(path + "/unit", objection);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/assets/registry.h"
+#include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
 #include "core/model/words.h"
 #include "core/models/registry.h"
@@ -25,6 +26,14 @@ namespace {
 bool took_errors(const Problems& part, const std::string& place, Problems& problems) {
     problems.take(part, place);
     return part.has_errors();
+}
+
+// What `make` returns; an exception is a problem of the set-up that it was made of.
+template <class Make>
+auto made_or_problem(const std::string& path, Problems& problems, Make&& make) {
+    auto made = guarded(make);
+    if (!made) problems.error(path, made.error().message);
+    return made ? *std::move(made) : std::invoke_result_t<Make>{};
 }
 
 // Makes every asset after those that it refers to.
@@ -51,14 +60,16 @@ private:
             problems_.error(path + "/kind", unknown_kind(entry));
         } else {
             Problems found;
-            std::shared_ptr<const Asset> asset = create(entry, *kind, found);
+            const std::shared_ptr<const Asset> asset =
+                made_or_problem("", found, [&] { return create(entry, *kind, found); });
             if (!took_errors(found, path + "/setup", problems_) && asset)
-                library_.add(entry.id, {entry.name, kind, std::move(asset)});
+                library_.add(entry.id, {entry.name, kind, asset});
         }
         states_[i] = State::done;
     }
 
-    std::unique_ptr<Asset> create(const AssetEntry& entry, const AssetDescriptor& kind, Problems& problems) {
+    std::shared_ptr<const Asset> create(const AssetEntry& entry, const AssetDescriptor& kind,
+                                        Problems& problems) {
         check_setup(kind.schema, entry.setup, problems);
         if (problems.has_errors()) return nullptr;
         for (const AssetReference& reference : references_of(kind.schema, entry.setup))
@@ -115,7 +126,9 @@ std::shared_ptr<const MeasurementModel> make_model(const Project& project, const
     check_setup(descriptor.schema, entry.setup, problems);
     check_references(project, assets, descriptor.schema, entry.setup, problems);
     if (problems.has_errors()) return nullptr;
-    auto model = descriptor.create(SetupReader(descriptor.schema, entry.setup), assets, problems);
+    auto model = made_or_problem("", problems, [&] {
+        return descriptor.create(SetupReader(descriptor.schema, entry.setup), assets, problems);
+    });
     return problems.has_errors() ? nullptr : std::shared_ptr<const MeasurementModel>(std::move(model));
 }
 
@@ -129,6 +142,15 @@ std::string forecast_trials(const MeasurementModel& model, const InputSet& input
             forecast->words() + "; the run is to end at " + std::to_string(options.maximum_trials) +
                 " trials and will not be stable then. Choose a larger tolerance or fewer digits");
     return forecast ? forecast->words() : std::string();
+}
+
+// A result without any uncertainty is no result of a measurement: nobody has stated one yet.
+void warn_without_uncertainty(const InputSet& inputs, Problems& problems) {
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i)
+        if (standard_uncertainty_of(inputs, i) > 0.0) return;
+    problems.warning("/inputs",
+                     "no input quantity has an uncertainty, so that U is 0 everywhere: state the "
+                     "uncertainties of what the analysis uses");
 }
 
 // What influences the numbers of one analysis: itself and the assets that it uses.
@@ -166,6 +188,7 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
     prepared->inputs = std::move(made.inputs);
     read_requirements(entry, prepared->model->outputs(), problems);
     if (problems.has_errors()) return nullptr;
+    warn_without_uncertainty(prepared->inputs, problems);
     prepared->forecast = forecast_trials(*prepared->model, prepared->inputs, entry.options, problems);
     prepared->id = entry.id;
     prepared->name = entry.name;
@@ -221,7 +244,9 @@ std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, const AssetL
     Problems found;
     check_setup(kind->schema, entry.setup, found);
     std::shared_ptr<const Asset> asset;
-    if (!found.has_errors()) asset = kind->create(SetupReader(kind->schema, entry.setup), assets, found);
+    if (!found.has_errors())
+        asset = made_or_problem(
+            "", found, [&] { return kind->create(SetupReader(kind->schema, entry.setup), assets, found); });
     return took_errors(found, "/setup", problems) ? nullptr : asset;
 }
 
@@ -240,7 +265,7 @@ std::shared_ptr<const PreparedAnalysis> prepare_analysis(const Project& project,
         return nullptr;
     }
     Problems found;
-    auto prepared = prepare(project, *entry, assets, found);
+    auto prepared = made_or_problem("/setup", found, [&] { return prepare(project, *entry, assets, found); });
     problems.take(found, "/analyses/" + std::to_string(entry - project.analyses.data()));
     return prepared;
 }
@@ -251,20 +276,31 @@ void check_project(const Project& project, Problems& problems) {
     const AssetLibrary assets = make_assets(project, problems);
     for (std::size_t i = 0; i < project.analyses.size(); ++i) {
         Problems found;
-        const auto prepared = prepare(project, project.analyses[i], assets, found);
-        check_studies(project, project.analyses[i], prepared ? &prepared->inputs : nullptr,
+        const AnalysisEntry& entry = project.analyses[i];
+        const auto prepared =
+            made_or_problem("/setup", found, [&] { return prepare(project, entry, assets, found); });
+        check_studies(project, entry, prepared ? &prepared->inputs : nullptr,
                       prepared ? &prepared->model->outputs() : nullptr, found);
         problems.take(found, "/analyses/" + std::to_string(i));
     }
 }
 
-Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control) {
+namespace {
+
+Result<UncertaintyResult> run_unguarded(const PreparedAnalysis& analysis, const RunControl& control) {
     auto result = evaluate(*analysis.model, analysis.inputs, analysis.options, control);
     if (!result) return result;
     result->provenance.project_fingerprint = analysis.fingerprint;
     result->provenance.covaria_version = COVARIA_VERSION;
     result->provenance.seed = analysis.options.seed;
     return result;
+}
+
+}  // namespace
+
+Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control) {
+    auto result = guarded([&] { return run_unguarded(analysis, control); });
+    return result ? *std::move(result) : fail(result.error());
 }
 
 }  // namespace covaria

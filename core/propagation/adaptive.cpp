@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/decompositions.h"
+#include "core/math/normal_quantile.h"
 #include "core/propagation/numerical_tolerance.h"
 
 namespace covaria::detail {
@@ -13,12 +15,40 @@ namespace {
 double greatest_eigenvalue(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
     const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
     const Eigen::MatrixXd correlation = correlation_of(covariance(index, index));
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(correlation, Eigen::EigenvaluesOnly)
-        .eigenvalues()
-        .maxCoeff();
+    return eigen_decomposition(correlation, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
 }  // namespace
+
+std::vector<bool> WatchedStatistics::judged() const {
+    std::vector<bool> judged;
+    bool all = true;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        judged.insert(judged.end(), {has_settling_mean(i), has_settling_uncertainty(i), true, true});
+        all = all && has_settling_uncertainty(i);
+    }
+    if (several()) judged.push_back(all);
+    for (const CoverageRegion& region : regions) {
+        bool settles = true;
+        for (std::size_t i = 0; i < outputs.size(); ++i)
+            if (std::find(region.outputs.begin(), region.outputs.end(), outputs[i]) != region.outputs.end())
+                settles = settles && has_settling_uncertainty(i);
+        judged.push_back(settles);
+    }
+    return judged;
+}
+
+std::vector<double> least_degrees_of_freedom(const InputSet& inputs, const LawOfPropagation& law) {
+    std::vector<double> of_component, least;
+    for (const UncertaintyComponent& c : inputs.components)
+        of_component.push_back(c.held ? infinity : drawn_distribution(c).degrees_of_freedom());
+    for (const std::vector<PropagationTerm>& terms : law.terms) {
+        least.push_back(infinity);
+        for (const PropagationTerm& term : terms)
+            if (term.contribution != 0.0) least.back() = std::min(least.back(), of_component[term.component]);
+    }
+    return least;
+}
 
 BatchSummariser::BatchSummariser(const WatchedStatistics& watched, const TrialSource& source,
                                  const Pilot& pilot, std::size_t kept_bytes)
@@ -113,7 +143,7 @@ bool BatchSummariser::summarise(const UnitStatistics& statistics, TrialBlockRunn
 }
 
 AdaptiveProcedure::AdaptiveProcedure(const EvaluationOptions& options, WatchedStatistics watched)
-    : options_(options), watched_(std::move(watched)) {}
+    : options_(options), watched_(std::move(watched)), judged_(watched_.judged()) {}
 
 std::uint64_t AdaptiveProcedure::batch_trials(double probability) {
     const double j = std::ceil(100.0 / (1.0 - probability) * (1.0 - 1e-12));
@@ -127,14 +157,22 @@ std::unique_ptr<BatchSummariser> AdaptiveProcedure::make_summariser(const TrialS
     return std::make_unique<BatchSummariser>(watched_, source, pilot, settings.batch_bytes);
 }
 
+/// u, or where it does not settle what the interval would be k times, were the output normal.
+double AdaptiveProcedure::watched_uncertainty(const Moments& all, std::size_t i) const {
+    if (watched_.has_settling_uncertainty(i))
+        return std::sqrt(all.variance(static_cast<Eigen::Index>(watched_.outputs[i])));
+    const std::size_t low = i * WatchedStatistics::per_output + 2;
+    return 0.5 * (mean_[low + 1] - mean_[low]) / normal_quantile(0.5 * (1.0 + watched_.probability));
+}
+
 std::vector<double> AdaptiveProcedure::tolerances(const Moments& all) const {
     std::vector<double> result;
     for (std::size_t i = 0; i < watched_.outputs.size(); ++i) {
-        const double u = std::sqrt(all.variance(static_cast<Eigen::Index>(watched_.outputs[i])));
+        const double u = watched_uncertainty(all, i);
         const double delta =
             options_.tolerance_for(watched_.units[i])
                 .value_or(numerical_tolerance(u, watched_.units[i], options_.significant_digits));
-        result.insert(result.end(), watched_.per_output(), delta);
+        result.insert(result.end(), WatchedStatistics::per_output, delta);
     }
     if (watched_.several())
         result.push_back(numerical_tolerance(greatest_eigenvalue(all.covariance(), watched_.outputs),
@@ -160,7 +198,7 @@ bool AdaptiveProcedure::stable_after(const BatchSummary& summary, const Moments&
     if (batches_ < std::max<std::uint64_t>(2, options_.minimum_batches)) return false;
     const std::vector<double> tolerance = tolerances(all);
     for (std::size_t i = 0; i < mean_.size(); ++i)
-        if (!(2.0 * std::sqrt(squares_[i] / (h * (h - 1.0))) <= tolerance[i])) return false;
+        if (judged_[i] && !(2.0 * std::sqrt(squares_[i] / (h * (h - 1.0))) <= tolerance[i])) return false;
     stabilised_ = true;
     return true;
 }

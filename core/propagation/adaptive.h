@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/propagation/coverage_regions.h"
+#include "core/propagation/first_order.h"
 #include "core/propagation/options.h"
 #include "core/propagation/unit_statistics.h"
 
@@ -24,9 +25,21 @@ struct WatchedStatistics {
     std::vector<Unit> units;              ///< of those outputs, as reported: they decide what a digit is
     std::vector<CoverageRegion> regions;  ///< that have an ellipsoid
     double probability = 0.95;
+    /// Fewest degrees of freedom of a Student t that reaches each output. With four or fewer its fourth
+    /// moment does not exist: the scatter of u between batches says nothing, however many there are. With two
+    /// or fewer there is no u, and the mean is no better. The ends of the interval remain.
+    std::vector<double> least_degrees_of_freedom;
+
     bool several() const { return outputs.size() > 1; }
-    std::size_t per_output() const { return 4; }
+    static constexpr std::size_t per_output = 4;
+    bool has_settling_mean(std::size_t i) const { return least_degrees_of_freedom[i] > 2.0; }
+    bool has_settling_uncertainty(std::size_t i) const { return least_degrees_of_freedom[i] > 4.0; }
+    /// Of the values of a BatchSummary.
+    std::vector<bool> judged() const;
 };
+
+/// Fewest degrees of freedom of the Student t distributions drawn for components that reach each output.
+std::vector<double> least_degrees_of_freedom(const InputSet& inputs, const LawOfPropagation& law);
 
 /// Makes the summaries of batches on one thread.
 class BatchSummariser {
@@ -71,10 +84,12 @@ public:
     bool stabilised() const { return stabilised_; }
 
 private:
+    double watched_uncertainty(const Moments& all, std::size_t i) const;
     std::vector<double> tolerances(const Moments& all) const;
 
     EvaluationOptions options_;
     WatchedStatistics watched_;
+    std::vector<bool> judged_;
     std::uint64_t batches_ = 0;
     std::vector<double> mean_, squares_;  ///< of the summaries (Welford)
     bool stabilised_ = false;

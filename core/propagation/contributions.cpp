@@ -17,7 +17,7 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
         b.name = c.name;
         b.origin = c.origin;
         b.unit = c.unit;
-        b.distribution = std::string(c.distribution.title());
+        b.distribution = std::string(drawn_distribution(c).title());
         b.type = c.type;
         b.standard_uncertainty = c.distribution.standard_uncertainty();
         b.degrees_of_freedom = std::min(c.degrees_of_freedom, c.distribution.degrees_of_freedom());
@@ -29,12 +29,13 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
         const InputQuantity& quantity = inputs.quantities[i];
         for (const Share& share : quantity.shares) {
             BudgetComponent& b = result[share.component];
-            if (b.quantity.empty()) {
+            if (b.quantities.empty()) {
                 b.group = quantity.group;
                 b.tags.insert(b.tags.end(), quantity.tags.begin(), quantity.tags.end());
                 b.estimate = estimate_of(inputs, i);
+                b.quantity_unit = quantity.unit;
             }
-            b.quantity += (b.quantity.empty() ? "" : ", ") + quantity.symbol;
+            b.quantities.push_back(quantity.symbol);
         }
     }
     return result;

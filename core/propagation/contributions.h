@@ -32,7 +32,7 @@ std::vector<ContributorResult> contributors_of(const InputSet& inputs, const Law
 
 /// Adds the same by Monte Carlo, from the first `trials` trials of the run's own draws. Error: cancelled.
 Result<void> add_contributor_trials(std::vector<ContributorResult>& contributors, const RunContext& context,
-                                    const InputSet& inputs, const Correlations& correlations,
-                                    std::uint64_t trials);
+                                    const InputSet& inputs, const LawOfPropagation& law,
+                                    const Correlations& correlations, std::uint64_t trials);
 
 }  // namespace covaria::detail

@@ -34,6 +34,35 @@ std::vector<bool> brought_in_by(const InputSet& inputs, const std::string& contr
     return counts;
 }
 
+struct Contributor {
+    std::string id, name;
+    std::size_t components = 0;  ///< that have an uncertainty
+};
+
+std::vector<Contributor> contributors_in(const InputSet& inputs, const LawOfPropagation& law) {
+    std::vector<Contributor> found;
+    for (std::size_t i = 0; i < inputs.components.size(); ++i) {
+        if (!(law.u(static_cast<Eigen::Index>(i)) > 0.0)) continue;
+        const UncertaintyComponent& c = inputs.components[i];
+        auto place = std::find_if(found.begin(), found.end(),
+                                  [&](const Contributor& known) { return known.id == c.contributor; });
+        if (place == found.end())
+            place = found.insert(
+                found.end(),
+                {c.contributor, c.contributor_name.empty() ? c.contributor : c.contributor_name});
+        ++place->components;
+    }
+    return found;
+}
+
+/// Two assets may have one name: their ids tell them apart.
+std::string title_of(const Contributor& contributor, const std::vector<Contributor>& all) {
+    const bool alone = std::count_if(all.begin(), all.end(), [&](const Contributor& other) {
+                           return other.name == contributor.name;
+                       }) == 1;
+    return alone ? contributor.name : contributor.name + " (" + contributor.id + ")";
+}
+
 InputSet with_held(InputSet inputs, const std::vector<bool>& counts) {
     for (std::size_t c = 0; c < counts.size(); ++c)
         inputs.components[c].held = inputs.components[c].held || !counts[c];
@@ -44,35 +73,29 @@ InputSet with_held(InputSet inputs, const std::vector<bool>& counts) {
 
 std::vector<ContributorResult> contributors_of(const InputSet& inputs, const LawOfPropagation& law,
                                                const Correlations& correlations) {
-    std::vector<ContributorResult> found;
-    for (std::size_t c = 0; c < inputs.components.size(); ++c) {
-        if (!(law.u(static_cast<Eigen::Index>(c)) > 0.0)) continue;
-        const std::string& name = inputs.components[c].contributor;
-        auto place = std::find_if(found.begin(), found.end(),
-                                  [&](const ContributorResult& known) { return known.contributor == name; });
-        if (place == found.end()) place = found.insert(found.end(), {name, 0, {}, {}});
-        ++place->components;
+    const std::vector<Contributor> contributors = contributors_in(inputs, law);
+    if (contributors.size() < 2) return {};
+    std::vector<ContributorResult> results;
+    for (const Contributor& c : contributors) {
+        ContributorResult result{title_of(c, contributors), c.components, {}, {}};
+        result.without.first_order = first_order_of(law, correlations, brought_in_by(inputs, c.id, false));
+        result.alone.first_order = first_order_of(law, correlations, brought_in_by(inputs, c.id, true));
+        results.push_back(std::move(result));
     }
-    if (found.size() < 2) return {};
-    for (ContributorResult& result : found) {
-        result.without.first_order =
-            first_order_of(law, correlations, brought_in_by(inputs, result.contributor, false));
-        result.alone.first_order =
-            first_order_of(law, correlations, brought_in_by(inputs, result.contributor, true));
-    }
-    return found;
+    return results;
 }
 
 Result<void> add_contributor_trials(std::vector<ContributorResult>& contributors, const RunContext& context,
-                                    const InputSet& inputs, const Correlations& correlations,
-                                    std::uint64_t trials) {
+                                    const InputSet& inputs, const LawOfPropagation& law,
+                                    const Correlations& correlations, std::uint64_t trials) {
+    const std::vector<Contributor> who = contributors_in(inputs, law);
     // Of two, what one gives alone is what remains without the other.
     const bool two = contributors.size() == 2;
     const std::size_t cases = two ? 2 : 2 * contributors.size();
     const WorkEnd end = run_each(cases, context.monitor, [&](std::uint64_t number) {
         const std::size_t i = number % contributors.size();
         const bool alone = number >= contributors.size();
-        const InputSet part = with_held(inputs, brought_in_by(inputs, contributors[i].contributor, alone));
+        const InputSet part = with_held(inputs, brought_in_by(inputs, who[i].id, alone));
         const DrawPlan plan(part, correlations);
         TrialSource source = context.source;
         source.plan = &plan;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/math/decompositions.h"
 #include "core/math/normal_quantile.h"
 #include "core/math/special_quantiles.h"
 #include "core/propagation/order_statistics.h"
@@ -56,7 +57,7 @@ bool is_singular(const Eigen::MatrixXd& covariance, const std::vector<std::size_
     const Eigen::MatrixXd part = part_of(covariance, outputs);
     if (!(part.diagonal().minCoeff() > 0)) return true;
     // Of the correlation matrix, because units of the outputs differ.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation_of(part), Eigen::EigenvaluesOnly);
+    const auto solver = eigen_decomposition(correlation_of(part), Eigen::EigenvaluesOnly);
     return solver.eigenvalues().minCoeff() < 1e-10 * solver.eigenvalues().maxCoeff();
 }
 
@@ -68,7 +69,7 @@ RegionDistances::RegionDistances(const std::vector<std::size_t>& outputs, const 
     const Eigen::MatrixXd part = covariance(index, index);
     inverse_u_ = part.diagonal().unaryExpr([](double v) { return v > 0 ? 1.0 / std::sqrt(v) : 0.0; });
     // U = D R D with the standard uncertainties in D: R is factored, whatever the units are.
-    const Eigen::LLT<Eigen::MatrixXd> llt(correlation_of(part));
+    const auto llt = cholesky(correlation_of(part));
     inverse_factor_ = llt.matrixL().solve(Eigen::MatrixXd(inverse_u_.asDiagonal()));
 }
 

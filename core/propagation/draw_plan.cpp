@@ -2,20 +2,17 @@
 #include "core/propagation/draw_plan.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 
+#include "core/base/guarded.h"
 #include "core/math/normal_quantile.h"
+#include "core/quantity/copula.h"
 #include "core/random/uniforms.h"
 
 namespace covaria::detail {
 namespace {
-
-std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
 
 /// `members` is sorted.
 Eigen::MatrixXd correlation_matrix(const std::vector<std::size_t>& members,
@@ -47,31 +44,23 @@ Eigen::MatrixXd correlation_factor(const Eigen::MatrixXd& correlation) {
     }
     Eigen::MatrixXd result = ldlt.transpositionsP().transpose() * factor;
     result.rowwise().normalize();
+    // Asked by its product: info() takes a rank that rounding makes unclear for a failure.
+    if (!((result * result.transpose() - correlation).cwiseAbs().maxCoeff() < 1e-6))
+        throw ImpossibleValue("matrix of correlations that cannot be factored");
     return result;
-}
-
-std::vector<std::vector<std::size_t>> correlated_sets(std::size_t components,
-                                                      const std::vector<ComponentCorrelation>& correlations) {
-    std::vector<std::size_t> parent(components);
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    for (const ComponentCorrelation& c : correlations)
-        if (c.coefficient != 0.0) parent[root_of(parent, c.second)] = root_of(parent, c.first);
-    std::vector<std::vector<std::size_t>> by_root(components);
-    for (std::size_t i = 0; i < components; ++i) by_root[root_of(parent, i)].push_back(i);
-    std::vector<std::vector<std::size_t>> sets;
-    for (auto& set : by_root)
-        if (set.size() > 1) sets.push_back(std::move(set));
-    return sets;
 }
 
 DrawPlan::DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelation>& correlations,
                    std::optional<std::size_t> only) {
     const std::size_t n = inputs.components.size();
     std::vector<ComponentDraw> draws = terms_of(inputs, only);
+    add_estimates(inputs, draws);
     std::vector<bool> grouped(n, false);
-    for (const auto& set : correlated_sets(n, correlations)) {
+    // Coefficients that cannot be are refused where inputs are checked.
+    const auto copula = copula_coefficients(inputs, correlations).value_or(correlations);
+    for (const auto& set : correlated_sets(n, copula)) {
         for (std::size_t c : set) grouped[c] = true;
-        add_group(set, draws, correlations);
+        add_group(set, draws, copula);
     }
     for (const DrawnVector& vector : vectors_of_random_direction(inputs)) {
         for (std::size_t c : vector.components) grouped[c] = true;
@@ -87,9 +76,9 @@ std::vector<ComponentDraw> DrawPlan::terms_of(const InputSet& inputs, std::optio
     std::vector<bool> random(draws.size());
     for (std::size_t c = 0; c < draws.size(); ++c) {
         const UncertaintyComponent& component = inputs.components[c];
-        draws[c] = {static_cast<std::uint32_t>(c), component.distribution, {}};
+        draws[c] = {static_cast<std::uint32_t>(c), drawn_distribution(component), {}};
         random[c] =
-            !component.held && component.distribution.standard_deviation() > 0 && (!only || *only == c);
+            !component.held && draws[c].distribution.standard_deviation() > 0 && (!only || *only == c);
     }
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
         double constant = inputs.quantities[i].offset;
@@ -104,6 +93,22 @@ std::vector<ComponentDraw> DrawPlan::terms_of(const InputSet& inputs, std::optio
     return draws;
 }
 
+void DrawPlan::add_estimates(const InputSet& inputs, std::vector<ComponentDraw>& draws) {
+    constexpr double as_good_as_known = 1e6;  // degrees of freedom: chi^2/nu is 1 within .2 %
+    for (std::size_t e = 0; e < inputs.variance_estimates.size(); ++e) {
+        double nu = infinity;
+        for (const std::size_t member : inputs.variance_estimates[e].components) {
+            const double of_member = draws[member].distribution.degrees_of_freedom();
+            if (draws[member].terms.empty() || !(of_member < as_good_as_known)) continue;
+            draws[member].estimate = estimates_.size();
+            nu = of_member;
+        }
+        if (std::isfinite(nu))
+            estimates_.push_back(
+                {static_cast<std::uint32_t>(e), Distribution::of(Gamma{0.5 * nu, 2.0 / nu})});
+    }
+}
+
 void DrawPlan::add_group(const std::vector<std::size_t>& set, const std::vector<ComponentDraw>& draws,
                          const std::vector<ComponentCorrelation>& correlations) {
     CorrelatedDraws group;
@@ -113,7 +118,13 @@ void DrawPlan::add_group(const std::vector<std::size_t>& set, const std::vector<
         group.members.push_back(draws[c]);
     }
     if (!needed) return;
-    group.factor = correlation_factor(correlation_matrix(set, correlations));
+    const Eigen::MatrixXd wanted = correlation_matrix(set, correlations);
+    const bool normal = std::all_of(set.begin(), set.end(), [&](std::size_t c) {
+        return draws[c].distribution.kind() == "normal";  // then it has been checked as it is
+    });
+    const Eigen::MatrixXd possible = normal ? wanted : nearest_correlation(wanted);
+    largest_compromise_ = std::max(largest_compromise_, (possible - wanted).cwiseAbs().maxCoeff());
+    group.factor = correlation_factor(possible);
     for (Eigen::Index k = 0; k < group.factor.cols(); ++k)
         group.addresses.push_back(static_cast<std::uint32_t>(set[static_cast<std::size_t>(k)]));
     latent_rows_ = std::max(latent_rows_, group.addresses.size());
@@ -147,6 +158,32 @@ void DrawPlan::mark_first_terms() {
         for (ComponentDraw& draw : vector.members) mark(draw);
 }
 
+void DrawPlan::draw_estimates(std::uint64_t seed, std::uint64_t first, std::size_t count,
+                              DrawWorkspace& workspace) const {
+    for (std::size_t e = 0; e < estimates_.size(); ++e) {
+        const std::span<double> divisor(workspace.latent.row(e), count);
+        uniforms(seed, DrawPurpose::variance_estimates, estimates_[e].address, first, divisor);
+        estimates_[e].ratio.quantiles(divisor, divisor);
+        for (double& d : divisor) d = std::sqrt(d);
+    }
+}
+
+void DrawPlan::realise(const ComponentDraw& component, std::span<double> p,
+                       const DrawWorkspace& workspace) const {
+    if (component.estimate == ComponentDraw::no_estimate) return component.distribution.quantiles(p, p);
+    normal_quantiles(p, p);
+    realise_scores(component, p, workspace);
+}
+
+void DrawPlan::realise_scores(const ComponentDraw& component, std::span<double> z,
+                              const DrawWorkspace& workspace) const {
+    if (component.estimate == ComponentDraw::no_estimate)
+        return component.distribution.from_standard_normal(z, z);
+    const double mean = component.distribution.mean(), scale = component.distribution.standard_uncertainty();
+    const double* divisor = workspace.latent.row(component.estimate);
+    for (std::size_t t = 0; t < z.size(); ++t) z[t] = mean + scale * z[t] / divisor[t];
+}
+
 void DrawPlan::add_terms(const ComponentDraw& component, const double* epsilon, std::size_t count,
                          TrialRows& inputs) const {
     for (const DrawTerm& term : component.terms) {
@@ -163,7 +200,7 @@ void DrawPlan::add_terms(const ComponentDraw& component, const double* epsilon, 
 void DrawPlan::draw_group(const CorrelatedDraws& group, std::uint64_t seed, std::uint64_t first,
                           std::size_t count, TrialRows& inputs, DrawWorkspace& workspace) const {
     for (std::size_t k = 0; k < group.addresses.size(); ++k) {
-        const std::span<double> normal(workspace.latent.row(k), count);
+        const std::span<double> normal(workspace.latent.row(estimates_.size() + k), count);
         uniforms(seed, DrawPurpose::trials, group.addresses[k], first, normal);
         normal_quantiles(normal, normal);
     }
@@ -174,10 +211,10 @@ void DrawPlan::draw_group(const CorrelatedDraws& group, std::uint64_t seed, std:
         for (std::size_t k = 0; k < group.addresses.size(); ++k) {
             const double f = group.factor(static_cast<Eigen::Index>(member), static_cast<Eigen::Index>(k));
             if (f == 0.0) continue;
-            const double* normal = workspace.latent.row(k);
+            const double* normal = workspace.latent.row(estimates_.size() + k);
             for (std::size_t t = 0; t < count; ++t) z[t] += f * normal[t];
         }
-        group.members[member].distribution.from_standard_normal({z, count}, {z, count});
+        realise_scores(group.members[member], {z, count}, workspace);
         add_terms(group.members[member], z, count, inputs);
     }
 }
@@ -186,24 +223,25 @@ void DrawPlan::draw_vector(const VectorDraws& vector, std::uint64_t seed, std::u
                            std::size_t count, TrialRows& inputs, DrawWorkspace& workspace) const {
     std::array<std::span<double>, 3> rows;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        double* row = workspace.latent.row(axis);
+        double* row = workspace.latent.row(estimates_.size() + axis);
         rows[axis] = {row, padded_to_lanes(count)};
         uniforms(seed, DrawPurpose::trials, vector.members[axis].address, first, {row, count});
         std::fill(row + count, row + padded_to_lanes(count), 0.5);
     }
     draw_directions(vector.length, rows);
     for (std::size_t axis = 0; axis < 3; ++axis)
-        add_terms(vector.members[axis], workspace.latent.row(axis), count, inputs);
+        add_terms(vector.members[axis], workspace.latent.row(estimates_.size() + axis), count, inputs);
 }
 
 void DrawPlan::draw(std::uint64_t seed, std::uint64_t first, std::size_t count, TrialRows& inputs,
                     DrawWorkspace& workspace) const {
     for (std::size_t i = 0; i < constant_.size(); ++i)
         if (!drawn_[i]) std::fill_n(inputs.row(i), count, constant_[i]);
+    draw_estimates(seed, first, count, workspace);
     double* epsilon = workspace.draw.row(0);
     for (const ComponentDraw& component : independent_) {
         uniforms(seed, DrawPurpose::trials, component.address, first, {epsilon, count});
-        component.distribution.quantiles({epsilon, count}, {epsilon, count});
+        realise(component, {epsilon, count}, workspace);
         add_terms(component, epsilon, count, inputs);
     }
     for (const CorrelatedDraws& group : correlated_) draw_group(group, seed, first, count, inputs, workspace);

@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/propagation/trial_rows.h"
+#include "core/quantity/component_pairs.h"
 #include "core/quantity/isotropic_vector.h"
 
 namespace covaria::detail {
@@ -22,6 +24,15 @@ struct ComponentDraw {
     std::uint32_t address = 0;  ///< index of the component in declared order
     Distribution distribution = {};
     std::vector<DrawTerm> terms = {};
+    static constexpr std::size_t no_estimate = static_cast<std::size_t>(-1);
+    /// Of variance: the plan's number. Draws are then mean + scale z / sqrt(chi^2/nu).
+    std::size_t estimate = no_estimate;
+};
+
+/// chi^2/nu of an estimate of variance: one draw a trial for all of its members.
+struct EstimateDraws {
+    std::uint32_t address = 0;  ///< index of the estimate in declared order
+    Distribution ratio = {};
 };
 
 /// Components with a Gaussian copula: z = factor * (independent standard normal draws, one per address).
@@ -40,7 +51,7 @@ struct VectorDraws {
 /// Scratch memory of one thread.
 struct DrawWorkspace {
     explicit DrawWorkspace(std::size_t latent_rows) : latent(latent_rows), draw(1) {}
-    TrialRows latent;
+    TrialRows latent;  ///< a row for each estimate of variance, then those of one group
     TrialRows draw;
 };
 
@@ -52,8 +63,11 @@ public:
     DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelation>& correlations,
              std::optional<std::size_t> only = {});
 
+    /// Largest difference between a coefficient of the copula that the distributions need and the one that is
+    /// drawn: 0 where the needed ones can all hold at once.
+    double largest_compromise() const { return largest_compromise_; }
     std::size_t quantities() const { return constant_.size(); }
-    std::size_t latent_rows() const { return latent_rows_; }
+    std::size_t latent_rows() const { return estimates_.size() + latent_rows_; }
     /// Row i of `inputs` = quantity i of trials first ... first + count - 1 (count <= block_trials). No
     /// allocation. Lanes up to the next multiple of 8 repeat the last trial.
     void draw(std::uint64_t seed, std::uint64_t first, std::size_t count, TrialRows& inputs,
@@ -62,10 +76,19 @@ public:
 private:
     /// Where each component goes; fills in the constant parts.
     std::vector<ComponentDraw> terms_of(const InputSet& inputs, std::optional<std::size_t> only);
+    /// Which components are drawn with an estimate of variance in common.
+    void add_estimates(const InputSet& inputs, std::vector<ComponentDraw>& draws);
     void add_group(const std::vector<std::size_t>& set, const std::vector<ComponentDraw>& draws,
                    const std::vector<ComponentCorrelation>& correlations);
     void add_vector(const DrawnVector& vector, const std::vector<ComponentDraw>& draws);
     void mark_first_terms();
+    void draw_estimates(std::uint64_t seed, std::uint64_t first, std::size_t count,
+                        DrawWorkspace& workspace) const;
+    /// From uniform numbers to values of an independent component, in place.
+    void realise(const ComponentDraw& component, std::span<double> p, const DrawWorkspace& workspace) const;
+    /// The same from standard normal draws.
+    void realise_scores(const ComponentDraw& component, std::span<double> z,
+                        const DrawWorkspace& workspace) const;
     void add_terms(const ComponentDraw& component, const double* epsilon, std::size_t count,
                    TrialRows& inputs) const;
     void draw_group(const CorrelatedDraws& group, std::uint64_t seed, std::uint64_t first, std::size_t count,
@@ -76,18 +99,16 @@ private:
 
     std::vector<double> constant_;  ///< offset and constant components of each quantity
     std::vector<bool> drawn_;       ///< quantity has at least one term
+    std::vector<EstimateDraws> estimates_;
     std::vector<ComponentDraw> independent_;
     std::vector<CorrelatedDraws> correlated_;
     std::vector<VectorDraws> vectors_;
-    std::size_t latent_rows_ = 0;
+    double largest_compromise_ = 0.0;
+    std::size_t latent_rows_ = 0;  ///< of the largest group
 };
 
 /// F with F F^T = R for a positive semi-definite correlation matrix; columns = rank of R, rows of unit
 /// length.
 Eigen::MatrixXd correlation_factor(const Eigen::MatrixXd& correlation);
-
-/// Components that are correlated with each other, directly or through others: sorted sets of two or more.
-std::vector<std::vector<std::size_t>> correlated_sets(std::size_t components,
-                                                      const std::vector<ComponentCorrelation>& correlations);
 
 }  // namespace covaria::detail

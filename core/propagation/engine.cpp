@@ -1,6 +1,7 @@
 // The engine put together: checks, law of propagation, Monte Carlo, and what is derived from both.
 #include "core/propagation/engine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include "core/propagation/sobol.h"
 #include "core/propagation/take_trials.h"
 #include "core/propagation/validation.h"
+#include "core/result/representation.h"
 
 namespace covaria::detail {
 namespace {
@@ -29,6 +31,12 @@ Result<void> check_options(const EvaluationOptions& options) {
 
 std::uint64_t planned_trials(const EvaluationOptions& options) {
     return options.method == Method::monte_carlo ? options.trials : 0;
+}
+
+std::string in_a_row(const std::vector<std::string>& symbols) {
+    std::string text;
+    for (const std::string& symbol : symbols) text += (text.empty() ? "" : ", ") + symbol;
+    return text;
 }
 
 /// One evaluation: what its steps share.
@@ -54,6 +62,7 @@ private:
     std::unique_ptr<AdaptiveProcedure> adaptive_procedure() const;
     void take_over(const MonteCarloRun& run, std::vector<MonteCarloOutput> outputs);
     void warn_about(const MonteCarloRun& run);
+    void warn_about_tails();
     Result<void> add_regions();
 
     const MeasurementModel& model_;
@@ -106,7 +115,7 @@ Result<void> Evaluation::add_contributions() {
     result_.contributors = contributors_of(inputs_, law_, correlations_);
     if (options_.contributor_trials == 0 || result_.contributors.empty()) return {};
     result_.contributor_trials = options_.contributor_trials;
-    return add_contributor_trials(result_.contributors, context(), inputs_, correlations_,
+    return add_contributor_trials(result_.contributors, context(), inputs_, law_, correlations_,
                                   options_.contributor_trials);
 }
 
@@ -140,7 +149,11 @@ std::unique_ptr<AdaptiveProcedure> Evaluation::adaptive_procedure() const {
         if (model_.outputs()[j].role == OutputRole::measurand) watched.outputs.push_back(j);
     for (std::size_t j = 0; watched.outputs.empty() && j < model_.outputs().size(); ++j)
         watched.outputs.push_back(j);
-    for (std::size_t j : watched.outputs) watched.units.push_back(model_.outputs()[j].unit);
+    const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
+    for (std::size_t j : watched.outputs) {
+        watched.units.push_back(model_.outputs()[j].unit);
+        watched.least_degrees_of_freedom.push_back(least[j]);
+    }
     for (const CoverageRegion& region : result_.regions) {
         const bool whole_group = watched.regions.empty() || watched.regions.back().group != region.group;
         if (whole_group && !region.singular) watched.regions.push_back(region);
@@ -176,13 +189,13 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
     result_.intervals_exact = run.exact;
     result_.convergence = run.convergence;
     result_.covariance = run.moments.covariance();
+    const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
     for (std::size_t j = 0; j < outputs.size(); ++j) {
         OutputResult& output = result_.outputs[j];
         output.first_order.validation =
             validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
                           output.quantity.unit, options_.significant_digits);
-        const double nu = smallest_degrees_of_freedom(inputs_, law_, j, output.quantity);
-        take_trials(output, std::move(outputs[j]), nu, result_);
+        take_trials(output, std::move(outputs[j]), least[j], result_);
     }
 }
 
@@ -194,6 +207,10 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
              << 100.0 * static_cast<double>(run.failed()) / static_cast<double>(run.trials)
              << " %) have no value (the measurement model cannot be evaluated there) and are not part of the "
                 "statistics.";
+        if (!represents_measurand(result_))
+            text << " The result " << does_not_represent
+                 << ": more than 1 % of the trials are lost, and they "
+                 << "are not a random choice.";
         warnings.push_back(text.str());
     }
     if (!result_.stabilised)
@@ -205,18 +222,45 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
             "Coverage intervals are interpolated in fine cells: there are too many trials to keep the values "
             "of "
             "the tails in memory.");
-    for (const UncertaintyComponent& c : inputs_.components)
-        if (!c.held && !std::isfinite(c.distribution.standard_deviation()))
-            warnings.push_back(
-                "The distribution of " + c.id +
-                " has no finite standard deviation: standard uncertainties by Monte Carlo that "
-                "depend on it are infinite; U is half the width of the coverage interval.");
+    if (source_.plan->largest_compromise() > 1e-3) {
+        std::ostringstream text;
+        text.precision(2);
+        text << "The correlations stated cannot all hold with these distributions: the nearest that can are "
+                "drawn, with coefficients that differ by up to "
+             << source_.plan->largest_compromise() << ".";
+        warnings.push_back(text.str());
+    }
+    warn_about_tails();
     for (const OutputResult& output : result_.outputs)
         if (output.quantity.periodic && output.standard_uncertainty > 1.0 &&
             output.first_order.standard_uncertainty <= 1.0)
             warnings.push_back("The angle " + output.quantity.symbol +
                                (output.quantity.group.empty() ? "" : " (" + output.quantity.group + ")") +
                                " is hardly determined: its standard uncertainty exceeds 1 rad.");
+}
+
+/// Student t inputs whose variance, or the variance of whose squares, does not exist.
+void Evaluation::warn_about_tails() {
+    const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
+    std::vector<std::string> without_u, unsettled;
+    for (std::size_t j = 0; j < least.size(); ++j) {
+        if (!(least[j] <= 4.0) || result_.outputs[j].quantity.periodic) continue;
+        std::vector<std::string>& list = least[j] <= 2.0 ? without_u : unsettled;
+        const std::string& symbol = result_.outputs[j].quantity.symbol;
+        if (std::find(list.begin(), list.end(), symbol) == list.end()) list.push_back(symbol);
+    }
+    if (!without_u.empty())
+        result_.warnings.push_back(
+            "The standard uncertainty by Monte Carlo of " + in_a_row(without_u) +
+            " does not exist, because a Student t distribution with two degrees of freedom or fewer has no "
+            "finite standard deviation: it is shown as infinite, and U is half the width of the coverage "
+            "interval.");
+    if (!unsettled.empty() && result_.adaptive)
+        result_.warnings.push_back(
+            "The standard uncertainty by Monte Carlo of " + in_a_row(unsettled) +
+            " cannot stabilise, because Student t distributions with four degrees of freedom or fewer have "
+            "no "
+            "finite fourth moment: the adaptive procedure judges by the coverage intervals; use these.");
 }
 
 Result<void> Evaluation::add_regions() {

@@ -3,26 +3,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/math/special_quantiles.h"
-#include "core/propagation/draw_plan.h"
+#include "core/quantity/effective_degrees.h"
 
 namespace covaria::detail {
 namespace {
+
+using OutputFlags = Eigen::Array<bool, Eigen::Dynamic, 1>;
+
+/// " (alpha, gamma of pose 7)": the outputs without the flag; empty if it is known of none.
+std::string named_outputs(const MeasurementModel& model, const OutputFlags& good) {
+    std::string words, group;
+    for (std::size_t j = 0; j < model.outputs().size(); ++j) {
+        if (good[static_cast<Eigen::Index>(j)]) continue;
+        const OutputQuantity& output = model.outputs()[j];
+        const bool same = !words.empty() && output.group == group;
+        if (!words.empty() && !same && !group.empty()) words += " of " + group;
+        words += (words.empty() ? "" : same ? ", " : "; ") + output.symbol;
+        group = output.group;
+    }
+    if (words.empty()) return {};
+    return " (" + words + (group.empty() ? "" : " of " + group) + ")";
+}
+
+/// Which outputs have finite sensitivity coefficients; those of which nothing is known count as such.
+OutputFlags differentiable_outputs(const MeasurementModel& model, std::span<const double> x) {
+    constexpr std::size_t affordable = 10'000'000;  // numbers in the matrix
+    OutputFlags good = OutputFlags::Constant(static_cast<Eigen::Index>(model.outputs().size()), true);
+    if (model.outputs().size() * x.size() > affordable) return good;
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(good.size(), static_cast<Eigen::Index>(x.size()));
+    model.jacobian(x, J);
+    for (Eigen::Index j = 0; j < good.size(); ++j) good[j] = J.row(j).allFinite();
+    return good;
+}
 
 Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagation& law,
                                    SensitivityRows& rows) {
     const std::span<const double> x(law.inputs.data(), static_cast<std::size_t>(law.inputs.size()));
     law.estimate.resize(static_cast<Eigen::Index>(model.outputs().size()));
     const std::span<double> y(law.estimate.data(), model.outputs().size());
+    law.estimate.setZero();
     if (!model.evaluate(x, y) || !law.estimate.allFinite())
         return fail(ErrorCode::numeric,
-                    "the measurement model has no value at the estimates of its input quantities: check the "
-                    "nominal geometry and the values entered");
+                    "the measurement model has no value at the estimates of its input quantities" +
+                        named_outputs(model, law.estimate.array().isFinite()) +
+                        ": check the nominal geometry and the values entered");
     if (!model.sensitivities(x, rows))
         return fail(ErrorCode::numeric,
                     "the measurement model has no sensitivity coefficients at the estimates of its input "
-                    "quantities: it is not differentiable there (singular geometry)");
+                    "quantities" +
+                        named_outputs(model, differentiable_outputs(model, x)) +
+                        ": it is not differentiable there (singular geometry)");
     return {};
 }
 
@@ -141,65 +174,27 @@ Eigen::MatrixXd covariance_of(const LawOfPropagation& law) {
     return covariance;
 }
 
-double degrees_of(const UncertaintyComponent& component) {
-    return std::min(component.degrees_of_freedom, component.distribution.degrees_of_freedom());
+WelchSatterthwaite rule_for(const InputSet& inputs, const Correlations& correlations) {
+    const std::vector<std::size_t> estimates = inputs.estimates_of_components();
+    std::vector<WelchSatterthwaite::Source> sources;
+    for (std::size_t c = 0; c < inputs.components.size(); ++c)
+        sources.push_back({degrees_of_freedom_of(inputs.components[c]), estimates[c]});
+    return {std::move(sources), correlations};
 }
 
-/// Terms u_k^4 / nu_k of Welch-Satterthwaite (JCGM 100 G.2b). A correlated set counts as one term with its
-/// variance; its degrees of freedom are those its members have in common, else their weighted harmonic mean.
-class WelchSatterthwaite {
-public:
-    WelchSatterthwaite(const InputSet& inputs, const Correlations& correlations)
-        : set_of_(inputs.components.size(), none) {
-        for (const auto& set : correlated_sets(inputs.components.size(), correlations)) {
-            for (const std::size_t c : set) set_of_[c] = sets_.size();
-            sets_.push_back({.correlated = true});
-        }
-        for (std::size_t c = 0; c < inputs.components.size(); ++c) {
-            degrees_.push_back(degrees_of(inputs.components[c]));
-            if (set_of_[c] != none) continue;
-            set_of_[c] = sets_.size();
-            sets_.push_back({});
-        }
+void add_degrees_of_freedom(const InputSet& inputs, const Correlations& correlations, LawOfPropagation& law) {
+    WelchSatterthwaite rule = rule_for(inputs, correlations);
+    law.degrees_of_freedom.resize(law.estimate.size());
+    std::vector<WelchSatterthwaite::Part> parts;
+    for (Eigen::Index j = 0; j < law.estimate.size(); ++j) {
+        parts.clear();
+        for (const PropagationTerm& term : law.terms[static_cast<std::size_t>(j)])
+            parts.push_back({term.component, term.contribution * term.correlated});
+        const auto effective = rule.effective(parts, law.covariance(j, j));
+        law.degrees_of_freedom(j) = effective.degrees_of_freedom;
+        law.degrees_of_freedom_approximate = law.degrees_of_freedom_approximate || effective.approximate;
     }
-
-    /// `approximate` is set when a correlated set contributes with finite degrees of freedom.
-    double effective(const std::vector<PropagationTerm>& terms, double variance, bool& approximate) {
-        if (!(variance > 0)) return infinity;
-        touched_.clear();
-        for (const PropagationTerm& term : terms) {
-            const double part = term.contribution * term.correlated;
-            Set& set = sets_[set_of_[term.component]];
-            if (!set.touched) touched_.push_back(set_of_[term.component]);
-            set.touched = true;
-            set.variance += part;
-            set.weight += std::abs(part);
-            set.weighted += std::abs(part) / degrees_[term.component];
-        }
-        double sum = 0.0;
-        for (const std::size_t index : touched_) {
-            Set& set = sets_[index];
-            if (set.weighted > 0) {
-                approximate = approximate || set.correlated;
-                const double relative = set.variance / variance;
-                sum += relative * relative * set.weighted / set.weight;
-            }
-            set = {.correlated = set.correlated};
-        }
-        return sum > 0 ? 1.0 / sum : infinity;
-    }
-
-private:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
-    struct Set {
-        bool correlated = false, touched = false;
-        double variance = 0.0, weight = 0.0, weighted = 0.0;
-    };
-    std::vector<std::size_t> set_of_;
-    std::vector<Set> sets_;
-    std::vector<std::size_t> touched_;
-    std::vector<double> degrees_;
-};
+}
 
 }  // namespace
 
@@ -236,11 +231,7 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
     for (const std::vector<Sensitivity>& row : rows) law.terms.push_back(maker.make(row));
     law.covariance = covariance_of(law);
 
-    WelchSatterthwaite rule(inputs, correlations);
-    law.degrees_of_freedom.resize(law.estimate.size());
-    for (Eigen::Index j = 0; j < law.estimate.size(); ++j)
-        law.degrees_of_freedom(j) = rule.effective(law.terms[static_cast<std::size_t>(j)],
-                                                   law.covariance(j, j), law.degrees_of_freedom_approximate);
+    add_degrees_of_freedom(inputs, correlations, law);
     return law;
 }
 

@@ -29,7 +29,7 @@ struct LawOfPropagation {
     std::vector<std::vector<PropagationTerm>> terms;
     Eigen::MatrixXd covariance;  ///< U_y = (c u) R (c u)^T
     Eigen::VectorXd degrees_of_freedom;
-    bool degrees_of_freedom_approximate = false;  ///< correlated components with finite degrees of freedom
+    bool degrees_of_freedom_approximate = false;  ///< see WelchSatterthwaite
 
     double uncertainty(Eigen::Index j) const;
 };

@@ -12,6 +12,11 @@ Result<void> check_component(const UncertaintyComponent& component, const std::s
         return fail(ErrorCode::bad_input,
                     "the degrees of freedom of " + component.id + " must be greater than zero",
                     path + "/degrees_of_freedom");
+    const bool normal = component.distribution.kind() == "normal";
+    if (normal && !Distribution::make(StudentT{0.0, 1.0, component.degrees_of_freedom}))
+        return fail(ErrorCode::bad_input,
+                    "the degrees of freedom of " + component.id + " are too few: there must be at least 0.2",
+                    path + "/degrees_of_freedom");
     if (!std::isfinite(component.distribution.mean()) ||
         !std::isfinite(component.distribution.standard_uncertainty()))
         return fail(ErrorCode::bad_input,

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/propagation/parallel_blocks.h"
-#include "core/quantity/isotropic_vector.h"
+#include "core/quantity/component_pairs.h"
 
 namespace covaria::detail {
 namespace {
@@ -21,9 +21,7 @@ std::string joined_ids(const InputSet& inputs, const std::vector<std::size_t>& c
 }
 
 std::vector<std::vector<std::size_t>> joint_sets(const InputSet& inputs, const Correlations& correlations) {
-    auto sets = correlated_sets(inputs.components.size(), correlations);
-    for (const DrawnVector& vector : vectors_of_random_direction(inputs))
-        sets.emplace_back(vector.components.begin(), vector.components.end());
+    auto sets = dependent_sets(inputs, correlations);
     std::vector<bool> known(inputs.components.size(), false);
     for (const auto& set : sets)
         for (const std::size_t c : set) known[c] = true;
@@ -84,29 +82,41 @@ private:
     std::vector<std::uint8_t> flags_;
 };
 
-/// Sums over the trials of one output.
-struct Sums {
-    double n = 0, a = 0, b = 0, aa = 0, bb = 0, first = 0, first_squares = 0, total = 0, total_squares = 0;
-
+/// Sums over the trials of one output: what the indices are means of, and its square, trial by trial.
+class Sums {
+public:
+    /// y of trial a, of trial b, of trial a with the factor of b; about the estimate.
     void add(double y_a, double y_b, double y_ab) {
-        const double f = y_b * (y_ab - y_a), t = 0.5 * (y_a - y_ab) * (y_a - y_ab);
-        n += 1.0, a += y_a, b += y_b, aa += y_a * y_a, bb += y_b * y_b;
-        first += f, first_squares += f * f, total += t, total_squares += t * t;
+        const Eigen::Vector4d terms(y_b * (y_ab - y_a), 0.5 * (y_a - y_ab) * (y_a - y_ab),
+                                    0.5 * (y_a * y_a + y_b * y_b), 0.5 * (y_a + y_b));
+        n_ += 1.0;
+        sum_ += terms;
+        products_ += terms * terms.transpose();
     }
 
-    SobolIndex index(const std::string& name) const {
-        SobolIndex made{name};
-        const double variance = 0.5 * (aa + bb) / n - std::pow(0.5 * (a + b) / n, 2);
-        if (!(n > 1.0) || !(variance > 0.0)) return made;
-        const auto error = [&](double sum, double squares) {
-            return std::sqrt(std::max(0.0, squares / n - (sum / n) * (sum / n)) / n) / variance;
+    SobolIndex index(const SobolFactor& factor) const {
+        SobolIndex made{factor.name, factor.components};
+        const Eigen::Vector4d mean = sum_ / n_;
+        const double variance = mean[2] - mean[3] * mean[3];
+        if (!(n_ > 1.0) || !(variance > 0.0)) return made;
+        const Eigen::Matrix4d covariance = products_ / n_ - mean * mean.transpose();
+        // An index is a ratio, and its denominator is estimated from the same trials.
+        const auto error = [&](int numerator, double value) {
+            Eigen::Vector4d slope(0.0, 0.0, -value, 2.0 * value * mean[3]);
+            slope[numerator] = 1.0;
+            return std::sqrt(std::max(0.0, slope.dot(covariance * slope)) / n_) / variance;
         };
-        made.first = first / n / variance;
-        made.total = total / n / variance;
-        made.first_standard_error = error(first, first_squares);
-        made.total_standard_error = error(total, total_squares);
+        made.first = mean[0] / variance;
+        made.total = mean[1] / variance;
+        made.first_standard_error = error(0, made.first);
+        made.total_standard_error = error(1, made.total);
         return made;
     }
+
+private:
+    double n_ = 0.0;
+    Eigen::Vector4d sum_ = Eigen::Vector4d::Zero();  ///< first, total, mean square, mean
+    Eigen::Matrix4d products_ = Eigen::Matrix4d::Zero();
 };
 
 /// One factor: trials a, trials b, and trials a with the factor of b.
@@ -196,7 +206,7 @@ Result<std::vector<std::vector<SobolIndex>>> sobol_indices(const RunContext& con
                       static_cast<std::size_t>(std::min<std::uint64_t>(block_trials, trials - first)));
             if (!context.monitor.advance(0)) return;
         }
-        for (std::size_t j = 0; j < outputs; ++j) indices[j][f] = run.sums()[j].index(factors[f].name);
+        for (std::size_t j = 0; j < outputs; ++j) indices[j][f] = run.sums()[j].index(factors[f]);
     });
     if (end == WorkEnd::cancelled || context.monitor.stopped())
         return fail(ErrorCode::cancelled, "the evaluation was stopped");

@@ -9,9 +9,12 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/math/decompositions.h"
+#include "core/quantity/copula.h"
 #include "core/quantity/isotropic_vector.h"
 
 namespace covaria {
@@ -43,21 +46,10 @@ double coefficient_of_signs(double a, double b) {
     return (a < 0.0) == (b < 0.0) ? 1.0 : -1.0;
 }
 
-/// Components as sets of connected ones.
-class Groups {
-public:
-    explicit Groups(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    }
-    std::size_t root(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
-private:
-    std::vector<std::size_t> parent_;
-};
+std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
 
 tl::unexpected<Error> contradiction(const InputSet& inputs, const Pair& pair) {
     return fail(ErrorCode::bad_input,
@@ -122,8 +114,7 @@ std::optional<Error> group_problem(const InputSet& inputs, const std::vector<std
             const auto known = coefficients.find(pair);
             if (known != coefficients.end()) matrix(i, j) = matrix(j, i) = known->second;
         }
-    const double smallest =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    const double smallest = eigen_decomposition(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
     if (smallest >= smallest_eigenvalue_allowed) return std::nullopt;
     std::ostringstream message;
     message << "the correlations of the components ";
@@ -149,6 +140,33 @@ std::optional<Error> vector_problem(const InputSet& inputs, const Coefficients& 
     return std::nullopt;
 }
 
+bool may_share(const UncertaintyComponent& component) {
+    const std::string_view kind = component.distribution.kind();
+    return (kind == "normal" || kind == "student-t") && std::isfinite(degrees_of_freedom_of(component));
+}
+
+/// Error if components that rest on one estimate of variance are not what such components can be.
+std::optional<Error> estimate_problem(const InputSet& inputs) {
+    std::vector<bool> known(inputs.components.size(), false);
+    for (const VarianceEstimate& estimate : inputs.variance_estimates)
+        for (const std::size_t member : estimate.components) {
+            if (member >= inputs.components.size() || known[member])
+                return Error{ErrorCode::bad_input, "the estimate of variance \"" + estimate.id +
+                                                       "\" has component number " + std::to_string(member) +
+                                                       ", which does not exist or rests on two estimates."};
+            known[member] = true;
+            const double nu = degrees_of_freedom_of(inputs.components[estimate.components.front()]);
+            if (!may_share(inputs.components[member]) ||
+                degrees_of_freedom_of(inputs.components[member]) != nu)
+                return Error{ErrorCode::bad_input,
+                             "the component " + quoted(inputs, member) +
+                                 " rests on the estimate of variance \"" + estimate.id +
+                                 "\" with others: it needs a normal or Student t distribution and their "
+                                 "finite degrees of freedom."};
+        }
+    return std::nullopt;
+}
+
 }  // namespace
 
 double detail::correlation_between(const InputSet& inputs, std::size_t first, std::size_t second) {
@@ -163,23 +181,44 @@ double detail::correlation_between(const InputSet& inputs, std::size_t first, st
     return 0.0;
 }
 
+std::vector<std::vector<std::size_t>> detail::correlated_sets(
+    std::size_t components, const std::vector<ComponentCorrelation>& correlations) {
+    std::vector<std::size_t> parent(components);
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    for (const ComponentCorrelation& c : correlations)
+        if (c.coefficient != 0.0) parent[root_of(parent, c.second)] = root_of(parent, c.first);
+    std::vector<std::vector<std::size_t>> by_root(components);
+    for (std::size_t i = 0; i < components; ++i) by_root[root_of(parent, i)].push_back(i);
+    std::vector<std::vector<std::size_t>> sets;
+    for (auto& set : by_root)
+        if (set.size() > 1) sets.push_back(std::move(set));
+    return sets;
+}
+
+std::vector<std::vector<std::size_t>> detail::dependent_sets(
+    const InputSet& inputs, const std::vector<ComponentCorrelation>& correlations) {
+    std::vector<ComponentCorrelation> links = correlations;
+    const auto link = [&links](const auto& members) {
+        for (std::size_t k = 1; k < members.size(); ++k) links.push_back({members[k - 1], members[k], 1.0});
+    };
+    for (const VarianceEstimate& estimate : inputs.variance_estimates) link(estimate.components);
+    for (const DrawnVector& vector : vectors_of_random_direction(inputs)) link(vector.components);
+    return correlated_sets(inputs.components.size(), links);
+}
+
 Result<std::vector<ComponentCorrelation>> resolved_correlations(const InputSet& inputs) {
     const Result<Coefficients> coefficients =
         declared(inputs).and_then([&](const Coefficients& c) { return with_arithmetic(inputs, c); });
     if (!coefficients) return fail(coefficients.error());
     if (std::optional<Error> problem = vector_problem(inputs, *coefficients)) return fail(*problem);
-    Groups groups(inputs.components.size());
+    if (std::optional<Error> problem = estimate_problem(inputs)) return fail(*problem);
     std::vector<ComponentCorrelation> resolved;
-    for (const auto& [pair, coefficient] : *coefficients) {
-        groups.join(pair.first, pair.second);
+    for (const auto& [pair, coefficient] : *coefficients)
         resolved.push_back({pair.first, pair.second, coefficient});
-    }
-    std::map<std::size_t, std::vector<std::size_t>> members;
-    for (std::size_t i = 0; i < inputs.components.size(); ++i) members[groups.root(i)].push_back(i);
-    for (const auto& [root, group] : members) {
-        if (group.size() < 2) continue;
+    for (const auto& group : detail::correlated_sets(inputs.components.size(), resolved))
         if (std::optional<Error> problem = group_problem(inputs, group, *coefficients)) return fail(*problem);
-    }
+    if (const auto possible = detail::copula_coefficients(inputs, resolved); !possible)
+        return fail(possible.error());
     return resolved;
 }
 

@@ -1,7 +1,8 @@
-// Correlation coefficients of pairs of components, declared or implied by arithmetic combination.
+// Which components belong together: correlation coefficients of pairs, sets of dependent components.
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "core/quantity/input_quantity.h"
 
@@ -9,5 +10,18 @@ namespace covaria::detail {
 
 /// Coefficient of two different components: declared, +-1 where an arithmetic quantity has both, else 0.
 double correlation_between(const InputSet& inputs, std::size_t first, std::size_t second);
+
+/// Components of a quantity with their correlation coefficients with its total deviation: 1 for a single one,
+/// u_j/u for independent ones. Held components are left out.
+std::vector<Share> correlations_with_total(const InputSet& inputs, std::size_t quantity);
+
+/// Components that are correlated with each other, directly or through others: sorted sets of two or more.
+std::vector<std::vector<std::size_t>> correlated_sets(std::size_t components,
+                                                      const std::vector<ComponentCorrelation>& correlations);
+
+/// Components that are not independent of each other, by correlation (as from `resolved_correlations`), a
+/// shared estimate of variance or a vector of random direction: sorted sets of two or more.
+std::vector<std::vector<std::size_t>> dependent_sets(const InputSet& inputs,
+                                                     const std::vector<ComponentCorrelation>& correlations);
 
 }  // namespace covaria::detail

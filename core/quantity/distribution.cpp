@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
+#include "core/base/guarded.h"
 #include "core/quantity/distribution_checks.h"
 #include "core/quantity/quantile_function.h"
 
@@ -122,8 +121,7 @@ Result<Distribution> Distribution::make(DistributionParameters parameters) {
 Distribution Distribution::of(DistributionParameters parameters) {
     Result<Distribution> made = make(std::move(parameters));
     if (made) return *std::move(made);
-    std::fputs((made.error().message + "\n").c_str(), stderr);
-    std::abort();
+    throw ImpossibleValue(made.error().message);
 }
 
 double Distribution::quantile(double p) const {

@@ -88,7 +88,7 @@ public:
     /// freedom, probabilities that do not sum to 1
     /// ...; the message names the parameter.
     static Result<Distribution> make(DistributionParameters parameters);
-    /// For values known to be right (computed by the program); terminates otherwise.
+    /// For parameters computed from checked values; throws ImpossibleValue (guarded.h) otherwise.
     static Distribution of(DistributionParameters parameters);
     static Distribution normal(double standard_uncertainty) { return of(Normal{0.0, standard_uncertainty}); }
 
@@ -140,7 +140,7 @@ struct DistributionParameterInfo {
     std::string_view key;    ///< "mean"
     std::string_view title;  ///< "mean value"
     bool has_unit;           ///< carries the quantity's unit (false: pure number such as degrees of freedom)
-    bool is_interval;        ///< a width or scale: converted without the offset of degC
+    bool is_interval;        ///< a width or scale, never a place on the axis
 };
 struct DistributionKindInfo {
     std::string_view key;

@@ -19,7 +19,9 @@ public:
         return *this;
     }
     Check& finite(const char* name, double value) {
-        return that(std::isfinite(value), std::string("the ") + name + " must be a finite number.");
+        constexpr double largest = 1e150;  // squares stay finite
+        return that(std::isfinite(value), std::string("the ") + name + " must be a finite number.")
+            .that(std::abs(value) <= largest, std::string("the ") + name + " is too large (at most 1e150).");
     }
     Check& not_negative(const char* name, double value) {
         return finite(name, value).that(value >= 0.0, std::string("the ") + name + " must not be negative.");

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "core/quantity/component_pairs.h"
+#include "core/quantity/effective_degrees.h"
 
 namespace covaria {
 
@@ -58,6 +60,16 @@ double variance(const Contributions& c) {
 
 }  // namespace
 
+std::vector<Share> detail::correlations_with_total(const InputSet& inputs, std::size_t quantity) {
+    const Contributions c = contributions(inputs, inputs.quantities.at(quantity));
+    const double u = std::sqrt(variance(c));
+    const Eigen::VectorXd covariances = c.correlation * c.a;
+    std::vector<Share> result;
+    for (std::size_t j = 0; j < c.components.size() && u > 0.0; ++j)
+        result.push_back({c.components[j], covariances[static_cast<Eigen::Index>(j)] / u});
+    return result;
+}
+
 std::size_t InputSet::add(UncertaintyComponent component) {
     components.push_back(std::move(component));
     return components.size() - 1;
@@ -88,19 +100,54 @@ double standard_uncertainty_of(const InputSet& inputs, std::size_t quantity) {
     return std::sqrt(variance(contributions(inputs, inputs.quantities.at(quantity))));
 }
 
-// JCGM 100 G.4.1 with correlations: u^2 = a'Ra has the variance sum (2 (Ra)_j)^2 a_j^2/(2 nu_j), and nu_eff
-// is 1/2 (u/du)^2 (G.3). For R = 1 this is Welch-Satterthwaite.
+void InputSet::rest_on_estimate(const std::string& id, std::size_t component) {
+    auto known = std::find_if(variance_estimates.begin(), variance_estimates.end(),
+                              [&](const VarianceEstimate& estimate) { return estimate.id == id; });
+    if (known == variance_estimates.end()) known = variance_estimates.insert(known, VarianceEstimate{id, {}});
+    known->components.push_back(component);
+}
+
+std::vector<std::size_t> InputSet::estimates_of_components() const {
+    std::vector<std::size_t> estimates(components.size(), npos);
+    for (std::size_t e = 0; e < variance_estimates.size(); ++e)
+        for (const std::size_t member : variance_estimates[e].components) estimates.at(member) = e;
+    return estimates;
+}
+
+double degrees_of_freedom_of(const UncertaintyComponent& component) {
+    return std::min(component.degrees_of_freedom, component.distribution.degrees_of_freedom());
+}
+
+Distribution drawn_distribution(const UncertaintyComponent& component) {
+    const DistributionParameters& parameters = component.distribution.parameters();
+    const bool is_t = std::holds_alternative<StudentT>(parameters);
+    const double nu = degrees_of_freedom_of(component);
+    if (std::isinf(nu) || (!is_t && (component.normal_draws || !std::holds_alternative<Normal>(parameters))))
+        return component.distribution;
+    // Checked where inputs are; what has too few is refused there.
+    return Distribution::make(
+               StudentT{component.distribution.mean(), component.distribution.standard_uncertainty(), nu})
+        .value_or(component.distribution);
+}
+
 double degrees_of_freedom_of(const InputSet& inputs, std::size_t quantity) {
     const Contributions c = contributions(inputs, inputs.quantities.at(quantity));
-    const double u2 = variance(c);
-    const Eigen::VectorXd slopes = c.correlation * c.a;
-    double sum = 0.0;
-    for (Eigen::Index j = 0; j < c.a.size(); ++j) {
-        const UncertaintyComponent& component = inputs.components[c.components[static_cast<std::size_t>(j)]];
-        const double nu = std::min(component.degrees_of_freedom, component.distribution.degrees_of_freedom());
-        sum += slopes[j] * slopes[j] * c.a[j] * c.a[j] / nu;
+    const std::vector<std::size_t> estimates = inputs.estimates_of_components();
+    std::vector<detail::WelchSatterthwaite::Source> sources;
+    std::vector<detail::WelchSatterthwaite::Part> parts;
+    std::vector<ComponentCorrelation> correlations;
+    const Eigen::VectorXd correlated = c.correlation * c.a;
+    for (std::size_t j = 0; j < c.components.size(); ++j) {
+        const auto row = static_cast<Eigen::Index>(j);
+        sources.push_back(
+            {degrees_of_freedom_of(inputs.components[c.components[j]]), estimates[c.components[j]]});
+        parts.push_back({j, c.a[row] * correlated[row]});
+        for (std::size_t k = 0; k < j; ++k)
+            correlations.push_back({k, j, c.correlation(static_cast<Eigen::Index>(k), row)});
     }
-    return sum > 0.0 ? u2 * u2 / sum : infinity;
+    return detail::WelchSatterthwaite(std::move(sources), correlations)
+        .effective(parts, variance(c))
+        .degrees_of_freedom;
 }
 
 }  // namespace covaria

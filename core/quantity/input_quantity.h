@@ -32,12 +32,20 @@ struct UncertaintyComponent {
     Unit unit = {};    ///< for display
     Distribution distribution = {};
     EvaluationType type = EvaluationType::type_b;
+    /// Of the standard uncertainty, which for few of them is itself an estimate: see `drawn_distribution`.
     double degrees_of_freedom = infinity;
+    /// The user asks for normal draws in spite of finite degrees of freedom, which then count in the law of
+    /// propagation alone.
+    bool normal_draws = false;
     std::string origin = {};  ///< where the figure comes from: "artefact plate-2d, Eq. 2", "certificate ..."
     bool held = false;        ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
-    /// Who brings it in, for results with all of a contributor held: the name of an asset, "" = the set-up.
+    /// Who brings it in, for results with all of a contributor held: the id of an asset, "" = the set-up.
     std::string contributor = {};
-    std::vector<GroupTag> tags = {};  ///< beside those of its quantities
+    std::string contributor_name = {};  ///< for people; empty: as `contributor`
+    std::vector<GroupTag> tags = {};    ///< beside those of its quantities
+    /// Of one point, whose coordinates share it only because they do not lie along its direction: an edit of
+    /// one of them takes its place there.
+    bool local = false;
 };
 
 struct Share {
@@ -65,7 +73,7 @@ struct InputQuantity {
     std::vector<GroupTag> tags = {};  ///< groups of contributions; kept when components are edited
 };
 
-/// Correlation coefficient (of the Gaussian copula) between two components.
+/// Correlation coefficient between two components; copula.h says how they are drawn.
 struct ComponentCorrelation {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -79,31 +87,54 @@ struct IsotropicVector {
     std::array<std::size_t, 3> components{};
 };
 
+/// Components whose standard uncertainties all come from one estimate of variance: the standard deviation of
+/// one series of observations that serves many points, the residuals of one fit. All have its degrees of
+/// freedom, and a normal or Student t distribution; the scales may differ, and they may be correlated.
+/// The law of propagation counts the degrees of freedom once, with the joint variance of the members; Monte
+/// Carlo draws a multivariate t distribution: normal draws over one and the same sqrt(chi^2/nu) in a trial
+/// (JCGM 102 5.3.2). Members that an edit replaces leave the estimate.
+struct VarianceEstimate {
+    std::string id;  ///< unique in the set: "plate.x"
+    std::vector<std::size_t> components;
+};
+
 struct InputSet {
     std::vector<UncertaintyComponent> components;
     std::vector<InputQuantity> quantities;
     std::vector<ComponentCorrelation> correlations;
     std::vector<IsotropicVector> vectors = {};
+    /// Their indices are addresses for random draws. A component is in one at most.
+    std::vector<VarianceEstimate> variance_estimates = {};
 
     /// Adds a component and returns its index.
     std::size_t add(UncertaintyComponent component);
     /// Adds a quantity with independent components of its own; `estimate` is the offset.
     std::size_t add(InputQuantity quantity, std::vector<UncertaintyComponent> own_components);
     std::size_t find(const std::string& symbol) const;  ///< index of a quantity, or npos
+    /// The component rests on the estimate of variance of that id, which is added if it is new.
+    void rest_on_estimate(const std::string& id, std::size_t component);
+    /// The estimate of variance that each component rests on, or npos.
+    std::vector<std::size_t> estimates_of_components() const;
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
+
+/// Those stated, or those of its Student t distribution if these are fewer.
+double degrees_of_freedom_of(const UncertaintyComponent& component);
+/// What Monte Carlo draws: a normal or Student t distribution with finite degrees of freedom is the t
+/// distribution with these, scaled by the standard uncertainty (JCGM 101 6.4.9.4); others stay as they are.
+Distribution drawn_distribution(const UncertaintyComponent& component);
 
 /// x_i = offset + sum factor * mean(component): the estimate of quantity i.
 double estimate_of(const InputSet& inputs, std::size_t quantity);
 /// Standard uncertainty of quantity i for the law of propagation, with correlations and the rule of
 /// combination.
 double standard_uncertainty_of(const InputSet& inputs, std::size_t quantity);
-/// Effective degrees of freedom of quantity i (Welch-Satterthwaite over its components).
+/// Effective degrees of freedom of quantity i (WelchSatterthwaite over its components).
 double degrees_of_freedom_of(const InputSet& inputs, std::size_t quantity);
 /// All pairwise correlations between components: those declared plus +-1 between components of arithmetic
 /// quantities. Error: coefficient outside [-1, 1], index out of range, a coordinate of a vector of random
 /// direction, a set of components whose matrix is not positive semi-definite (the message names the
-/// components and the smallest eigenvalue).
+/// components and the smallest eigenvalue), an estimate of variance whose members cannot share it.
 Result<std::vector<ComponentCorrelation>> resolved_correlations(const InputSet& inputs);
 
 }  // namespace covaria

@@ -8,8 +8,9 @@ namespace covaria {
 
 /// Separate streams of one seed. The values are part of the results' reproducibility: never renumber.
 enum class DrawPurpose : std::uint32_t {
-    trials = 0,       ///< the trials of a Monte Carlo run
-    observations = 1  ///< synthetic observations
+    trials = 0,             ///< the trials of a Monte Carlo run
+    observations = 1,       ///< synthetic observations
+    variance_estimates = 2  ///< how far an estimate of variance lies off; its index for the component
 };
 
 /// u[t] = uniform draw of trial `first_trial + t` for one component, strictly inside (0, 1):

@@ -1,19 +1,13 @@
 // CSV (RFC 4180): full precision, units in the heads, or in a column of their own where rows differ.
+#include "core/report/csv_text.h"
 #include "core/report/number_format.h"
 #include "core/report/report.h"
 
 namespace covaria {
 namespace {
 
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-    return out + "\"";
-}
-
 std::string exact_cell(const TableCell& cell, const TableColumn& column) {
-    if (const auto* text = std::get_if<std::string>(&cell)) return quoted(*text);
+    if (const auto* text = std::get_if<std::string>(&cell)) return csv_text(*text);
     if (const auto* value = std::get_if<double>(&cell)) return format_exact(column.unit.from_si(*value));
     if (const auto* quantity = std::get_if<Quantity>(&cell)) return format_exact(quantity->value);
     return {};
@@ -39,7 +33,7 @@ bool needs_units(const DataTable& table, std::size_t column) {
 std::string unit_cell(const std::vector<TableCell>& row, std::size_t column) {
     if (column >= row.size()) return {};
     const auto* quantity = std::get_if<Quantity>(&row[column]);
-    return quantity ? quantity->unit.text() : "";
+    return quantity ? csv_text(quantity->unit.text()) : "";
 }
 
 std::string head_line(const DataTable& table) {
@@ -47,8 +41,8 @@ std::string head_line(const DataTable& table) {
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         const TableColumn& column = table.columns[c];
         const std::string unit = column.unit.text() == "1" ? "" : " (" + column.unit.text() + ")";
-        line += (c ? "," : "") + quoted(column.header + (needs_units(table, c) ? "" : unit));
-        if (needs_units(table, c)) line += "," + quoted(column.header + " unit");
+        line += (c ? "," : "") + csv_text(column.header + (needs_units(table, c) ? "" : unit));
+        if (needs_units(table, c)) line += "," + csv_text(column.header + " unit");
     }
     return line + "\r\n";
 }

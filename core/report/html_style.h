@@ -34,7 +34,13 @@ td.subhead { font-weight: 600; padding-top: 1.6mm; border-bottom: .4pt solid var
 sub { font-size: 75%; line-height: 0; }
 figure { margin: 0 0 5mm; break-inside: avoid; } figure img { max-width: 100%; height: auto; }
 figcaption { font-size: 8.5pt; color: var(--quiet); }
-@media print { body { max-width: none; margin: 0; padding: 0; } .wide { overflow: visible; } }
+@page across { size: A4 landscape; margin: 20mm; }
+@media print {
+body { max-width: none; margin: 0; padding: 0; } .wide { overflow: visible; }
+.print-smaller table, .print-across table { font-size: 6.3pt; } .print-across { page: across; }
+.print-smallest table { font-size: 4.5pt; }
+.print-smaller th, .print-smaller td, .print-across th, .print-across td { padding-left: 1mm; padding-right: 1mm; }
+}
 )";
 
 }  // namespace covaria

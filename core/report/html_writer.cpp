@@ -1,5 +1,6 @@
 // Report document as one HTML file with its style sheet inside; figures are files beside it.
 #include <algorithm>
+#include <sstream>
 
 #include "core/report/html_style.h"
 #include "core/report/report.h"
@@ -27,6 +28,46 @@ std::string padding(int decimals, int widest) {
     if (decimals < 0 && widest >= 0) out += "\u2008";
     for (int i = std::max(decimals, 0); i < widest; ++i) out += "\u2007";
     return out;
+}
+
+std::size_t length_of(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+std::size_t longest_word(const std::string& text) {
+    std::size_t longest = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) longest = std::max(longest, length_of(word));
+    return longest;
+}
+
+/// Room that a table needs on paper at the usual size, in mm: figures and words of 8.5 points.
+double printed_width(const TableBlock& block) {
+    constexpr double letter = 1.55, gap = 3.0;
+    double width = 0.0;
+    for (std::size_t c = 0; c < block.table.columns.size(); ++c) {
+        std::size_t longest = 0;
+        for (std::size_t r = 0; r < block.table.rows.size(); ++r) {
+            if (is_subhead(block, r)) continue;
+            const std::string text = cell_text(block, r, c);
+            // Words break, numbers do not.
+            longest = std::max(longest, is_numeric_column(block, c) ? length_of(text) : longest_word(text));
+        }
+        longest = std::max(longest, longest_word(block.table.columns[c].header));
+        width += letter * static_cast<double>(longest) + gap;
+    }
+    return width;
+}
+
+/// What cannot scroll must fit: wide tables are printed smaller, the widest on a page across.
+std::string printed_class(const TableBlock& block) {
+    constexpr double upright = 170.0, across = 257.0;
+    const double width = printed_width(block);
+    if (width <= upright) return {};
+    if (width <= 1.35 * upright) return " print-smaller";
+    if (width <= 1.35 * across) return " print-across";
+    return " print-across print-smallest";
 }
 
 std::vector<int> widest_decimals(const TableBlock& block) {
@@ -69,7 +110,7 @@ struct HtmlWriter {
     }
     void operator()(const TableBlock& block) {
         const DataTable& table = block.table;
-        out += "<div class=\"wide\"><table>\n";
+        out += "<div class=\"wide" + printed_class(block) + "\"><table>\n";
         if (!table.title.empty()) out += element("caption", escape_html(table.title)) + "\n";
         out += "<thead><tr>";
         for (std::size_t c = 0; c < table.columns.size(); ++c)

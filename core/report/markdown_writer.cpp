@@ -1,27 +1,51 @@
 // Report document as Markdown with pipe tables; figures are files beside it.
+#include <algorithm>
+#include <string_view>
+
 #include "core/report/report.h"
 #include "core/report/table_text.h"
 
 namespace covaria {
 namespace {
 
-/// Marks that Markdown or HTML would take as their own.
+/// Marks that Markdown or HTML would take as their own: emphasis, code, tables, mathematics, links (of
+/// brackets only what makes one, so that intervals stay readable; addresses are not to become links by
+/// themselves).
 std::string escaped(const std::string& text) {
+    const auto rest = [&](std::size_t i) { return std::string_view(text).substr(i); };
     std::string out;
-    for (const char c : text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
         if (c == '&')
             out += "&amp;";
         else if (c == '<')
             out += "&lt;";
         else if (c == '>')
             out += "&gt;";
-        else if (c == '|' || c == '*' || c == '`' || c == '_' || c == '\\')
-            out += std::string("\\") + c;
-        else if (c == '\n')
+        else if (c == '\n' || c == '\r')
             out += ' ';
+        else if (std::string_view("|*`_\\$~").find(c) != std::string_view::npos ||
+                 (c == ']' && (next == '(' || next == '[' || next == ':')) || rest(i).starts_with("://"))
+            out += std::string("\\") + c;
+        else if (rest(i).starts_with("www."))
+            out += "www\\.", i += 3;
         else
             out += c;
     }
+    return out;
+}
+
+/// At the beginning of a block, where some marks make headings, lists, rules or code.
+std::string escaped_block(const std::string& text) {
+    const std::size_t first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    std::string out = escaped(text.substr(first));
+    const std::size_t after_digits = std::min(out.find_first_not_of("0123456789"), out.size());
+    if (!out.empty() && std::string_view("#-+=").find(out[0]) != std::string_view::npos)
+        out.insert(0, "\\");
+    else if (after_digits > 0 && after_digits < out.size() &&
+             (out[after_digits] == '.' || out[after_digits] == ')') &&
+             (after_digits + 1 == out.size() || out[after_digits + 1] == ' '))
+        out.insert(after_digits, "\\");
     return out;
 }
 
@@ -39,10 +63,10 @@ struct MarkdownWriter {
                "\n\n";
     }
     void operator()(const ParagraphBlock& paragraph) {
-        out += (paragraph.note ? "> " : "") + escaped(paragraph.text) + "\n\n";
+        out += (paragraph.note ? "> " : "") + escaped_block(paragraph.text) + "\n\n";
     }
     void operator()(const ListBlock& list) {
-        for (const std::string& item : list.items) out += "- " + escaped(item) + "\n";
+        for (const std::string& item : list.items) out += "- " + escaped_block(item) + "\n";
         out += "\n";
     }
     void operator()(const FactsBlock& facts) {
@@ -52,7 +76,7 @@ struct MarkdownWriter {
         out += "\n";
     }
     void operator()(const EquationBlock& equation) {
-        out += escaped(equation.text);
+        out += escaped_block(equation.text);
         if (!equation.source.empty()) out += " (" + escaped(equation.source) + ")";
         out += "\n\n";
     }
@@ -71,7 +95,7 @@ struct MarkdownWriter {
             out += "|\n";
         }
         out += "\n";
-        for (const std::string& note : table.notes) out += escaped(note) + "\n\n";
+        for (const std::string& note : table.notes) out += escaped_block(note) + "\n\n";
     }
     void operator()(const PlotBlock& plot) { figure(plot.plot.id + ".svg", plot.caption); }
     void operator()(const SceneBlock& scene) { figure(scene.id + ".png", scene.caption); }

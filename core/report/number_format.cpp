@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace covaria {
 namespace {
@@ -119,6 +120,17 @@ std::string format_estimate(double value, double uncertainty) {
     if (!is_typed(value)) return matched;
     const bool plain = typed.find('e') == std::string::npos && matched.find('e') != std::string::npos;
     return plain || decimals_in(typed) > decimals_in(matched) ? typed : matched;
+}
+
+double shown_degrees_of_freedom(double nu) {
+    if (std::isnan(nu)) return nu;
+    if (nu >= 1e4) return std::numeric_limits<double>::infinity();
+    if (nu >= 10.0) return std::floor(nu * (1.0 + 1e-12));
+    return nu >= 1.0 ? std::round(10.0 * nu) / 10.0 : std::round(100.0 * nu) / 100.0;
+}
+
+std::string format_degrees_of_freedom(double nu) {
+    return without_trailing_zeros(format_significant(shown_degrees_of_freedom(nu), unmatched_digits));
 }
 
 std::string format_cell(const TableCell& cell, const TableColumn& column) {

@@ -19,18 +19,18 @@ using plot_parts::PlottedOutput;
 /// quantities share the component.
 std::vector<std::string> component_labels(const UncertaintyBudget& budget,
                                           const std::vector<BudgetRow>& rows) {
-    std::map<std::string, int> uses;
-    for (const BudgetRow& row : rows) ++uses[budget.components[row.component].quantity];
+    std::map<std::vector<std::string>, int> uses;
+    for (const BudgetRow& row : rows) ++uses[budget.components[row.component].quantities];
     std::vector<std::string> labels;
     for (const BudgetRow& row : rows) {
         const BudgetComponent& component = budget.components[row.component];
-        const std::string& symbol = component.quantity;
-        if (symbol.empty() || symbol.find(',') != std::string::npos)
+        if (component.quantities.size() != 1) {
             labels.push_back(component.name.empty() ? symbols_to_unicode(component.id) : component.name);
-        else if (uses[symbol] > 1 && !component.name.empty())
-            labels.push_back(symbol_to_unicode(symbol) + ", " + component.name);
-        else
-            labels.push_back(symbol_to_unicode(symbol));
+            continue;
+        }
+        const std::string symbol = symbol_to_unicode(component.quantities.front());
+        const bool twice = uses[component.quantities] > 1 && !component.name.empty();
+        labels.push_back(twice ? symbol + ", " + component.name : symbol);
     }
     return labels;
 }

@@ -1,22 +1,16 @@
 // The data of a chart as CSV: one block of columns per series, side by side; a heat map as a matrix.
 #include <algorithm>
 
+#include "core/report/csv_text.h"
 #include "core/report/number_format.h"
 #include "core/report/plots.h"
 
 namespace covaria {
 namespace {
 
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 std::string line(const std::vector<std::string>& fields) {
     std::string out;
-    for (std::size_t i = 0; i < fields.size(); ++i) out += (i ? "," : "") + field(fields[i]);
+    for (std::size_t i = 0; i < fields.size(); ++i) out += (i ? "," : "") + csv_text(fields[i]);
     return out + "\r\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/base/file_names.h"
 #include "core/project/project_file.h"
 #include "core/report/report_parts.h"
 
@@ -37,6 +38,16 @@ struct Numbering {
     std::string figure() { return "Figure " + std::to_string(++figures) + ". "; }
 };
 
+/// Figures are files: every id is there once, whatever the names of groups become.
+struct FigureNaming {
+    FileNames charts = {}, pictures = {};
+
+    void operator()(PlotBlock& block) { block.plot.id = charts.unique(block.plot.id, ""); }
+    void operator()(SceneBlock& block) { block.id = pictures.unique(block.id, ""); }
+    template <class Other>
+    void operator()(Other&) {}
+};
+
 void add_analysis(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
                   std::set<std::string>& shown_assets) {
     blocks.push_back(HeadingBlock{1, evaluated.analysis->name});
@@ -59,8 +70,9 @@ void add_analysis(Blocks& blocks, const ReportSource& source, const EvaluatedAna
 }  // namespace
 
 ReportDocument build_report(const Project& project, const AssetLibrary& assets,
-                            const std::vector<EvaluatedAnalysis>& analyses) {
-    const ReportSource source{project, assets, analyses};
+                            const std::vector<EvaluatedAnalysis>& analyses,
+                            const std::vector<FailedAnalysis>& failed) {
+    const ReportSource source{project, assets, analyses, failed};
     ReportDocument document;
     document.title = project.title.empty() ? "Uncertainty report" : project.title;
     document.running_head = document.title;
@@ -73,6 +85,8 @@ ReportDocument build_report(const Project& project, const AssetLibrary& assets,
     add_provenance(document.blocks, source);
     Numbering numbering;
     for (ReportBlock& block : document.blocks) std::visit(numbering, block);
+    FigureNaming naming;
+    for (ReportBlock& block : document.blocks) std::visit(naming, block);
     return document;
 }
 

@@ -20,10 +20,27 @@ struct EvaluatedAnalysis {
     std::vector<std::shared_ptr<const StudyResult>> studies = {};
 };
 
+/// An analysis of the project, or a study of one, that has no results.
+struct FailedAnalysis {
+    std::string id, name;
+    std::string study = {};  ///< its id, where only the study failed
+    std::string cause;
+};
+/// What stands beside the results of analyses in results.json.
+struct ResultFile {
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> of;  ///< "analysis": "a", "table": "budget", "group" ...
+};
+struct ResultListing {
+    std::vector<FailedAnalysis> failed = {};
+    std::vector<ResultFile> files = {};
+};
+
 /// Title block, model and references, inputs and origin, asset evaluations, budgets, results, distributions,
 /// scene, correlation, notes, provenance.
 ReportDocument build_report(const Project& project, const AssetLibrary& assets,
-                            const std::vector<EvaluatedAnalysis>& analyses);
+                            const std::vector<EvaluatedAnalysis>& analyses,
+                            const std::vector<FailedAnalysis>& failed = {});
 
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
@@ -37,7 +54,7 @@ std::vector<DataTable> asset_tables(const AssetLibrary& assets);
 std::string to_markdown(const ReportDocument& document);  ///< figures as "ID.png" / "ID.svg" beside the file
 std::string to_html(const ReportDocument& document);      ///< one file; figures beside it as in Markdown
 std::string to_csv(const DataTable& table);               ///< RFC 4180, full precision, units in the heads
-std::string results_json(const Project& project,
-                         const std::vector<EvaluatedAnalysis>& analyses);  ///< DESIGN 9
+std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses,
+                         const ResultListing& listing = {});  ///< DESIGN 9
 
 }  // namespace covaria

@@ -17,6 +17,7 @@ struct ReportSource {
     const Project& project;
     const AssetLibrary& assets;
     const std::vector<EvaluatedAnalysis>& analyses;
+    const std::vector<FailedAnalysis>& failed;
 };
 
 // One function per section; each appends its headings and blocks. Headings and captions are numbered at the

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <map>
 
+#include "core/base/file_names.h"
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
 #include "core/report/report_parts.h"
@@ -61,15 +62,9 @@ std::string unit_text(const Unit& unit) {
 }
 
 std::string file_name_part(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) || c == '_')
-            out += static_cast<char>(std::tolower(byte));
-        else if (!out.empty() && out.back() != '-')
-            out += '-';
-    }
-    while (!out.empty() && out.back() == '-') out.pop_back();
+    std::string out = covaria::file_name_part(text);
+    for (char& c : out)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return out;
 }
 

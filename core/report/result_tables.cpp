@@ -3,6 +3,7 @@
 #include "core/project/requirements.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
+#include "core/result/representation.h"
 #include "core/result/result_line.h"
 
 namespace covaria {
@@ -100,7 +101,8 @@ DataTable results_table(const UncertaintyResult& result) {
                                   "clause 8",
                                   "u second order",
                                   "shift second order",
-                                  "U by"});
+                                  "U by",
+                                  "remark"});
     for (const OutputResult& output : result.outputs) {
         const OutputQuantity& q = output.quantity;
         std::vector<TableCell> row = {q.group,
@@ -116,9 +118,16 @@ DataTable results_table(const UncertaintyResult& result) {
         for (auto& cell : monte_carlo_cells(output)) row.push_back(std::move(cell));
         for (auto& cell : first_order_cells(output)) row.push_back(std::move(cell));
         row.emplace_back(expanded_key(result));
+        row.emplace_back(std::string(represents_measurand(result) ? "" : does_not_represent));
         table.rows.push_back(std::move(row));
     }
     return table;
+}
+
+std::string comma_list(const std::vector<std::string>& symbols) {
+    std::string text;
+    for (const std::string& symbol : symbols) text += (text.empty() ? "" : ", ") + symbol;
+    return text;
 }
 
 DataTable budget_table(const UncertaintyResult& result) {
@@ -132,8 +141,8 @@ DataTable budget_table(const UncertaintyResult& result) {
             const BudgetComponent& c = result.budget.components[row.component];
             TableCell alone;
             if (row.one_at_a_time) alone = interval_in(q.unit, *row.one_at_a_time);
-            table.rows.push_back({q.group, q.symbol, q.unit.text(), c.quantity, c.name, c.id, c.unit.text(),
-                                  interval_in(c.unit, c.standard_uncertainty), c.distribution,
+            table.rows.push_back({q.group, q.symbol, q.unit.text(), comma_list(c.quantities), c.name, c.id,
+                                  c.unit.text(), interval_in(c.unit, c.standard_uncertainty), c.distribution,
                                   type_text(c.type), c.degrees_of_freedom,
                                   q.unit.interval_from_si(row.sensitivity * c.unit.interval_to_si(1.0)),
                                   interval_in(q.unit, row.contribution), row.share, alone,
@@ -163,7 +172,7 @@ DataTable inputs_table(const InputSet& inputs) {
             row.insert(row.end(), {TableCell(c.name), c.id,
                                    q.unit.interval_from_si(share.factor * c.unit.interval_to_si(1.0)),
                                    c.unit.text(), interval_in(c.unit, c.distribution.standard_uncertainty()),
-                                   std::string(c.distribution.title()), type_text(c.type),
+                                   std::string(drawn_distribution(c).title()), type_text(c.type),
                                    c.degrees_of_freedom, std::string(c.held ? "yes" : "no"), c.origin});
             table.rows.push_back(std::move(row));
         }

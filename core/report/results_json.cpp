@@ -7,6 +7,7 @@
 #include "core/report/number_format.h"
 #include "core/report/report.h"
 #include "core/report/study_json.h"
+#include "core/result/representation.h"
 #include "core/result/result_line.h"
 
 namespace covaria {
@@ -217,10 +218,14 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
                         {"model", evaluated.analysis->descriptor ? evaluated.analysis->descriptor->id : ""},
                         {"trials", result.trials},
                         {"failedTrials", result.failed_trials},
+                        {"representsMeasurand", represents_measurand(result)},
                         {"stabilised", result.stabilised},
                         {"seed", std::to_string(result.provenance.seed)},
                         {"outputs", std::move(outputs)},
                         {"covariance", covariance_json(result)}};
+    std::vector<std::string> warnings = evaluated.warnings;
+    warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
+    if (!warnings.empty()) json["warnings"] = warnings;
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
     if (const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id))
@@ -230,18 +235,34 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     return json;
 }
 
+OrderedJson failed_json(const FailedAnalysis& failed) {
+    OrderedJson json = {{"analysis", failed.id}, {"name", failed.name}};
+    if (!failed.study.empty()) json["study"] = failed.study;
+    json["cause"] = failed.cause;
+    return json;
+}
+
+OrderedJson file_json(const ResultFile& file) {
+    OrderedJson json = {{"file", file.name}};
+    for (const auto& [key, value] : file.of) json[key] = value;
+    return json;
+}
+
 }  // namespace
 
-std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses) {
+std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses,
+                         const ResultListing& listing) {
     OrderedJson list = OrderedJson::array();
     for (const EvaluatedAnalysis& evaluated : analyses) list.push_back(analysis_json(project, evaluated));
-    const OrderedJson document = {{"format", "covaria-results"},
-                                  {"schemaVersion", 1},
-                                  {"project",
-                                   {{"title", project.title},
-                                    {"fingerprint", fingerprint(project)},
-                                    {"covariaVersion", COVARIA_VERSION}}},
-                                  {"analyses", std::move(list)}};
+    OrderedJson document = {{"format", "covaria-results"},
+                            {"schemaVersion", 1},
+                            {"project",
+                             {{"title", project.title},
+                              {"fingerprint", fingerprint(project)},
+                              {"covariaVersion", COVARIA_VERSION}}},
+                            {"analyses", std::move(list)}};
+    for (const FailedAnalysis& failed : listing.failed) document["failed"].push_back(failed_json(failed));
+    for (const ResultFile& file : listing.files) document["files"].push_back(file_json(file));
     return pretty(document, "") + "\n";
 }
 

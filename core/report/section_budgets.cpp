@@ -7,6 +7,7 @@
 #include "core/report/number_format.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
+#include "core/report/table_text.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -15,19 +16,6 @@ constexpr std::size_t most_budget_rows = 24;  // further components are summed; 
 
 std::string component_text(const BudgetComponent& component) {
     return component.held ? component.name + " (held)" : component.name;
-}
-
-/// Joined symbols of a shared component are cut to a few.
-std::string quantity_symbols(const std::string& joined) {
-    std::vector<std::string> symbols;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= joined.size(); ++i) {
-        if (i < joined.size() && joined[i] != ',') continue;
-        const std::size_t first = joined.find_first_not_of(' ', begin);
-        if (first < i) symbols.push_back(joined.substr(first, i - first));
-        begin = i + 1;
-    }
-    return short_list(symbols);
 }
 
 /// c in the output's unit per unit of the component.
@@ -65,7 +53,7 @@ public:
         table_.symbol("u(x_i)", 3);
         table_.text("Distribution");
         table_.text("Type");
-        table_.symbol("nu_i", 3);
+        table_.symbol("nu_i");
         table_.symbol("c_i", 3);
         table_.number("|cᵢ|·u(xᵢ) in " + unit, 2);
         if (one_at_a_time_) table_.number("alone, Monte Carlo, in " + unit, 2);
@@ -85,18 +73,27 @@ private:
         table_.row(std::move(cells));
     }
 
+    /// In the component's unit, or with that of its quantity: -49.28° where u is in seconds of arc.
+    static TableCell estimate_cell(const BudgetComponent& c) {
+        const Unit& unit = c.quantity_unit;
+        if (unit == c.unit || !(unit.dimension() == c.unit.dimension())) return value_in(c.unit, c.estimate);
+        const std::string number = typeset_number(
+            format_to_match(unit.from_si(c.estimate), unit.interval_from_si(c.standard_uncertainty)));
+        return number + (unit == Unit::of("deg") ? "" : "\u00a0") + unit.display();
+    }
+
     void add(const BudgetRow& row) {
         const BudgetComponent& c = result_.budget.components[row.component];
         const Unit& unit = output_.quantity.unit;
         TableCell alone;
         if (row.one_at_a_time) alone = interval_in(unit, *row.one_at_a_time);
         // The estimate of a component that several quantities share would be that of one of them.
-        const bool shared = c.quantity.find(',') != std::string::npos;
-        push({quantity_symbols(c.quantity), component_text(c), unit_text(c.unit),
-              shared ? TableCell{} : TableCell(value_in(c.unit, c.estimate)),
-              interval_in(c.unit, c.standard_uncertainty), c.distribution,
-              std::string(c.type == EvaluationType::type_a ? "A" : "B"), c.degrees_of_freedom,
-              shown_sensitivity(row, c.unit, unit), interval_in(unit, row.contribution)},
+        const bool shared = c.quantities.size() > 1;
+        push({short_list(c.quantities), component_text(c), unit_text(c.unit),
+              shared ? TableCell{} : estimate_cell(c), interval_in(c.unit, c.standard_uncertainty),
+              c.distribution, std::string(c.type == EvaluationType::type_a ? "A" : "B"),
+              shown_degrees_of_freedom(c.degrees_of_freedom), shown_sensitivity(row, c.unit, unit),
+              interval_in(unit, row.contribution)},
              alone, row.share);
     }
 
@@ -118,8 +115,8 @@ private:
         double share = 0.0;
         for (const BudgetRow& row : rows_) share += row.share;
         push({std::string("u_c"), "combined (law of propagation)", unit_text(unit), TableCell{}, TableCell{},
-              TableCell{}, TableCell{}, first.effective_degrees_of_freedom, TableCell{},
-              interval_in(unit, first.standard_uncertainty)},
+              TableCell{}, TableCell{}, shown_degrees_of_freedom(first.effective_degrees_of_freedom),
+              TableCell{}, interval_in(unit, first.standard_uncertainty)},
              TableCell{}, share);
     }
 
@@ -133,10 +130,8 @@ private:
             output_label(output_.quantity) + " = (" + format_to_match(unit.from_si(first.estimate), U) +
             " ± " + format_significant(U, 2) + ")" + symbol +
             ", u_c = " + format_significant(unit.interval_from_si(first.standard_uncertainty), 2) + symbol;
-        line += ", effective degrees of freedom " +
-                (std::isfinite(first.effective_degrees_of_freedom)
-                     ? format_significant(first.effective_degrees_of_freedom, 3)
-                     : std::string("∞"));
+        line +=
+            ", effective degrees of freedom " + format_degrees_of_freedom(first.effective_degrees_of_freedom);
         return line + ", k = " + format_decimals(first.coverage_factor, 2) +
                ", p = " + percent_text(result_.coverage_probability) + " (law of propagation).";
     }

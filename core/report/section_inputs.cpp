@@ -69,8 +69,8 @@ std::string names_text(const InputSet& inputs, const Members& members) {
 
 std::vector<TableCell> component_cells(const UncertaintyComponent& c, double factor, const Unit& unit) {
     return {interval_in(unit, std::abs(factor) * c.distribution.standard_uncertainty()),
-            std::string(c.distribution.title()) + (c.held ? ", held" : ""), type_text(c.type),
-            c.degrees_of_freedom, c.origin.empty() ? c.name : c.origin};
+            std::string(drawn_distribution(c).title()) + (c.held ? ", held" : ""), type_text(c.type),
+            shown_degrees_of_freedom(c.degrees_of_freedom), c.origin.empty() ? c.name : c.origin};
 }
 
 /// The origin that all components of the quantity have in common: "typed; ", else nothing.
@@ -99,7 +99,7 @@ void add_quantity(TableBuilder& table, const InputSet& inputs, const Members& me
             append(cells, component_cells(inputs.components[share.component], share.factor, quantity.unit)));
     } else {
         const bool linear = quantity.combination == Combination::arithmetic;
-        const double nu = degrees_of_freedom_of(inputs, members.front());
+        const double nu = shown_degrees_of_freedom(degrees_of_freedom_of(inputs, members.front()));
         table.row(append(
             cells, {interval_in(quantity.unit, standard_uncertainty_of(inputs, members.front())),
                     std::string("combined"), TableCell{}, nu,
@@ -139,7 +139,7 @@ void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     table.symbol("u(x_i)", 3);
     table.text("Distribution");
     table.text("Type");
-    table.symbol("nu_i", 3);
+    table.symbol("nu_i");
     table.text("Origin");
     const std::vector<Members> rows = rows_of(inputs);
     for (const Members& members : rows) add_quantity(table, inputs, members);

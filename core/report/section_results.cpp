@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
+#include "core/result/representation.h"
 #include "core/result/result_line.h"
 
 namespace covaria::report_parts {
@@ -58,7 +60,7 @@ std::vector<TableCell> result_row(const OutputResult& output, bool intervals) {
                                   unit_text(unit),
                                   value_in(unit, output.estimate),
                                   interval_in(unit, output.standard_uncertainty),
-                                  output.first_order.effective_degrees_of_freedom,
+                                  shown_degrees_of_freedom(output.first_order.effective_degrees_of_freedom),
                                   output.coverage_factor,
                                   interval_in(unit, output.expanded_uncertainty)};
     if (!intervals) return row;
@@ -78,6 +80,9 @@ void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
         words += "Values from the propagation of distributions (JCGM 101) with " + count_text(result.trials) +
                  " trials; the interval is probabilistically symmetric, the shortest one beside it. "
                  "The effective degrees of freedom are those of the law of propagation.";
+        if (!represents_measurand(result))
+            words += " This result " + std::string(does_not_represent) + ": " +
+                     count_text(result.failed_trials) + " trials, more than 1 %, have no value.";
     }
     blocks.push_back(ParagraphBlock{words});
 }
@@ -126,7 +131,7 @@ TableBlock results_block(const UncertaintyResult& result, const std::vector<std:
     table.text("Unit");
     table.symbol("y", 0, 6);
     table.symbol("u(y)", 2);
-    table.symbol("nu_eff", 3);
+    table.symbol("nu_eff");
     table.fixed("k", 2);
     table.symbol("U", 2);
     if (intervals)

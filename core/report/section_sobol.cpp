@@ -9,16 +9,13 @@ namespace {
 
 constexpr std::size_t most_indices = 16;
 
-/// Share of the law of propagation of all components of the factor, where its name lists them all.
+/// Share of the law of propagation of all components of the factor.
 TableCell first_order_share(const UncertaintyResult& result, std::size_t output, const SobolIndex& index) {
-    if (index.name.find(" more") != std::string::npos || index.name.find(" together") != std::string::npos)
-        return {};
     double share = 0.0;
-    for (const BudgetRow& row : result.budget.rows[output]) {
-        const std::string& id = result.budget.components[row.component].id;
-        const std::string padded = ", " + index.name + ", ";
-        if (padded.find(", " + id + ", ") != std::string::npos) share += row.share;
-    }
+    for (const BudgetRow& row : result.budget.rows[output])
+        if (std::find(index.components.begin(), index.components.end(), row.component) !=
+            index.components.end())
+            share += row.share;
     return 100.0 * share;
 }
 

@@ -4,6 +4,7 @@
 #include "core/report/number_format.h"
 #include "core/report/report_parts.h"
 #include "core/report/study_plots.h"
+#include "core/result/representation.h"
 
 namespace covaria::report_parts {
 
@@ -66,6 +67,10 @@ TableBlock extremes_table(const StudyResult& study) {
 }
 
 void add_reasons(Blocks& blocks, const StudyResult& study) {
+    if (const std::size_t count = not_representing(study).size(); count > 0)
+        blocks.push_back(ParagraphBlock{
+            "What is given for " + count_text(count) + " of the grid points " + does_not_represent +
+            ": more than 1 % of their trials have no value (see the CSV table)."});
     if (study.failed() == 0) return;
     blocks.push_back(ParagraphBlock{count_text(study.failed()) + " grid points have no values:"});
     ListBlock list;

@@ -2,6 +2,8 @@
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 
+#include <algorithm>
+
 namespace covaria::report_parts {
 namespace {
 
@@ -49,9 +51,21 @@ void add_title(Blocks& blocks, const ReportSource& source) {
     if (!source.analyses.empty())
         facts.facts.emplace_back("Evaluated with",
                                  "Covaria " + source.analyses.front().result->provenance.covaria_version);
+    std::string missing;
+    for (const AnalysisEntry& entry : source.project.analyses) {
+        const bool there = std::any_of(source.analyses.begin(), source.analyses.end(),
+                                       [&](const auto& one) { return one.analysis->id == entry.id; });
+        if (!there) missing += (missing.empty() ? "" : ", ") + entry.name;
+    }
+    if (!missing.empty()) facts.facts.emplace_back("Not in this report", missing);
     facts.facts.emplace_back("Project fingerprint", project_fingerprint(source));
     blocks.push_back(std::move(facts));
     add_paragraphs(blocks, source.project.notes);
+    for (const FailedAnalysis& failed : source.failed)
+        blocks.push_back(ParagraphBlock{
+            (failed.study.empty() ? "Not evaluated: " : "Study \"" + failed.study + "\" not evaluated: ") +
+                (failed.name.empty() ? failed.id : failed.name) + ": " + failed.cause + ".",
+            true});
     for (const EvaluatedAnalysis& evaluated : source.analyses) add_glance(blocks, evaluated);
 }
 

@@ -1,6 +1,7 @@
 #include "core/report/study_json.h"
 
 #include "core/report/json_values.h"
+#include "core/result/representation.h"
 
 namespace covaria {
 namespace {
@@ -94,7 +95,8 @@ OrderedJson study_json(const StudyResult& study) {
             {"outputs", outputs_json(study)},
             {"positions", positions_json(study)},
             {"failedTrials", std::move(failed_trials)},
-            {"withoutValues", std::move(reasons)}};
+            {"withoutValues", std::move(reasons)},
+            {"notRepresentingMeasurand", not_representing(study)}};
 }
 
 }  // namespace covaria

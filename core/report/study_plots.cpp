@@ -24,14 +24,6 @@ std::string with_unit(const std::string& words, const Unit& unit) {
     return unit == Unit{} ? words : words + " (" + unit.display() + ")";
 }
 
-std::string label_of(const StudyQuantity& quantity) {
-    const std::size_t comma = quantity.title.find(", ");
-    const std::string rest = comma == std::string::npos ? "" : quantity.title.substr(comma);
-    if (quantity.position) return quantity.symbol + rest;
-    const std::string inner = quantity.symbol.substr(2, quantity.symbol.size() - 3);
-    return "U(" + symbol_to_unicode(inner) + ")" + rest;
-}
-
 double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_t point) {
     return quantity.unit.interval_from_si(value_at(study, quantity, point));
 }
@@ -111,7 +103,7 @@ PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen) {
     for (std::size_t k = 0; k < lines.size(); ++k) {
         std::vector<double> y;
         for (std::size_t i = 0; i < study.points.size(); ++i) y.push_back(shown(study, lines[k], i));
-        add_line(plot, label_of(lines[k]), family[k], axis.values, y);
+        add_line(plot, lines[k].title, family[k], axis.values, y);
     }
     choose_y_range(plot);
     mark_present(plot, axis);
@@ -145,7 +137,7 @@ Plane plane_of(const StudyResult& study, const StudyView& view) {
 }
 
 std::string title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity) {
-    std::string title = study.name + ": " + with_unit(label_of(quantity), quantity.unit);
+    std::string title = study.name + ": " + with_unit(quantity.title, quantity.unit);
     if (study.axes.size() < 3) return title;
     const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
@@ -176,7 +168,7 @@ PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQ
     plot.y = category_axis(study.axes[plane.y], true);
     PlotSeries cells;
     cells.kind = SeriesKind::heat_map;
-    cells.name = with_unit(label_of(quantity), quantity.unit);
+    cells.name = with_unit(quantity.title, quantity.unit);
     for (std::size_t j = plot.y.categories.size(); j-- > 0;)
         for (std::size_t i = 0; i < plot.x.categories.size(); ++i)
             cells.z.push_back(shown(study, quantity, point_of(study, plane, i, j)));
@@ -191,7 +183,7 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
     const StudyAxisValues &x = study.axes[plane.x], &other = study.axes[plane.y];
     plot.x.title = with_unit(x.title, x.unit);
     plot.x.logarithmic = x.logarithmic;
-    plot.y.title = with_unit(label_of(quantity), quantity.unit);
+    plot.y.title = with_unit(quantity.title, quantity.unit);
     const std::size_t n = other.values.size(), lines = std::min(n, family.size());
     for (std::size_t k = 0; k < lines; ++k) {
         const std::size_t j = lines > 1 ? k * (n - 1) / (lines - 1) : 0;
@@ -225,7 +217,7 @@ PlotSpecification study_plot(const StudyResult& study, const StudyView& view) {
         plot = view.lines ? lines_over_first(study, plane, quantity) : map(study, plane, quantity);
         plot.title = title_of(study, view, quantity);
     }
-    plot.id = id + "-" + report_parts::file_name_part(quantity.title);
+    plot.id = id + "-" + report_parts::file_name_part(quantity.id);
     return plot;
 }
 
@@ -240,7 +232,7 @@ std::vector<PlotSpecification> study_plots(const StudyResult& study, std::size_t
     const std::vector<StudyQuantity> quantities = study_quantities(study);
     for (view.quantity = 0; view.quantity < quantities.size() && plots.size() < most; ++view.quantity) {
         // a sweep shows several quantities at once
-        if (study.axes.size() == 1 && shown_series.contains(label_of(quantities[view.quantity]))) continue;
+        if (study.axes.size() == 1 && shown_series.contains(quantities[view.quantity].title)) continue;
         plots.push_back(study_plot(study, view));
         for (const PlotSeries& series : plots.back().series) shown_series.insert(series.name);
     }

@@ -1,5 +1,6 @@
 // A study as one table: axes, outputs, points in space, remarks.
 #include "core/report/report.h"
+#include "core/result/representation.h"
 
 namespace covaria {
 namespace {
@@ -61,7 +62,7 @@ std::vector<TableCell> row_of(const StudyResult& study, std::size_t index, std::
         add_place(point.places[t], study.outputs[study.triples[t].outputs[0]].unit, row);
     row.resize(columns);
     if (study.trials > 0 && point.has_values()) row[columns - 2] = static_cast<double>(point.failed_trials);
-    if (!point.has_values()) row.back() = study.reasons[point.reason];
+    if (const std::string remark = remark_on(study, index); !remark.empty()) row.back() = remark;
     return row;
 }
 

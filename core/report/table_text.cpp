@@ -102,7 +102,8 @@ bool is_numeric_column(const TableBlock& block, std::size_t column) {
         if (is_subhead(block, r) || column >= block.table.rows[r].size()) continue;
         const TableCell& cell = block.table.rows[r][column];
         if (std::holds_alternative<std::monostate>(cell)) continue;
-        if (std::holds_alternative<std::string>(cell)) return false;
+        // A number with a unit of its own is a text.
+        if (std::holds_alternative<std::string>(cell) && style_of(block, column).match < 0) return false;
         any = true;
     }
     return any;

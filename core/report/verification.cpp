@@ -21,8 +21,8 @@ struct Subject {
 enum class Conversion { value, interval, number };
 
 struct Figure {
-    Conversion conversion;
-    bool by_monte_carlo;
+    Conversion conversion = Conversion::number;
+    bool by_monte_carlo = false;
     std::function<double(const Subject&)> take;
 };
 
@@ -39,7 +39,7 @@ const CoverageRegion& region_of(const Subject& s) {
 }
 
 double first_order_expanded(const Subject& s) {
-    return s.output.first_order.coverage_factor * s.output.first_order.standard_uncertainty;
+    return s.output.first_order.expanded_uncertainty;
 }
 
 std::map<std::string, Figure> first_order_figures() {
@@ -87,6 +87,8 @@ std::map<std::string, Figure> monte_carlo_figures() {
         {"mc-u", {interval, true, of([](const MonteCarloOutput& m) { return m.standard_uncertainty; })}},
         {"mc-low", {value, true, of([](const MonteCarloOutput& m) { return m.symmetric.low; })}},
         {"mc-high", {value, true, of([](const MonteCarloOutput& m) { return m.symmetric.high; })}},
+        {"mc-skewness", {number, true, of([](const MonteCarloOutput& m) { return m.skewness; })}},
+        {"mc-kurtosis", {number, true, of([](const MonteCarloOutput& m) { return m.kurtosis; })}},
         {"mc-short-low", {value, true, of([](const MonteCarloOutput& m) { return m.shortest.low; })}},
         {"mc-short-high", {value, true, of([](const MonteCarloOutput& m) { return m.shortest.high; })}},
         {"mc-correlation",
@@ -100,10 +102,22 @@ std::map<std::string, Figure> monte_carlo_figures() {
     };
 }
 
+/// What the result line states, of whichever method.
+std::map<std::string, Figure> stated_figures() {
+    constexpr auto value = Conversion::value, interval = Conversion::interval, number = Conversion::number;
+    return {
+        {"result-estimate", {value, true, [](const Subject& s) { return s.output.estimate; }}},
+        {"result-u", {interval, true, [](const Subject& s) { return s.output.standard_uncertainty; }}},
+        {"result-k", {number, true, [](const Subject& s) { return s.output.coverage_factor; }}},
+        {"result-U", {interval, true, [](const Subject& s) { return s.output.expanded_uncertainty; }}},
+    };
+}
+
 const std::map<std::string, Figure>& figures() {
     static const std::map<std::string, Figure> all = [] {
         std::map<std::string, Figure> made = first_order_figures();
         made.merge(monte_carlo_figures());
+        made.merge(stated_figures());
         return made;
     }();
     return all;
@@ -137,12 +151,55 @@ double tolerance_of(const VerificationCheck& check, const Figure& figure, double
                                      check.scatter * std::sqrt(reference_trials / std::max(trials, 1.0))));
 }
 
+double scatter_of(const VerificationCheck& check, const Figure& figure, double trials) {
+    return figure.by_monte_carlo ? 4.0 * check.scatter * std::sqrt(reference_trials / std::max(trials, 1.0))
+                                 : 0.0;
+}
+
+CheckedFigure judged(const VerificationCheck& check, double value, double tolerance, double scatter) {
+    CheckedFigure made{check, value, tolerance};
+    const auto agree = [value](double other, double within) {
+        return value == other || std::abs(value - other) <= within;
+    };
+    made.agrees_with_reference = !check.reference || agree(*check.reference, tolerance);
+    made.reproduces_published =
+        !check.published || agree(*check.published, check.half_digit * (1 + 1e-9) + scatter);
+    if (std::isnan(value)) made.agrees_with_reference = made.reproduces_published = false;
+    return made;
+}
+
+/// As the table shows it, in the unit of its column or of its own.
+std::optional<double> number_in(const DataTable& table, const VerificationCell& cell) {
+    std::size_t column = 0;
+    while (column < table.columns.size() && table.columns[column].header != cell.column) ++column;
+    if (column == table.columns.size()) return std::nullopt;
+    for (const std::vector<TableCell>& row : table.rows) {
+        const auto* name = std::get_if<std::string>(&row.front());
+        if (!name || *name != cell.row) continue;
+        if (const auto* si = std::get_if<double>(&row[column]))
+            return table.columns[column].unit.from_si(*si);
+        if (const auto* own = std::get_if<Quantity>(&row[column])) return own->value;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> number_in(const EvaluatedAnalysis& evaluated, const VerificationCell& cell) {
+    for (const DataTable& table : evaluated.analysis->model->evaluation())
+        if (table.id == cell.table) return number_in(table, cell);
+    return std::nullopt;
+}
+
 Result<CheckedFigure> checked(const VerificationCheck& check, const std::vector<EvaluatedAnalysis>& results) {
     const auto refused = [&](const std::string& what) {
         return fail(ErrorCode::not_found, "verification \"" + check.what + "\": " + what);
     };
     const EvaluatedAnalysis* evaluated = find(results, check.analysis);
     if (!evaluated) return refused("there is no analysis \"" + check.analysis + "\"");
+    if (check.cell) {
+        const auto value = number_in(*evaluated, *check.cell);
+        if (!value) return refused("there is no number in table \"" + check.cell->table + "\"");
+        return judged(check, *value, tolerance_of(check, {}, 0.0), 0.0);
+    }
     const auto figure = figures().find(check.figure);
     if (figure == figures().end()) return refused("there is no figure \"" + check.figure + "\"");
     const UncertaintyResult& result = *evaluated->result;
@@ -150,24 +207,26 @@ Result<CheckedFigure> checked(const VerificationCheck& check, const std::vector<
     const std::size_t other = check.with.empty() ? index : find_output(result, check.with, check.group);
     if (index >= result.outputs.size() || other >= result.outputs.size())
         return refused("there is no result \"" + check.output + " " + check.with + "\"");
-    CheckedFigure made{check};
     const Subject subject{result, result.outputs[index], index, other};
-    made.value = converted(check.unit, figure->second.conversion, figure->second.take(subject));
     const bool of_region = check.figure == "mc-ellipsoid" || check.figure == "mc-rectangle";
-    const double trials = static_cast<double>(of_region ? region_of(subject).trials : result.trials);
-    made.tolerance = tolerance_of(check, figure->second, trials);
-    made.agrees_with_reference =
-        !check.reference || std::abs(made.value - *check.reference) <= made.tolerance;
-    const double own_scatter = figure->second.by_monte_carlo
-                                   ? 4.0 * check.scatter * std::sqrt(reference_trials / std::max(trials, 1.0))
-                                   : 0.0;
-    made.reproduces_published = !check.published || std::abs(made.value - *check.published) <=
-                                                        check.half_digit * (1 + 1e-9) + own_scatter;
-    if (std::isnan(made.value)) made.agrees_with_reference = made.reproduces_published = false;
-    return made;
+    const auto trials = static_cast<double>(of_region ? region_of(subject).trials : result.trials);
+    return judged(check, converted(check.unit, figure->second.conversion, figure->second.take(subject)),
+                  tolerance_of(check, figure->second, trials), scatter_of(check, figure->second, trials));
 }
 
 }  // namespace
+
+const std::vector<std::string>& first_order_line() {
+    static const std::vector<std::string> names{"estimate", "u",   "degrees-of-freedom", "k", "U",
+                                                "low",      "high"};
+    return names;
+}
+
+const std::vector<std::string>& monte_carlo_line() {
+    static const std::vector<std::string> names{"mc-mean", "mc-u",     "mc-low",
+                                                "mc-high", "result-k", "result-U"};
+    return names;
+}
 
 bool CheckedCase::passed() const {
     return std::all_of(figures.begin(), figures.end(), [](const CheckedFigure& f) { return f.passed(); });

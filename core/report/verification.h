@@ -10,14 +10,22 @@
 
 namespace covaria {
 
+/// A cell of a table of the model's evaluation, by what people read there.
+struct VerificationCell {
+    std::string table;  ///< id
+    std::string row;    ///< text of the first cell
+    std::string column = "value";
+};
+
 /// One figure of a result with what it should be; numbers in `unit`.
 struct VerificationCheck {
-    std::string what;      ///< for people: "u(l), law of propagation"
-    std::string analysis;  ///< id
-    std::string output;    ///< symbol
+    std::string what;         ///< for people: "u(l), law of propagation"
+    std::string analysis;     ///< id
+    std::string output = {};  ///< symbol
     std::string group = {};
-    std::string figure;     ///< key of `verification_figures()`
-    std::string with = {};  ///< the other output of a correlation
+    std::string figure = {};                    ///< key of `verification_figures()`; empty: `cell`
+    std::string with = {};                      ///< the other output of a correlation
+    std::optional<VerificationCell> cell = {};  ///< in the unit of its table
     Unit unit = {};
     std::string entry = {};  ///< where the reference value stands in the project's tests
     std::optional<double> published = {};
@@ -31,11 +39,15 @@ struct VerificationCheck {
 };
 
 struct VerificationCase {
-    std::string project;  ///< file in projects/
+    std::string project;  ///< file in the folder of the program's data: "projects/gum/...", "resources/..."
     std::string title;
     std::string source;  ///< "JCGM 101:2008, 9.3"
     std::vector<VerificationCheck> checks;
 };
+
+/// The figures of a result line that a check may name: by the law of propagation, and what Monte Carlo adds.
+const std::vector<std::string>& first_order_line();
+const std::vector<std::string>& monte_carlo_line();
 
 /// Reads resources/verification.json. Errors: io, bad_input with the path.
 Result<std::vector<VerificationCase>> read_verification(const std::string& text);

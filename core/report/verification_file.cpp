@@ -8,18 +8,24 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// "infinite" stands for infinity, which JSON has no number for.
 std::optional<double> number(const Json& of, const char* key) {
     const auto found = of.find(key);
-    return found == of.end() || found->is_null() ? std::nullopt : std::optional<double>(found->get<double>());
+    if (found == of.end() || found->is_null()) return std::nullopt;
+    return found->is_string() && found->get<std::string>() == "infinite" ? infinity : found->get<double>();
 }
 
 VerificationCheck check_from(const Json& json) {
     VerificationCheck check;
     check.what = json.at("what");
     check.analysis = json.at("analysis");
-    check.output = json.at("output");
     check.group = json.value("group", "");
-    check.figure = json.at("figure");
+    if (json.contains("table")) {
+        check.cell = VerificationCell{json.at("table"), json.at("row"), json.value("column", "value")};
+    } else {
+        check.output = json.at("output");
+        check.figure = json.at("figure");
+    }
     check.with = json.value("with", "");
     check.unit = Unit::parse(json.value("unit", "1")).value();
     check.entry = json.value("entry", "");

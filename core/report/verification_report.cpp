@@ -56,11 +56,11 @@ std::string summary(const std::vector<CheckedCase>& cases) {
     for (const CheckedCase& c : cases)
         for (const CheckedFigure& f : c.figures) ++total, passed += f.passed() ? 1 : 0;
     return std::to_string(passed) + " of " + std::to_string(total) + " figures of " +
-           std::to_string(cases.size()) + " examples are as they should be.";
+           std::to_string(cases.size()) + " cases are as they should be.";
 }
 
 TableBlock table_of(const CheckedCase& c) {
-    report_parts::TableBuilder table("verification-" + report_parts::file_name_part(c.of.project),
+    report_parts::TableBuilder table("verification-" + report_parts::file_name_part(c.of.title),
                                      c.of.title + " (" + c.of.source + ")");
     for (const char* head :
          {"Figure", "Unit", "Published", "Reference", "Covaria", "Allowed deviation", "Status"})
@@ -69,7 +69,7 @@ TableBlock table_of(const CheckedCase& c) {
         table.row({f.check.what, unit_of(f.check), published_text(f.check), reference_text(f), value_text(f),
                    f.tolerance > 0.0 ? figure_text(f.tolerance, f.tolerance) : std::string(),
                    status_text(f)});
-    table.note("Project: projects/" + c.of.project + ".");
+    table.note("Project: " + c.of.project + ".");
     return table.take();
 }
 
@@ -91,8 +91,8 @@ ReportDocument verification_report(const std::vector<CheckedCase>& cases) {
     document.title = document.running_head = "Verification of Covaria " COVARIA_VERSION;
     document.blocks.push_back(ParagraphBlock{summary(cases)});
     document.blocks.push_back(
-        ParagraphBlock{"Each example is evaluated as its project in the folder of examples states. Published "
-                       "values count as "
+        ParagraphBlock{"Each case is evaluated as its project states, which is installed with the program. "
+                       "Published values count as "
                        "reproduced within half of their last printed digit; reference values were computed "
                        "independently of Covaria, "
                        "and Monte Carlo results may deviate from them by four combined standard errors."});
@@ -103,7 +103,7 @@ ReportDocument verification_report(const std::vector<CheckedCase>& cases) {
 std::string verification_text(const std::vector<CheckedCase>& cases) {
     std::string text = "Verification of Covaria " COVARIA_VERSION "\n";
     for (const CheckedCase& c : cases) {
-        text += "\n" + c.of.title + " (" + c.of.source + "), projects/" + c.of.project + "\n";
+        text += "\n" + c.of.title + " (" + c.of.source + "), " + c.of.project + "\n";
         text += padded("  figure", 54, false) + padded("published", 17, true) +
                 padded("reference", 17, true) + padded("Covaria", 17, true) + "  status\n";
         for (const CheckedFigure& f : c.figures) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/symbol.h"
+
 namespace covaria {
 
 double StudyPlace::standard_uncertainty() const {
@@ -31,12 +33,13 @@ std::vector<StudyQuantity> study_quantities(const StudyResult& study) {
     for (std::size_t t = 0; t < study.triples.size(); ++t) {
         const OutputQuantity& first = study.outputs[study.triples[t].outputs[0]];
         const std::string& name = study.triples[t].name;
-        quantities.push_back({"u(3D)" + in(name), "u(3D)", first.unit, true, t});
+        quantities.push_back({"u(3D)" + in(name), "u(3D)" + in(name), "u(3D)", first.unit, true, t});
     }
     for (std::size_t j = 0; j < study.outputs.size(); ++j) {
         const OutputQuantity& output = study.outputs[j];
-        const std::string symbol = "U(" + output.symbol + ")";
-        quantities.push_back({symbol + in(output.group), symbol, output.unit, false, j});
+        const std::string symbol = "U(" + symbol_to_unicode(output.symbol) + ")";
+        quantities.push_back({"U(" + output.symbol + ")" + in(output.group), symbol + in(output.group),
+                              symbol, output.unit, false, j});
     }
     return quantities;
 }

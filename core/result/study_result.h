@@ -68,8 +68,9 @@ struct StudyResult {
 /// What can be shown of a study as one number at each point: the expanded uncertainty of an output, or u_3D
 /// of a point's position.
 struct StudyQuantity {
-    std::string title;   ///< "U(x), B", "u(3D), B"
-    std::string symbol;  ///< "U(x)"
+    std::string id;      ///< plain, for names of files: "U(theta_1), B"
+    std::string title;   ///< as people read it: "U(θ₁), B", "u(3D), B"
+    std::string symbol;  ///< likewise: "U(θ₁)"
     Unit unit = {};
     bool position = false;  ///< u_3D of a triple
     std::size_t index = 0;  ///< of the output or triple

@@ -102,10 +102,11 @@ struct BudgetComponent {
     double standard_uncertainty = 0.0;
     double degrees_of_freedom = infinity;
     bool held = false;
-    std::string group;                ///< of the (first) quantity it belongs to
-    std::string quantity;             ///< symbol of that quantity; of all, joined, when shared
-    std::vector<GroupTag> tags = {};  ///< its own and those of that quantity
-    double estimate = 0.0;            ///< of that quantity
+    std::vector<std::string> quantities;  ///< symbols of all quantities that have a share in it
+    std::string group;                    ///< of the first of them
+    std::vector<GroupTag> tags = {};      ///< its own and those of that quantity
+    double estimate = 0.0;                ///< of that quantity
+    Unit quantity_unit = {};              ///< likewise, for display
 };
 
 /// Per output, the rows sorted by falling |share|.
@@ -123,7 +124,7 @@ struct ContributorResult {
         std::vector<double> monte_carlo;  ///< empty unless asked for
         std::uint64_t failed_trials = 0;
     };
-    std::string contributor;     ///< UncertaintyComponent::contributor
+    std::string contributor;     ///< its name; with its id where two have one name; "" = the set-up
     std::size_t components = 0;  ///< that it brings in
     Uncertainties without, alone;
 };
@@ -138,9 +139,10 @@ struct GroupContribution {
 /// Shares of the variance by one component, or by several that are not independent of each other (Sobol 1993;
 /// Saltelli et al. 2010; Jansen 1999).
 struct SobolIndex {
-    std::string name;    ///< ids of the components, joined
-    double first = 0.0;  ///< by itself
-    double total = 0.0;  ///< with all its interactions
+    std::string name;                     ///< for people: ids of the first components
+    std::vector<std::size_t> components;  ///< indices into InputSet::components
+    double first = 0.0;                   ///< by itself
+    double total = 0.0;                   ///< with all its interactions
     double first_standard_error = 0.0;
     double total_standard_error = 0.0;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/guarded.h"
 #include "core/project/registered.h"
 
 namespace covaria::detail {
@@ -107,6 +108,12 @@ EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(
         indices[axis] = point % plan_.values[axis].size();
         point /= plan_.values[axis].size();
     }
+    auto evaluated = guarded([&] { return of_grid_point(indices, advance); });
+    return evaluated ? *std::move(evaluated) : without_values(evaluated.error().message);
+}
+
+EvaluatedPoint GridWalker::of_grid_point(const std::vector<std::size_t>& indices,
+                                         const std::function<bool(std::uint64_t)>& advance) {
     change(indices);
     ModelOfAnalysis made{plan_.prepared.analysis->model, {}};
     if (plan_.setup_varied) {

@@ -38,6 +38,8 @@ public:
 private:
     void change(const std::vector<std::size_t>& indices);
     bool make_assets(Problems& problems);
+    EvaluatedPoint of_grid_point(const std::vector<std::size_t>& indices,
+                                 const std::function<bool(std::uint64_t)>& advance);
     EvaluatedPoint of_model(const ModelOfAnalysis& made, const std::function<bool(std::uint64_t)>& advance);
     void add_places(const ModelOfAnalysis& made, const std::vector<std::size_t>& indices,
                     const EvaluationSummary& summary, StudyPoint& point) const;

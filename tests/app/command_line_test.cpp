@@ -1,6 +1,7 @@
 // The contract of the command line: what scripts rely on.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
@@ -27,6 +28,9 @@ TEST(CommandLine, HelpNamesEverySubcommand) {
 TEST(CommandLine, WrongUsageIsStatusTwo) {
     EXPECT_EQ(run_program({"run"}).status, 2);
     EXPECT_EQ(run_program({"frobnicate"}).status, 2);
+    const Outcome mistyped = run_program({"rnu", stewart});
+    EXPECT_EQ(mistyped.status, 2);
+    EXPECT_NE(mistyped.err.find("did you mean 'run'"), std::string::npos) << mistyped.err;
     EXPECT_EQ(run_program({"run", stewart, "--trials", "-5"}).status, 2);
     EXPECT_EQ(run_program({"run", stewart, "--trials", "1000", "--adaptive"}).status, 2);
 }
@@ -105,6 +109,19 @@ TEST(CommandLine, DescribeListsModelsAndTheirFields) {
     EXPECT_NE(pose.out.find("base_points (table"), std::string::npos);
     EXPECT_NE(pose.out.find("[mm]"), std::string::npos);
     EXPECT_EQ(run_program({"describe", "nothing"}).status, 1);
+    for (const auto& [part, field] : std::map<std::string, std::string>{
+             {"inputs", "components (list, see components, optional)"},
+             {"components", "student-t: mean (in the unit), scale (in the unit), degrees_of_freedom"},
+             {"correlations", "coefficient (number, at least -1, at most 1)"},
+             {"options", "coverageProbability (number, greater than 0, less than 1, optional)  default 0.95"},
+             {"requirements", "guardFactor (number, at least -10, at most 10, optional)  default 1"},
+             {"studies", "axes (list, see axes)"},
+             {"axes", "spacing (choice, optional)  default linear"}}) {
+        EXPECT_NE(list.out.find("\n  " + part + " "), std::string::npos) << part;
+        const Outcome described = run_program({"describe", part});
+        EXPECT_EQ(described.status, 0) << part;
+        EXPECT_NE(described.out.find(field), std::string::npos) << described.out;
+    }
 }
 
 TEST(CommandLine, ConvertGivesTheSameBytesForACanonicalFile) {

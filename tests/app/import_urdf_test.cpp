@@ -38,13 +38,26 @@ TEST(ImportUrdf, WritesAProjectAndAddsToIt) {
     EXPECT_EQ(assets[0].at("setup").at("joints").at("rows").size(), 2u);
 }
 
+TEST(ImportUrdf, SaysWhatItTookAndFreezesJoints) {
+    const fs::path folder = fresh_folder("urdf-freeze");
+    write_text(folder / "arm.urdf", arm);
+    const std::string file = (folder / "arm.urdf").string(), project = (folder / "arm.covaria").string();
+    const Outcome done = run_program({"import-urdf", file, "-o", project, "--freeze", "shoulder=30"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    for (const char* words : {"1 joint from link base to link tool0", "joint 1: elbow, turns, without limits",
+                              "shoulder: frozen at 30°", "the tool stands at (433.013, 250, 400) mm"})
+        EXPECT_NE(done.out.find(words), std::string::npos) << words << "\n" << done.out;
+    for (const char* wrong : {"shoulder", "shoulder=", "=3", "shoulder=3 mm", "elbo=1"})
+        EXPECT_EQ(run_program({"import-urdf", file, "-o", project, "--freeze", wrong}).status, 1) << wrong;
+}
+
 TEST(ImportUrdf, SaysWhatItDoesNotUnderstand) {
     const fs::path folder = fresh_folder("urdf-bad");
     write_text(folder / "bad.urdf", "<robot name=\"x\"></robot>");
     const std::string project = (folder / "out.covaria").string();
     const Outcome empty = run_program({"import-urdf", (folder / "bad.urdf").string(), "-o", project});
     EXPECT_EQ(empty.status, 1);
-    EXPECT_NE(empty.err.find("bad.urdf: the file has no rotating joint"), std::string::npos) << empty.err;
+    EXPECT_NE(empty.err.find("bad.urdf: the file has no moving joint"), std::string::npos) << empty.err;
     EXPECT_FALSE(fs::exists(project));
     const Outcome missing = run_program({"import-urdf", (folder / "none.urdf").string(), "-o", project});
     EXPECT_EQ(missing.status, 1);

@@ -9,10 +9,14 @@ struct Outcome {
     int status = -1;  ///< exit status; 128 + n for signal n
     std::string out;
     std::string err;
+    double after_signal_s = 0.0;  ///< from the signal, if one was sent, to the end
 };
 
 /// Waits for the end. `signal_after_ms` > 0 sends SIGINT after so many milliseconds.
 Outcome run_program(const std::vector<std::string>& arguments, int signal_after_ms = 0);
+/// With these variables ("NAME=VALUE") in its environment.
+Outcome run_program_with(const std::vector<std::string>& environment,
+                         const std::vector<std::string>& arguments, int signal_after_ms = 0);
 
 /// A fresh folder under the build tree, emptied at construction.
 std::filesystem::path fresh_folder(const std::string& name);

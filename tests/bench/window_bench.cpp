@@ -85,7 +85,7 @@ struct OpenWindow {
         bool shown = false;
         const auto connection = QObject::connect(
             &window.runner(), &AnalysisRunner::result_changed, &window,
-            [&] { shown = shown || (status().is_current() && status().result_of != before); });
+            [&] { shown = shown || (status().is_of_present() && status().result_of != before); });
         QElapsedTimer clock;
         clock.start();
         QTest::keyClick(edit, Qt::Key_Return);
@@ -169,7 +169,7 @@ void measure_dragging() {
     int results = 0, places = 0;
     Eigen::Vector3d place = item->position;
     QObject::connect(&open.window.runner(), &AnalysisRunner::result_changed, &view,
-                     [&] { results += open.status().is_current() ? 1 : 0; });
+                     [&] { results += open.status().is_of_present() ? 1 : 0; });
     QObject::connect(&view.service(), &RenderService::rendered, &view, [&] {
         const SceneItem* now = view.scene() ? find_item(*view.scene(), id) : nullptr;
         if (!now || now->position == place || view.scene()->ellipsoids.empty()) return;
@@ -204,7 +204,7 @@ void measure_large() {
     OpenWindow open(file);
     const auto wait_for_result = [&](const PreparedPointer& before) {
         qint64 longest = 0, last = clock.elapsed();
-        while (!open.status().result || !open.status().is_current() || open.status().result_of == before) {
+        while (!open.status().result || !open.status().is_of_present() || open.status().result_of == before) {
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
             longest = std::max(longest, clock.elapsed() - last);
             last = clock.elapsed();

@@ -17,8 +17,7 @@ namespace {
 
 /// Device units per 1/96 inch.
 double units_of(const QPainter& painter) {
-    const auto type = painter.paintEngine()->type();
-    if (type == QPaintEngine::SVG || type == QPaintEngine::Picture) return 1.0;
+    if (painter.paintEngine()->type() == QPaintEngine::SVG) return 1.0;
     return painter.device()->logicalDpiX() / 96.0;
 }
 
@@ -59,20 +58,29 @@ QImage plot_image(const ShownPlot& shown, double pixel_ratio) {
     return image;
 }
 
-Result<void> write_svg(const std::string& file, const ShownPlot& shown) {
+std::string svg_bytes(const std::string& title, QSize size,
+                      const std::function<void(QPainter&, const QRectF&)>& paint) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
-    generator.setResolution(96);
-    generator.setSize(shown.size);
-    generator.setViewBox(QRect(QPoint(), shown.size));
-    generator.setTitle(QString::fromStdString(shown.plot.title));
+    generator.setResolution(96);  // else what is painted fills three quarters of the frame
+    generator.setSize(size);
+    generator.setViewBox(QRect(QPoint(), size));
+    generator.setTitle(QString::fromStdString(title));
     QPainter painter(&generator);
-    paint_plot(painter, QRectF(QPointF(), QSizeF(shown.size)), shown.plot, shown.theme, shown.view);
+    paint(painter, QRectF(QPointF(), QSizeF(size)));
     painter.end();
-    return save(file, bytes);
+    return bytes.toStdString();
+}
+
+Result<void> write_svg(const std::string& file, const ShownPlot& shown) {
+    const std::string bytes =
+        svg_bytes(shown.plot.title, shown.size, [&shown](QPainter& painter, const QRectF& area) {
+            paint_plot(painter, area, shown.plot, shown.theme, shown.view);
+        });
+    return save(file, QByteArray::fromStdString(bytes));
 }
 
 Result<void> write_png(const std::string& file, const ShownPlot& shown, double pixel_ratio) {

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QRectF>
 #include <QSize>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -20,7 +21,7 @@ namespace covaria::ui {
 QChart* make_chart(const PlotSpecification& plot, const Theme& theme);
 
 /// Draws the chart into `area` of the painter, as vectors. Sizes of texts follow the resolution of the paint
-/// device (7.5 to 9 pt); units of an SVG or a QPicture count as 1/96 inch. `view`: a part of the data.
+/// device (7.5 to 9 pt); units of an SVG count as 1/96 inch. `view`: a part of the data.
 void paint_plot(QPainter& painter, const QRectF& area, const PlotSpecification& plot, const Theme& theme,
                 const std::optional<PlotView>& view = {});
 
@@ -34,6 +35,10 @@ struct ShownPlot {
 
 /// `pixel_ratio`: pixels per unit of the size.
 QImage plot_image(const ShownPlot& shown, double pixel_ratio = 1.0);
+
+/// A picture of that size (in units of 1/96 inch) as SVG text.
+std::string svg_bytes(const std::string& title, QSize size,
+                      const std::function<void(QPainter&, const QRectF&)>& paint);
 
 // Errors of the writers: io; the message names the file.
 Result<void> write_svg(const std::string& file, const ShownPlot& shown);

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMetaObject>
 
+#include "core/base/counted_problems.h"
 #include "core/project/workspace.h"
 #include "ui/document/linked_files.h"
 #include "ui/document/project_command.h"
@@ -13,20 +14,30 @@ namespace covaria::ui {
 
 namespace {
 
+/// A step keeps what it changed, some 40 kB in a large project: the history stays below some 20 MB.
+constexpr int most_undo_steps = 500;
+
 std::filesystem::path folder_of(const QString& file) {
-    return file.isEmpty() ? std::filesystem::path{} : to_path(QFileInfo(file).absolutePath());
+    return file.isEmpty() ? std::filesystem::path{}
+                          : project_folder(to_path(QFileInfo(file).absoluteFilePath()));
 }
 
 }  // namespace
 
 Document::Document(QObject* parent)
-    : Document([](const Project& project, Problems& problems) { check_project(project, problems); }, parent) {
-}
+    : Document(
+          [](const Project& project, Problems& problems) {
+              check_project(project, problems);
+              count_beyond_a_hundred(problems);
+          },
+          parent) {}
 
 Document::Document(ProblemChecker::Check check, QObject* parent)
     : QObject(parent), checker_(std::move(check)) {
     open_pool_.setMaxThreadCount(1);
-    connect(&checker_, &ProblemChecker::checked, this, &Document::problems_changed);
+    undo_stack_.setUndoLimit(most_undo_steps);
+    connect(&checker_, &ProblemChecker::checked, this, &Document::collect_problems);
+    connect(&unread_, &UnreadTexts::changed, this, &Document::collect_problems);
     connect(&watch_, &FileWatch::changed, this, &Document::changed_on_disk);
     connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { emit modified_changed(is_modified()); });
 }
@@ -57,12 +68,19 @@ void Document::set_project(ProjectSnapshot project) {
     emit project_changed();
 }
 
+void Document::collect_problems() {
+    problems_ = unread_.problems(*project_);
+    problems_.take(checker_.problems(), {});
+    emit problems_changed();
+}
+
 void Document::adopt(Project project, const QString& file) {
     ++open_number_;
     undo_stack_.clear();
     unsaved_ = false;
     set_file(file);
     project_ = std::make_shared<const Project>(std::move(project));
+    unread_.clear();
     emit project_replaced();
     set_project(project_);
     emit modified_changed(is_modified());

@@ -12,6 +12,7 @@
 #include "core/project/project_file.h"
 #include "ui/document/file_watch.h"
 #include "ui/document/problem_checker.h"
+#include "ui/document/unread_texts.h"
 
 namespace covaria::ui {
 
@@ -60,7 +61,11 @@ public:
     /// CSV files the project refers to are copied beside the new file where they are not there yet.
     Result<void> save_as(const QString& file);
 
-    const Problems& problems() const { return checker_.problems(); }
+    /// Those of the project and the texts that cannot be read.
+    const Problems& problems() const { return problems_; }
+    /// What was typed into fields and cells and cannot be read: not part of the project.
+    UnreadTexts& unread() { return unread_; }
+    const UnreadTexts& unread() const { return unread_; }
     /// Checks at once instead of in the worker thread (which happens after every change by itself).
     void check_now() { checker_.check_now(project_); }
 
@@ -81,10 +86,13 @@ private:
     void adopt(Project project, const QString& file);
     void set_file(const QString& file);
     void finish_open(const QString& file, LoadedProject loaded);
+    void collect_problems();
 
     ProjectSnapshot project_ = std::make_shared<const Project>();
     QUndoStack undo_stack_;
     ProblemChecker checker_;
+    UnreadTexts unread_;
+    Problems problems_;
     FileWatch watch_;
     QThreadPool open_pool_;
     QString file_;

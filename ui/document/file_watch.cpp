@@ -2,8 +2,10 @@
 #include "ui/document/file_watch.h"
 
 #include <QCryptographicHash>
-#include <QFile>
 #include <QFileInfo>
+
+#include "core/base/file_io.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -11,11 +13,9 @@ namespace {
 
 QByteArray content_hash(const QString& name) {
     if (name.isEmpty()) return {};
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly)) return {};
-    QCryptographicHash hash(QCryptographicHash::Sha1);
-    hash.addData(&file);
-    return hash.result();
+    const auto content = read_file(to_path(name));
+    if (!content) return {};
+    return QCryptographicHash::hash(QByteArray::fromStdString(*content), QCryptographicHash::Sha1);
 }
 
 }  // namespace

@@ -18,13 +18,4 @@ void change_input(Document& document, const std::string& analysis, const std::st
                   const QString& text, const std::function<void(InputEdit&)>& change,
                   const QString& merge_key = {});
 
-/// The component as a user would have typed it, in its own unit.
-ComponentEdit to_edit(const UncertaintyComponent& component);
-/// The distribution described, in SI. Error: unknown kind, wrong number of parameters, values out of range.
-Result<Distribution> distribution_of(const ComponentEdit& edit);
-/// The same parameters in another unit.
-ComponentEdit in_unit(ComponentEdit edit, const Unit& unit);
-/// Parameters (in `edit.unit`) of a distribution given in SI.
-void set_distribution(ComponentEdit& edit, const Distribution& distribution);
-
 }  // namespace covaria::ui

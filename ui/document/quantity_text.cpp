@@ -16,7 +16,9 @@ QString tr(const char* text) {
 }
 
 QString plain_number(QString text) {
-    return text.trimmed().replace(QChar(0x2212), '-').remove(QChar(0x00a0)).remove(QChar(0x202f));
+    text = text.trimmed().replace(QChar(0x2212), '-');
+    for (const char16_t space : {u'\u00a0', u'\u202f', u'\u2009'}) text.remove(QChar(space));
+    return text;
 }
 
 }  // namespace
@@ -76,6 +78,11 @@ QString quantity_text(const Quantity& quantity, const QLocale& locale) {
 double converted(double value, const Unit& from, const Unit& to) {
     if (from == to) return value;
     return QString::number(to.from_si(from.to_si(value)), 'g', 15).toDouble();
+}
+
+double converted_interval(double value, const Unit& from, const Unit& to) {
+    if (from == to) return value;
+    return QString::number(to.interval_from_si(from.interval_to_si(value)), 'g', 15).toDouble();
 }
 
 QString with_unit(const QString& title, const Unit& unit) {

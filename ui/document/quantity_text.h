@@ -27,6 +27,8 @@ QString quantity_text(const Quantity& quantity, const QLocale& locale);
 
 /// The number in another unit of the same dimension, cleaned of the last digit's conversion noise.
 double converted(double value, const Unit& from, const Unit& to);
+/// Likewise a difference or an uncertainty: without the zero of degC.
+double converted_interval(double value, const Unit& from, const Unit& to);
 
 /// "x / mm": title of a column or field with its unit.
 QString with_unit(const QString& title, const Unit& unit);

@@ -53,8 +53,29 @@ Result<void> RecoveryStore::write(const QString& recovery_file, const Project& p
     return write_file_atomically(to_path(recovery_file), bytes.toStdString());
 }
 
+void RecoveryStore::remove_leftovers() const {
+    const QString lock_ending = lock_of(QString::fromLatin1(ending));
+    const QDir folder(folder_);
+    for (const QFileInfo& info : folder.entryInfoList(QDir::Files | QDir::Hidden)) {
+        const QString name = info.fileName();
+        // ".NAME.recovery.PID-NUMBER.tmp" of an atomic write, "NAME.recovery.lock", "NAME.recovery"
+        const qsizetype end = name.indexOf(QLatin1String(ending)) + qsizetype(qstrlen(ending));
+        const bool temporary = name.startsWith(QLatin1Char('.')) && name.endsWith(QStringLiteral(".tmp"));
+        const bool lock = name.endsWith(lock_ending), entry = name.endsWith(QLatin1String(ending));
+        if (!name.contains(QLatin1String(ending)) || !(temporary || lock || entry)) continue;
+        const QString of = folder.filePath(name.left(end).mid(temporary ? 1 : 0));
+        if (owner_is_alive(of)) continue;
+        const bool keeps = QFileInfo::exists(of) && read_entry(of).contains("project");
+        if (temporary)
+            QFile::remove(info.filePath());
+        else if (!keeps)
+            remove(of);
+    }
+}
+
 std::vector<RecoveryEntry> RecoveryStore::abandoned() const {
     std::vector<RecoveryEntry> entries;
+    remove_leftovers(to_path(folder_));
     const QDir folder(folder_);
     for (const QFileInfo& info : folder.entryInfoList({QString("*") + ending}, QDir::Files, QDir::Time)) {
         const QJsonObject entry = read_entry(info.filePath());

@@ -32,6 +32,9 @@ public:
     static Result<void> write(const QString& recovery_file, const Project& project,
                               const QString& original_file);
 
+    /// Removes what a kill leaves beside the entries: half-written files, locks and unreadable entries of
+    /// windows that are gone.
+    void remove_leftovers() const;
     /// What windows that are gone left behind, newest first.
     std::vector<RecoveryEntry> abandoned() const;
     static LoadedProject load(const RecoveryEntry& entry);

@@ -1,12 +1,11 @@
 #include "ui/export/report_export.h"
 
 #include <QBuffer>
-#include <QPainter>
-#include <QSvgGenerator>
 #include <algorithm>
 
 #include "core/project/project_file.h"
 #include "core/report/report.h"
+#include "ui/charts/chart_painter.h"
 #include "ui/print/pdf_report.h"
 
 namespace covaria::ui {
@@ -27,10 +26,14 @@ Result<std::string> png_bytes(const QImage& image) {
 struct FigureWriter {
     const std::filesystem::path& folder;
     const FigurePainters& painters;
+    const std::stop_token& stop;
 
     Result<void> operator()(const PlotBlock& block) const {
-        return write_file_atomically(folder / (block.plot.id + ".svg"),
-                                     plot_svg(block.plot, painters.paint_plot));
+        const auto svg = svg_bytes(block.plot.title, plot_size, [&](QPainter& painter, const QRectF& area) {
+            painters.paint_plot(painter, area, block.plot);
+        });
+        if (stop.stop_requested()) return {};  // the chart may be empty; the next block says so
+        return write_file_atomically(folder / (block.plot.id + ".svg"), svg);
     }
     Result<void> operator()(const SceneBlock& block) const {
         const QImage image = painters.render_scene(block, scene_size);
@@ -52,19 +55,24 @@ Result<void> write_figures(const ReportDocument& document, const std::filesystem
     for (const ReportBlock& block : document.blocks) {
         if (stop.stop_requested())
             return fail(ErrorCode::cancelled, "stopped while drawing the report's figures");
-        if (auto written = std::visit(FigureWriter{folder, painters}, block); !written) return written;
+        if (auto written = std::visit(FigureWriter{folder, painters, stop}, block); !written) return written;
     }
+    if (stop.stop_requested())
+        return fail(ErrorCode::cancelled, "stopped while drawing the report's figures");
     return {};
 }
 
 Result<void> export_format(const ReportDocument& document, const ReportTarget& target,
-                           const FigurePainters& painters, ReportFormat format) {
+                           const FigurePainters& painters, ReportFormat format, const std::stop_token& stop) {
     const std::filesystem::path stem = target.folder / target.name;
     switch (format) {
-        case ReportFormat::pdf:
-            return write_pdf(document,
-                             {target.paper, painters.paint_plot, painters.render_scene, target.foot},
-                             stem.string() + ".pdf");
+        case ReportFormat::pdf: {
+            const auto bytes =
+                pdf_bytes(document, {target.paper, painters.paint_plot, painters.render_scene, target.foot});
+            if (!bytes) return fail(bytes.error());
+            if (stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped while writing the report");
+            return write_file_atomically(stem.string() + ".pdf", *bytes);
+        }
         case ReportFormat::html:
             return write_file_atomically(stem.string() + ".html", to_html(document));
         case ReportFormat::markdown:
@@ -75,21 +83,6 @@ Result<void> export_format(const ReportDocument& document, const ReportTarget& t
 
 }  // namespace
 
-std::string plot_svg(const PlotSpecification& plot, const PaintPlot& paint_plot) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(plot_size);
-    generator.setViewBox(QRect(QPoint(), plot_size));
-    generator.setTitle(QString::fromStdString(plot.title));
-    QPainter painter(&generator);
-    paint_plot(painter, QRectF(QPointF(), plot_size), plot);
-    painter.end();
-    return bytes.toStdString();
-}
-
 Result<void> export_report(const ReportDocument& document, const ReportTarget& target,
                            const FigurePainters& painters, const std::stop_token& stop) {
     const auto beside_figures = [](ReportFormat format) { return format != ReportFormat::pdf; };
@@ -97,7 +90,7 @@ Result<void> export_report(const ReportDocument& document, const ReportTarget& t
         if (auto written = write_figures(document, target.folder, painters, stop); !written) return written;
     for (ReportFormat format : target.formats) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped while writing the report");
-        if (auto written = export_format(document, target, painters, format); !written) return written;
+        if (auto written = export_format(document, target, painters, format, stop); !written) return written;
     }
     return {};
 }

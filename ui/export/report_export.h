@@ -30,7 +30,4 @@ struct ReportTarget {
 Result<void> export_report(const ReportDocument& document, const ReportTarget& target,
                            const FigurePainters& painters, const std::stop_token& stop = {});
 
-/// A chart as SVG text of about 160 x 100 mm.
-std::string plot_svg(const PlotSpecification& plot, const PaintPlot& paint_plot);
-
 }  // namespace covaria::ui

@@ -8,6 +8,27 @@
 
 namespace covaria::ui {
 
+namespace {
+
+/// Tells a choice by the keyboard, which may go on, from one by the mouse, which is final.
+class ChoiceBox : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+    bool is_in_key_press() const { return in_key_press_; }
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        in_key_press_ = true;
+        QComboBox::keyPressEvent(event);
+        in_key_press_ = false;
+    }
+
+private:
+    bool in_key_press_ = false;
+};
+
+}  // namespace
+
 QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
                                     const QModelIndex& index) const {
     const QStringList choices = index.data(choices_role).toStringList();
@@ -17,9 +38,10 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
         line->setAlignment(static_cast<Qt::Alignment>(index.data(Qt::TextAlignmentRole).toInt()));
         return line;
     }
-    auto* box = new QComboBox(parent);
+    auto* box = new ChoiceBox(parent);
     box->addItems(choices);
     connect(box, &QComboBox::activated, this, [this, box] {
+        if (box->is_in_key_press()) return;  // goes on to the next choice; Enter or Tab takes it
         auto* self = const_cast<CellDelegate*>(this);
         emit self->commitData(box);
         emit self->closeEditor(box);

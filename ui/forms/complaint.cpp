@@ -32,6 +32,17 @@ void mark(QWidget& widget, const QString& complaint, const QString& help) {
     widget.setPalette(palette);
 }
 
+void keep_room(QLabel& label, int lines) {
+    label.setWordWrap(true);
+    label.setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    label.setFixedHeight(lines * label.fontMetrics().lineSpacing() + 2);
+}
+
+void show_note(QLabel& label, const QString& text) {
+    label.setText(text);
+    label.setToolTip(text);
+}
+
 QString complaint_of(const QWidget& widget) {
     return widget.property(property).toString();
 }

@@ -1,6 +1,7 @@
 // Marks a field as wrong: tinted ground, the reason as tooltip and for screen readers.
 #pragma once
 
+#include <QLabel>
 #include <QString>
 #include <QWidget>
 
@@ -8,6 +9,10 @@ namespace covaria::ui {
 
 /// An empty complaint removes the mark; `help` is the tooltip of a field that is right.
 void mark(QWidget& widget, const QString& complaint, const QString& help);
+/// A label for messages that come and go: its room of `lines` is always there, so that nothing below jumps;
+/// what does not fit is in the tooltip.
+void keep_room(QLabel& label, int lines);
+void show_note(QLabel& label, const QString& text);
 /// The complaint shown; empty when there is none.
 QString complaint_of(const QWidget& widget);
 

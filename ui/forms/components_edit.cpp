@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/base/symbol.h"
+#include "core/project/component_edit.h"
 #include "ui/document/input_edits.h"
 #include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
@@ -139,7 +140,7 @@ void ComponentsEdit::add_component() {
     const std::size_t quantity = analysis_->inputs.find(symbol_);
     ComponentEdit added;
     added.name = to_std(tr("component %1").arg(all.size() + 1));
-    if (quantity != InputSet::npos) added.unit = analysis_->inputs.quantities[quantity].unit;
+    if (quantity != InputSet::npos) added.unit = analysis_->inputs.quantities[quantity].unit.interval();
     set_distribution(added, Distribution::normal(0.0));
     all.push_back(added);
     const int row = static_cast<int>(all.size()) - 1;
@@ -152,14 +153,25 @@ void ComponentsEdit::remove_component() {
     const int row = list_->currentRow();
     if (row < 0 || row >= static_cast<int>(all.size())) return;
     all.erase(all.begin() + row);
+    forget_unread();
     write(tr("Remove component of %1").arg(to_qt(symbol_to_unicode(symbol_))), std::move(all));
 }
 
 void ComponentsEdit::reset() {
     if (!analysis_) return;
+    forget_unread();
     change_input(document_, analysis_->id, symbol_,
                  tr("Reset components of %1").arg(to_qt(symbol_to_unicode(symbol_))),
                  [](InputEdit& edit) { edit.components.reset(); });
+}
+
+std::string ComponentsEdit::components_part() const {
+    return "/inputs/" + symbol_ + "/components/";
+}
+
+/// Texts that could not be read go with the components they stood in.
+void ComponentsEdit::forget_unread() {
+    document_.unread().replace_under({SetupOwner::analysis, analysis_->id}, components_part(), {});
 }
 
 void ComponentsEdit::refresh() {
@@ -192,6 +204,9 @@ void ComponentsEdit::show_component() {
     if (name_->text() != to_qt(shown.name)) name_->setText(to_qt(shown.name));
     if (origin_->text() != to_qt(shown.origin)) origin_->setText(to_qt(shown.origin));
     type_->setCurrentIndex(shown.type == EvaluationType::type_a ? 0 : 1);
+    const TextPlace place{{SetupOwner::analysis, analysis_->id}, components_part() + std::to_string(row)};
+    distribution_->set_place(document_.unread(), place);
+    degrees_->set_place(document_.unread(), {place.entry, place.part + "/degreesOfFreedom"});
     degrees_->set_quantity(shown.degrees_of_freedom
                                ? std::optional<Quantity>({*shown.degrees_of_freedom, Unit()})
                                : std::nullopt);

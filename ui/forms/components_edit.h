@@ -35,6 +35,8 @@ private:
     void write(const QString& text, std::vector<ComponentEdit> components, const QString& merge_key = {});
     void change(const QString& what, const std::function<void(ComponentEdit&)>& edit);
     void refresh();
+    std::string components_part() const;
+    void forget_unread();
     void show_component();
 
     Document& document_;

@@ -28,7 +28,7 @@ CorrelationEdit::CorrelationEdit(Document& document, QWidget* parent)
     components_->setAccessibleName(tr("Component of uncertainty"));
     components_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     components_->setMinimumContentsLength(16);
-    state_->setWordWrap(true);
+    keep_room(*state_, 4);
     auto* row = new QHBoxLayout;
     row->addWidget(components_, 1);
     row->addWidget(add_);

@@ -2,13 +2,13 @@
 #include "ui/forms/csv_import_dialog.h"
 
 #include <QDialogButtonBox>
-#include <QFile>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/base/file_io.h"
 #include "core/base/symbol.h"
 #include "core/project/table_columns.h"
 #include "ui/document/quantity_text.h"
@@ -34,11 +34,10 @@ CsvImportDialog::CsvImportDialog(const FieldSpec& field, std::vector<Unit> units
       preview_(new QTableWidget(this)),
       summary_(new QLabel(this)) {
     setWindowTitle(tr("Import %1 into %2").arg(QFileInfo(file).fileName(), to_qt(field.title)));
-    QFile source(file);
-    if (source.open(QIODevice::ReadOnly))
-        text_ = source.readAll();
+    if (auto read = read_file(to_path(file)))
+        text_ = QByteArray::fromStdString(*read);
     else
-        read_failure_ = tr("%1 cannot be read: %2.").arg(file, source.errorString());
+        read_failure_ = to_qt(read.error().message) + QLatin1Char('.');
     separator_->addItem(tr("found by itself"), QString());
     separator_->addItem(tr("comma"), QString(","));
     separator_->addItem(tr("semicolon"), QString(";"));

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/project/component_edit.h"
 #include "core/report/number_format.h"
-#include "ui/document/input_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
@@ -18,6 +18,8 @@
 namespace covaria::ui {
 
 namespace {
+
+const std::string list_keys[] = {"values", "probabilities"};
 
 const DistributionKindInfo* find_kind(std::string_view key) {
     for (const DistributionKindInfo& kind : distribution_kinds())
@@ -103,12 +105,19 @@ bool DistributionEdit::is_list() const {
     return kind && kind->parameters.empty();
 }
 
+void DistributionEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
+    unread_ = &unread;
+    place_ = place;
+}
+
 void DistributionEdit::set_component(const ComponentEdit& component) {
     component_ = component;
     kind_->setCurrentIndex(kind_->findData(to_qt(component.distribution)));
     unit_->clear();
-    for (const Unit& unit : DisplayUnits::choices(component.unit))
+    for (const Unit& unit : DisplayUnits::choices(component.unit.interval()))
         unit_->addItem(to_qt(unit.display()), to_qt(unit.text()));
+    if (component.unit.has_offset())  // from a file: a deviation in degC is one in K
+        unit_->addItem(to_qt(component.unit.display()), to_qt(component.unit.text()));
     unit_->setCurrentIndex(unit_->findData(to_qt(component.unit.text())));
     if (shown_kind_ != component.distribution) rebuild_parameters();
     show_values();
@@ -118,6 +127,7 @@ void DistributionEdit::set_component(const ComponentEdit& component) {
 void DistributionEdit::choose_kind(const QString& key) {
     const DistributionKindInfo* kind = find_kind(to_std(key));
     if (!kind || component_.distribution == kind->key) return;
+    if (unread_) unread_->replace_under(place_.entry, place_.part + "/", {});
     const Result<Distribution> start = any_of_kind(*kind);
     if (!start) return;
     const Result<Distribution> before = distribution_of(component_);
@@ -154,6 +164,7 @@ void DistributionEdit::rebuild_parameters() {
 void DistributionEdit::add_parameter(std::size_t index, const DistributionParameterInfo& info) {
     auto* edit = new QuantityEdit(this);
     edit->set_keeps_unit(false);
+    edit->set_interval(true);
     edit->set_optional(false);
     edit->setAccessibleName(to_qt(info.title));
     edit->setObjectName(to_qt(info.key));
@@ -181,13 +192,14 @@ void DistributionEdit::set_parameter(std::size_t index, const std::optional<Quan
 
 void DistributionEdit::set_list(std::size_t part, const QString& text) {
     const auto numbers = numbers_of(text, locale());
-    mark(*lists_[part], numbers ? QString() : tr("These are not all numbers."), {});
+    complain(part, numbers ? QString() : tr("“%1” are not all numbers.").arg(text));
     const auto other = numbers_of(lists_[1 - part]->text(), locale());
     if (!numbers || !other) return;
     std::vector<double> all = part == 0 ? *numbers : *other;
     const std::vector<double>& probabilities = part == 0 ? *other : *numbers;
     const bool complete = all.size() == probabilities.size();
-    mark(*lists_[1], complete ? QString() : tr("There must be as many probabilities as values."), {});
+    complain(1, complete ? QString() : tr("There must be as many probabilities as values."));
+    if (complete) complain(0, {});
     all.insert(all.end(), probabilities.begin(), probabilities.end());
     if (!complete || all == component_.parameters) return;
     component_.parameters = all;
@@ -200,15 +212,38 @@ void DistributionEdit::show_values() {
     for (std::size_t i = 0; kind && i < edits_.size() && i < component_.parameters.size(); ++i) {
         const Unit unit = kind->parameters[i].has_unit ? component_.unit : Unit();
         edits_[i]->set_unit(unit);
+        if (unread_) edits_[i]->set_place(*unread_, place_of(std::string(kind->parameters[i].key)));
         edits_[i]->set_quantity(Quantity{component_.parameters[i], unit});
     }
-    const std::size_t half = component_.parameters.size() / 2;
     for (std::size_t part = 0; part < lists_.size(); ++part) {
-        QStringList texts;
-        for (std::size_t i = 0; i < half; ++i)
-            texts << number_text(component_.parameters[part * half + i], locale());
-        lists_[part]->setText(texts.join("; "));
+        const UnreadText* kept = unread_ ? unread_->find(place_of(list_keys[part])) : nullptr;
+        const QString text = list_text(part);
+        if (kept && kept->instead_of != to_std(text)) {
+            unread_->remove(place_of(list_keys[part]));
+            kept = nullptr;
+        }
+        lists_[part]->setText(kept ? kept->text : text);
+        mark(*lists_[part], kept ? kept->reason : QString(), {});
     }
+}
+
+QString DistributionEdit::list_text(std::size_t part) const {
+    const std::size_t half = component_.parameters.size() / 2;
+    QStringList texts;
+    for (std::size_t i = 0; i < half; ++i)
+        texts << number_text(component_.parameters[part * half + i], locale());
+    return texts.join("; ");
+}
+
+/// Lists are read together: what cannot be read holds the run until it can.
+void DistributionEdit::complain(std::size_t list, const QString& complaint) {
+    mark(*lists_[list], complaint, {});
+    if (!unread_) return;
+    const TextPlace place = place_of(list_keys[list]);
+    if (complaint.isEmpty())
+        unread_->remove(place);
+    else
+        unread_->set(place, {lists_[list]->text(), complaint, to_std(list_text(list))});
 }
 
 void DistributionEdit::show_summary() {

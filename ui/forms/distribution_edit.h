@@ -19,6 +19,8 @@ class DistributionEdit : public QWidget {
     Q_OBJECT
 public:
     explicit DistributionEdit(QWidget* parent = nullptr);
+    /// Where in the project the component stands.
+    void set_place(UnreadTexts& unread, const TextPlace& place);
     void set_component(const ComponentEdit& component);
     const ComponentEdit& component() const { return component_; }
     /// Standard uncertainty in words ("u = 0.58 µm"), or why there is none.
@@ -38,9 +40,14 @@ private:
     void show_values();
     void show_summary();
     bool is_list() const;
+    TextPlace place_of(const std::string& part) const { return {place_.entry, place_.part + "/" + part}; }
+    void complain(std::size_t list, const QString& complaint);
+    QString list_text(std::size_t part) const;
 
     ComponentEdit component_;
     std::string shown_kind_;
+    UnreadTexts* unread_ = nullptr;
+    TextPlace place_;
     QComboBox* kind_;
     QComboBox* unit_;
     QFormLayout* parameters_;

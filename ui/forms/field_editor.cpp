@@ -18,7 +18,7 @@ FieldEditor* make_field_editor(const FieldSpec& field, const FieldContext& conte
     switch (field.kind) {
         case FieldKind::number:
         case FieldKind::integer:
-            return new NumberEditor(field, parent);
+            return new NumberEditor(field, context, parent);
         case FieldKind::choice:
             return new ListEditor(field, parent);
         case FieldKind::text:
@@ -27,7 +27,7 @@ FieldEditor* make_field_editor(const FieldSpec& field, const FieldContext& conte
         case FieldKind::flag:
             return new FlagEditor(field, parent);
         case FieldKind::pose:
-            return new PoseEditor(field, parent);
+            return new PoseEditor(field, context, parent);
         case FieldKind::table:
             return new TableEditor(field, context, parent);
         case FieldKind::reference:

@@ -61,9 +61,8 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
     edit_->setAccessibleName(to_qt(field.title));
     edit_->setObjectName(to_qt(field.key));
     edit_->setToolTip(help_);
-    message_->setWordWrap(true);
+    keep_room(*message_, 2);
     message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    message_->hide();
     complete_->setToolTip(tr("Adds a row to the tables below for every name that has none yet"));
     complete_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     column->addWidget(edit_);
@@ -92,8 +91,7 @@ void LinesEditor::set_value(const SetupValue& value) {
 
 void LinesEditor::set_complaint(const QString& complaint) {
     mark(*edit_, complaint, help_);
-    message_->setText(complaint);
-    message_->setVisible(!complaint.isEmpty());
+    show_note(*message_, complaint);
 }
 
 void LinesEditor::set_problem_places(const std::vector<std::string>& places) {

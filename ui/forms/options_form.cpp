@@ -24,6 +24,14 @@ QString key_of_path(const std::string& path) {
     return key;
 }
 
+/// The other way round, relative to the analysis: "/options/coverageProbability".
+std::string place_of_option(const QString& key) {
+    std::string place = "/options/";
+    for (qsizetype i = 0; i < key.size(); ++i)
+        place += key[i] == u'_' && i + 1 < key.size() ? key[++i].toUpper().toLatin1() : key[i].toLatin1();
+    return place;
+}
+
 }  // namespace
 
 OptionsForm::OptionsForm(Document& document, std::string analysis, QWidget* parent)
@@ -164,7 +172,7 @@ void OptionsForm::set_forecast(const QString& words) {
     if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
     forecast_->setText(sentence);
     const EvaluationOptions* shown = options();
-    layout_->setRowVisible(forecast_, shown && shown->method == Method::adaptive && !sentence.isEmpty());
+    layout_->setRowVisible(forecast_, shown && shown->method == Method::adaptive);
 }
 
 void OptionsForm::add_count(const Field& field, std::vector<Method> methods,
@@ -200,6 +208,7 @@ void OptionsForm::add_quantity(const Field& field, std::vector<Method> methods, 
     edit->setObjectName(field.key);
     layout_->addRow(field.title, edit);
     const QString key = field.key;
+    edit->set_place(document_.unread(), {{SetupOwner::analysis, analysis_}, place_of_option(key)});
     rows_.push_back({key, edit, std::move(get), std::move(methods)});
     connect(edit, &QuantityEdit::quantity_edited, this,
             [this, key, set = std::move(set)](const std::optional<Quantity>& quantity) {
@@ -228,10 +237,11 @@ void OptionsForm::refresh() {
     method_->setCurrentIndex(method_->findData(static_cast<int>(shown->method)));
     second_order_->setChecked(shown->second_order);
     for (const Row& row : rows_) {
-        row.edit->set_quantity(row.get(*shown));
         const bool used =
             std::find(row.methods.begin(), row.methods.end(), shown->method) != row.methods.end();
         layout_->setRowVisible(row.edit, used);
+        if (!used) document_.unread().remove({{SetupOwner::analysis, analysis_}, place_of_option(row.key)});
+        row.edit->set_quantity(row.get(*shown));
     }
     set_forecast(shown->method == Method::adaptive ? forecast_->text() : QString());
 }

@@ -8,7 +8,8 @@
 
 namespace covaria::ui {
 
-PoseEditor::PoseEditor(const FieldSpec& field, QWidget* parent) : FieldEditor(parent) {
+PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
+    : FieldEditor(parent) {
     const std::array<QString, 6> symbols{
         "x", "y", "z", QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")};
     auto* layout = new QGridLayout(this);
@@ -20,6 +21,9 @@ PoseEditor::PoseEditor(const FieldSpec& field, QWidget* parent) : FieldEditor(pa
         edit->set_help(help_text(field));
         edit->setAccessibleName(to_qt(field.title) + ' ' + symbols[i]);
         edit->setObjectName(to_qt(field.key) + '_' + QString::number(i));
+        edit->set_place(context.document.unread(),
+                        {context.address, "/setup/" + field.key + (i < 3 ? "/position/" : "/angles/") +
+                                              std::to_string(i % 3)});
         auto* label = new QLabel(symbols[i], this);
         label->setBuddy(edit);
         const int row = static_cast<int>(i % 3);

@@ -11,7 +11,7 @@ namespace covaria::ui {
 class PoseEditor : public FieldEditor {
     Q_OBJECT
 public:
-    PoseEditor(const FieldSpec& field, QWidget* parent);
+    PoseEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent);
     void set_value(const SetupValue& value) override;
     void set_complaint(const QString& complaint) override;
     /// "/position/1", "/angles/0".

@@ -11,6 +11,14 @@
 
 namespace covaria::ui {
 
+namespace {
+
+std::string written(const std::optional<Quantity>& quantity) {
+    return quantity ? to_std(quantity_text(*quantity, QLocale::c())) : std::string();
+}
+
+}  // namespace
+
 QuantityEdit::QuantityEdit(QWidget* parent) : QLineEdit(parent) {
     setAlignment(Qt::AlignRight);
     connect(this, &QLineEdit::editingFinished, this, &QuantityEdit::commit);
@@ -49,8 +57,10 @@ Unit QuantityEdit::typing_unit() const {
 
 Result<std::optional<Quantity>> QuantityEdit::parse() const {
     auto parsed = parse_quantity(text(), typing_unit(), locale());
-    if (parsed && *parsed && !keeps_unit_)
-        **parsed = Quantity{converted((**parsed).value, (**parsed).unit, unit_), unit_};
+    if (parsed && *parsed && !keeps_unit_) {
+        const auto convert = interval_ ? converted_interval : converted;
+        **parsed = Quantity{convert((**parsed).value, (**parsed).unit, unit_), unit_};
+    }
     return parsed;
 }
 
@@ -61,12 +71,52 @@ QString QuantityEdit::complaint_about(const std::optional<Quantity>& quantity) c
     return range_complaint(range_, quantity->si(), quantity->unit, locale());
 }
 
-void QuantityEdit::set_quantity(const std::optional<Quantity>& quantity) {
-    if (quantity == quantity_ && (isModified() || !own_complaint_.isEmpty())) return;
+void QuantityEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
+    if (!unread_) connect(&unread, &UnreadTexts::changed, this, &QuantityEdit::follow_unread);
+    if (unread_ && place == place_) return;
+    unread_ = &unread;
+    place_ = place;
+    own_complaint_.clear();  // was about the place before
+    setModified(false);
+}
+
+/// What was typed here earlier, if it cannot be read and the project still has what it had then.
+bool QuantityEdit::show_unread(const std::optional<Quantity>& quantity) {
+    const UnreadText* kept = unread_ ? unread_->find(place_) : nullptr;
+    if (!kept || kept->instead_of != written(quantity)) return false;
     quantity_ = quantity;
+    own_complaint_ = kept->reason;
+    setText(kept->text);
+    setModified(true);
+    show_mark();
+    return true;
+}
+
+/// Somebody else has settled what this line complained about.
+void QuantityEdit::follow_unread() {
+    if (own_complaint_.isEmpty() || hasFocus() || unread_->find(place_)) return;
     own_complaint_.clear();
     show_quantity();
     show_mark();
+}
+
+/// Remembers in the document that the text cannot be read, or that it can.
+void QuantityEdit::complain(const QString& complaint) {
+    own_complaint_ = complaint;
+    show_mark();
+    if (!unread_) return;
+    if (complaint.isEmpty())
+        unread_->remove(place_);
+    else
+        unread_->set(place_, {text(), complaint, written(quantity_)});
+}
+
+void QuantityEdit::set_quantity(const std::optional<Quantity>& quantity) {
+    if (quantity == quantity_ && (isModified() || !own_complaint_.isEmpty())) return;
+    if (show_unread(quantity)) return;
+    quantity_ = quantity;
+    show_quantity();
+    complain({});
 }
 
 void QuantityEdit::show_quantity() {
@@ -77,8 +127,7 @@ void QuantityEdit::show_quantity() {
 void QuantityEdit::commit() {
     if (!isModified()) return;
     const auto parsed = parse();
-    own_complaint_ = parsed ? complaint_about(*parsed) : to_qt(parsed.error().message);
-    show_mark();
+    complain(parsed ? complaint_about(*parsed) : to_qt(parsed.error().message));
     if (!own_complaint_.isEmpty()) return;
     const bool changed = *parsed != quantity_;
     quantity_ = *parsed;
@@ -96,10 +145,9 @@ void QuantityEdit::step(int direction) {
     next.value =
         QString::number(next.value + direction * std::pow(10.0, -decimals), 'f', decimals).toDouble();
     if (!complaint_about(next).isEmpty()) return;
+    complain({});
     quantity_ = next;
-    own_complaint_.clear();
     show_quantity();
-    show_mark();
     emit quantity_edited(quantity_);
 }
 
@@ -121,12 +169,14 @@ bool QuantityEdit::event(QEvent* event) {
 }
 
 void QuantityEdit::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down)
+    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         step(event->key() == Qt::Key_Up ? 1 : -1);
-    else if (event->key() == Qt::Key_Escape && isModified())
+    } else if (event->key() == Qt::Key_Escape && isModified()) {
         show_quantity();
-    else
+        complain({});
+    } else {
         QLineEdit::keyPressEvent(event);
+    }
 }
 
 }  // namespace covaria::ui

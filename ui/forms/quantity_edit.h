@@ -6,6 +6,7 @@
 
 #include "core/base/unit.h"
 #include "core/model/setup_schema.h"
+#include "ui/document/unread_texts.h"
 
 namespace covaria::ui {
 
@@ -19,6 +20,8 @@ public:
     void set_unit(const Unit& unit);
     /// Off: whatever unit is typed, the quantity is converted to that of `set_unit`.
     void set_keeps_unit(bool keeps) { keeps_unit_ = keeps; }
+    /// The number is a difference or an uncertainty: converted without the zero of degC.
+    void set_interval(bool interval) { interval_ = interval; }
     void set_range(const Range& range) { range_ = range; }
     void set_integer(bool integer) { integer_ = integer; }
     /// Off: the line must not be left empty.
@@ -26,6 +29,10 @@ public:
     void set_help(const QString& help);
     /// From outside (a problem of the project); an own complaint about what is typed comes first.
     void set_complaint(const QString& complaint);
+
+    /// Where in the project it stands: a text that cannot be read is kept in the document under this place,
+    /// and shown again when the line comes back to it.
+    void set_place(UnreadTexts& unread, const TextPlace& place);
 
     /// Does not disturb what is being typed unless the value is another.
     void set_quantity(const std::optional<Quantity>& quantity);
@@ -47,17 +54,23 @@ private:
     void step(int direction);
     void show_quantity();
     void show_mark();
+    void complain(const QString& complaint);
+    bool show_unread(const std::optional<Quantity>& quantity);
+    void follow_unread();
     Unit typing_unit() const;
 
     Unit unit_;
     Range range_;
     bool keeps_unit_ = true;
+    bool interval_ = false;
     bool integer_ = false;
     bool optional_ = true;
     QString help_;
     QString own_complaint_;
     QString outer_complaint_;
     std::optional<Quantity> quantity_;
+    UnreadTexts* unread_ = nullptr;
+    TextPlace place_;
 };
 
 }  // namespace covaria::ui

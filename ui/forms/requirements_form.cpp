@@ -28,10 +28,6 @@ bool is_empty(const Requirement& r) {
     return r == bare;
 }
 
-Unit interval_unit(const Unit& unit) {
-    return unit.to_si(0.0) == 0.0 ? unit : Unit::of("K");
-}
-
 QString number(const Unit& unit, double si, int digits = 3) {
     return localized(format_significant(unit.interval_from_si(si), digits)) + QChar(0xa0) +
            to_qt(unit.display());
@@ -56,8 +52,8 @@ QString reduction_words(const UncertaintyResult& result, const ReverseBudget& bu
         if (!reduction.needed || ++shown > most_reductions) continue;
         const BudgetComponent& c = result.budget.components[reduction.component];
         list += RequirementsForm::tr("<li>u of %1 reduced from %2 to %3</li>")
-                    .arg(to_qt(c.name).toHtmlEscaped(), number(interval_unit(c.unit), reduction.now),
-                         number(interval_unit(c.unit), *reduction.needed));
+                    .arg(to_qt(c.name).toHtmlEscaped(), number(c.unit.interval(), reduction.now),
+                         number(c.unit.interval(), *reduction.needed));
     }
     if (!list.isEmpty())
         return RequirementsForm::tr("<br>It would be met with one of these alone:<ul>%1</ul>").arg(list);
@@ -189,7 +185,7 @@ void RequirementsForm::change(const std::string& key, const std::function<void(R
     const OutputQuantity* of = output();
     if (!of) return;
     document_.apply(
-        tr("Change the requirement for %1").arg(to_qt(of->symbol)),
+        tr("Change the requirement for %1").arg(to_qt(symbol_to_unicode(of->symbol))),
         [&](Project& project) {
             AnalysisEntry* entry = find_analysis_entry(project, analysis_);
             if (!entry) return;
@@ -237,8 +233,11 @@ void RequirementsForm::refresh_values() {
     for (const Row& row : rows_) {
         row.edit->setEnabled(of != nullptr);
         if (!of) continue;
+        row.edit->set_place(document_.unread(),
+                            {{SetupOwner::analysis, analysis_},
+                             "/requirements/" + of->group + "|" + of->symbol + "/" + row.key});
         if (row.member) {
-            row.edit->set_unit(row.is_interval ? interval_unit(of->unit) : of->unit);
+            row.edit->set_unit(row.is_interval ? of->unit.interval() : of->unit);
             row.edit->set_quantity(given ? given->*row.member : std::nullopt);
         } else {
             row.edit->set_quantity(
@@ -268,7 +267,7 @@ void RequirementsForm::refresh_verdict() {
     AnalysisEntry judged;
     if (given) judged.requirements = {*given};
     QStringList words;
-    if (status.is_current())
+    if (status.is_of_present())
         for (const RequirementResult& r : judge(*status.result, judged)) {
             if (r.target_uncertainty) words << target_words(*status.result, r) + reductions(status, r);
             if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r);
@@ -316,10 +315,14 @@ bool RequirementsForm::focus_field(const std::string& path) {
         entry_path(document_.project(), {SetupOwner::analysis, analysis_}) + "/requirements/";
     const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
     if (!path.starts_with(prefix) || !entry) return false;
+    // A requirement by its number, or a result by its group and symbol.
     const std::size_t index = std::strtoul(path.c_str() + prefix.size(), nullptr, 10);
-    if (index >= entry->requirements.size()) return false;
-    for (std::size_t i = 0; i < known_.size(); ++i)
-        if (is_of(entry->requirements[index], known_[i])) outputs_->setCurrentIndex(int(i));
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+        const bool named = path.starts_with(prefix + known_[i].group + "|" + known_[i].symbol + "/");
+        const bool numbered =
+            index < entry->requirements.size() && is_of(entry->requirements[index], known_[i]);
+        if (named || (numbered && path.find('|') == std::string::npos)) outputs_->setCurrentIndex(int(i));
+    }
     for (const Row& row : rows_)
         if (path.ends_with("/" + row.key)) row.edit->setFocus(Qt::OtherFocusReason);
     return true;

@@ -6,6 +6,10 @@
 
 namespace covaria::ui {
 
+namespace {
+constexpr qsizetype most_messages = 5;  // at a field; all are in the problems list
+}
+
 SetupForm::SetupForm(Document& document, SetupAddress address, QWidget* parent)
     : SetupForm(document, address, find_schema(document.project(), address), parent) {}
 
@@ -95,11 +99,18 @@ void SetupForm::refresh() {
         const bool shown = is_shown(*schema_, *row.field, *setup);
         layout_->setRowVisible(row.editor, shown);
         if (row.title) layout_->setRowVisible(row.title, shown);
+        if (!shown) forget_unread("/setup/" + row.field->key);
         used[row.section] = used[row.section] || shown;
         row.editor->set_value(value_of(*row.field, *setup));
     }
     for (std::size_t i = 0; i < sections_.size(); ++i)
         if (sections_[i]) layout_->setRowVisible(sections_[i], used[i]);
+}
+
+/// A field that is not used holds no run.
+void SetupForm::forget_unread(const std::string& part) {
+    document_.unread().remove({address_, part});
+    document_.unread().replace_under(address_, part + "/", {});
 }
 
 void SetupForm::refresh_problems() {
@@ -113,6 +124,10 @@ void SetupForm::refresh_problems() {
                 messages << to_qt(problem.message);
                 places.push_back(problem.path.substr(path.size()));
             }
+        if (const auto more = messages.size() - most_messages; more > 0) {
+            messages.resize(most_messages);
+            messages << tr("and %n more", nullptr, int(more));
+        }
         row.editor->set_complaint(messages.join('\n'));
         row.editor->set_problem_places(places);
     }

@@ -45,6 +45,7 @@ private:
     void add_section(const QString& title);
     void refresh();
     void refresh_problems();
+    void forget_unread(const std::string& part);
     void write(const FieldSpec& field, const SetupValue& value);
 
     Document& document_;

@@ -28,13 +28,14 @@ Widget* fill(FieldEditor* editor, Widget* widget, const FieldSpec& field) {
 
 }  // namespace
 
-NumberEditor::NumberEditor(const FieldSpec& field, QWidget* parent)
+NumberEditor::NumberEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
     : FieldEditor(parent), edit_(fill(this, new QuantityEdit(this), field)) {
     edit_->set_unit(field.unit);
     edit_->set_range(field.range);
     edit_->set_integer(field.kind == FieldKind::integer);
     edit_->set_optional(field.optional || !std::holds_alternative<std::monostate>(field.default_value));
     edit_->set_help(help_text(field));
+    edit_->set_place(context.document.unread(), {context.address, "/setup/" + field.key});
     connect(edit_, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& quantity) {
         emit edited(quantity ? SetupValue(*quantity) : SetupValue());
     });

@@ -13,7 +13,7 @@ namespace covaria::ui {
 class NumberEditor : public FieldEditor {
     Q_OBJECT
 public:
-    NumberEditor(const FieldSpec& field, QWidget* parent);
+    NumberEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent);
     void set_value(const SetupValue& value) override;
     void set_complaint(const QString& complaint) override { edit_->set_complaint(complaint); }
 

@@ -18,8 +18,10 @@
 namespace covaria::ui {
 
 namespace {
-constexpr int most_rows_shown = 8;  // longer tables scroll
-}
+constexpr int most_rows_shown = 8;       // longer tables scroll
+constexpr int most_rows_measured = 200;  // of what is pasted or imported
+constexpr int widest_column = 320;       // that a column gets by itself
+}  // namespace
 
 SpreadsheetView::SpreadsheetView(SetupTableModel& model, QWidget* parent)
     : QTableView(parent),
@@ -45,9 +47,21 @@ SpreadsheetView::SpreadsheetView(SetupTableModel& model, QWidget* parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     resizeColumnsToContents();
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (!fitting_) given_widths_.insert(column);
+    });
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(&model_, &QAbstractItemModel::dataChanged, this, &SpreadsheetView::update_actions);
-    connect(&model_, &QAbstractItemModel::rowsInserted, this, &SpreadsheetView::updateGeometry);
+    connect(&model_, &QAbstractItemModel::dataChanged, this,
+            [this](const QModelIndex& first, const QModelIndex& last) {
+                update_actions();
+                fit_columns(first.row(), last.row());
+            });
+    connect(&model_, &QAbstractItemModel::headerDataChanged, this, [this] { fit_columns(0, -1); });
+    connect(&model_, &QAbstractItemModel::rowsInserted, this,
+            [this](const QModelIndex&, int first, int last) {
+                fit_columns(first, last);
+                updateGeometry();
+            });
     connect(&model_, &QAbstractItemModel::rowsRemoved, this, &SpreadsheetView::updateGeometry);
     connect(&model_, &QAbstractItemModel::modelReset, this, &SpreadsheetView::updateGeometry);
     update_actions();
@@ -79,6 +93,23 @@ QSize SpreadsheetView::minimumSizeHint() const {
 void SpreadsheetView::resizeEvent(QResizeEvent* event) {
     QTableView::resizeEvent(event);
     updateGeometry();
+}
+
+/// Columns grow with what comes into these rows, unless the user has given them a width.
+void SpreadsheetView::fit_columns(int first, int last) {
+    fitting_ = true;
+    QStyleOptionViewItem option;
+    initViewItemOption(&option);
+    last = std::min(last, first + most_rows_measured - 1);
+    for (int column = 0; column < model_.columnCount(); ++column) {
+        if (given_widths_.contains(column)) continue;
+        int wanted = horizontalHeader()->sectionSizeHint(column);
+        for (int row = first; row <= last; ++row)
+            wanted =
+                std::max(wanted, itemDelegate()->sizeHint(option, model_.index(row, column)).width() + 1);
+        if (wanted > columnWidth(column)) setColumnWidth(column, std::min(wanted, widest_column));
+    }
+    fitting_ = false;
 }
 
 void SpreadsheetView::update_actions() {
@@ -130,8 +161,7 @@ void SpreadsheetView::paste() {
     QModelIndex corner = currentIndex();
     for (const QModelIndex& cell : selectedIndexes())
         corner = model_.index(std::min(corner.row(), cell.row()), std::min(corner.column(), cell.column()));
-    const int refused = model_.paste(corner, QGuiApplication::clipboard()->text());
-    if (refused > 0) emit cells_refused(refused);
+    model_.paste(corner, QGuiApplication::clipboard()->text());
 }
 
 void SpreadsheetView::clear() {

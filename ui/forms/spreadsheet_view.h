@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QTableView>
+#include <set>
 
 #include "ui/models/setup_table_model.h"
 
@@ -26,10 +27,6 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-signals:
-    /// Of a paste: how many cells could not be understood.
-    void cells_refused(int count);
-
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -47,10 +44,13 @@ private:
     void append_row();
     void remove_rows();
     void update_actions();
+    void fit_columns(int first, int last);
     void move_down();
     void go_to(const QModelIndex& cell);
 
     SetupTableModel& model_;
+    std::set<int> given_widths_;  ///< columns that the user has resized
+    bool fitting_ = false;
     QAction* copy_;
     QAction* cut_;
     QAction* paste_;

@@ -9,6 +9,7 @@
 
 #include "core/base/symbol.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/finish_typing.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -76,9 +77,13 @@ void StudiesForm::build_head() {
             selection_.select_study(to_qt(duplicate_study(document_, analysis_, shown->id)));
     });
     connect(remove_, &QPushButton::clicked, this, [this] {
-        if (const Study* shown = study()) remove_study(document_, analysis_, std::string(shown->id));
+        const Study* shown = study();
+        if (!shown) return;
+        document_.unread().replace_under({SetupOwner::analysis, analysis_}, "/studies/", {});
+        remove_study(document_, analysis_, std::string(shown->id));
     });
     connect(run_, &QPushButton::clicked, this, [this] {
+        finish_typing();
         if (const Study* shown = study()) runner_.studies().run(to_qt(analysis_), to_qt(shown->id));
     });
 }
@@ -196,11 +201,29 @@ void StudiesForm::refresh() {
     if (!shown) return;
     if (!name_->hasFocus() || name_->text() != to_qt(shown->name)) name_->setText(to_qt(shown->name));
     method_->setCurrentIndex(method_->findData(int(shown->method)));
+    trials_->set_place(document_.unread(), place("/trials"));
+    if (shown->method != Method::monte_carlo) document_.unread().remove(place("/trials"));
     trials_->set_quantity(Quantity{double(shown->trials), {}});
     trials_->setEnabled(shown->method == Method::monte_carlo);
+    forget_axes_from(shown->axes.size());
     refresh_axes(*shown);
     refresh_outputs(*shown);
     refresh_problems();
+}
+
+TextPlace StudiesForm::place(const std::string& part) const {
+    const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
+    const Study* shown = study();
+    const auto index = entry && shown ? shown - entry->studies.data() : 0;
+    return {{SetupOwner::analysis, analysis_}, "/studies/" + std::to_string(index) + part};
+}
+
+/// Texts in axes that are gone.
+void StudiesForm::forget_axes_from(std::size_t first) {
+    for (std::size_t i = first; i < axis_edits_.size(); ++i) {
+        const TextPlace gone = place("/axes/" + std::to_string(i) + "/");
+        document_.unread().replace_under(gone.entry, gone.part, {});
+    }
 }
 
 void StudiesForm::add_axis_edit() {
@@ -231,6 +254,7 @@ void StudiesForm::refresh_axes(const Study& shown) {
     for (std::size_t i = 0; i < axis_edits_.size(); ++i) {
         axis_edits_[i]->setVisible(i < shown.axes.size());
         if (i >= shown.axes.size()) continue;
+        axis_edits_[i]->set_place(document_.unread(), place("/axes/" + std::to_string(i)));
         const auto target = find_study_target(document_.project(), entry, inputs(), shown.axes[i]);
         axis_edits_[i]->show_axis(shown.axes[i], target ? &*target : nullptr, shown.axes.size() == 1);
     }

@@ -40,6 +40,8 @@ private:
     void take_outputs();
     void change(const std::function<void(Study&)>& edit, const QString& merge_key = {});
     void change_axis(std::size_t axis, const std::function<void(StudyAxis&)>& edit, const QString& field);
+    void forget_axes_from(std::size_t first);
+    TextPlace place(const std::string& part) const;
     const Study* study() const;
     const InputSet* inputs() const;
 

@@ -96,7 +96,8 @@ void StudyAxisEdit::take_end(bool first, const Quantity& quantity) {
     emit edited(
         [first, quantity](StudyAxis& axis) {
             double& other = first ? axis.to : axis.from;
-            if (!(quantity.unit == axis.unit)) other = converted(other, axis.unit, quantity.unit);
+            const auto convert = axis.change == StudyChange::added ? converted_interval : converted;
+            other = convert(other, axis.unit, quantity.unit);
             axis.unit = quantity.unit;
             (first ? axis.from : axis.to) = quantity.value;
         },
@@ -108,7 +109,6 @@ void StudyAxisEdit::show_axis(const StudyAxis& axis, const StudyTarget* target, 
     QString words = target ? to_qt(target->title) : tr("choose what is varied");
     if (target && axis.change == StudyChange::factor) words += tr(" (factor)");
     target_->show_title(words);
-    target_->setToolTip(to_qt(axis.target));
     const bool factor_only = target && (target->kind == StudyTarget::Kind::components ||
                                         target->kind == StudyTarget::Kind::component);
     change_->setEnabled(!factor_only);
@@ -122,6 +122,13 @@ void StudyAxisEdit::show_axis(const StudyAxis& axis, const StudyTarget* target, 
     values_->set_quantity(Quantity{double(axis.values), {}});
     spacing_->setCurrentIndex(spacing_->findData(int(axis.spacing)));
     remove_->setVisible(!only);
+}
+
+void StudyAxisEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
+    from_->set_place(unread, {place.entry, place.part + "/from"});
+    to_->set_place(unread, {place.entry, place.part + "/to"});
+    values_->set_place(unread, {place.entry, place.part + "/values"});
+    target_->set_place(unread, {place.entry, place.part + "/target"});
 }
 
 void StudyAxisEdit::set_complaint(const QString& complaint) {

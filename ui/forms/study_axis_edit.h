@@ -20,6 +20,8 @@ public:
     /// `target` is null when it does not exist any more; `only` when it is the only axis.
     void show_axis(const StudyAxis& axis, const StudyTarget* target, bool only);
     void set_complaint(const QString& complaint);
+    /// Where in the project the axis stands.
+    void set_place(UnreadTexts& unread, const TextPlace& place);
 
 signals:
     void edited(const std::function<void(covaria::StudyAxis&)>& edit, const QString& field);

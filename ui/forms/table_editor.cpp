@@ -24,7 +24,7 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
       embed_(new QPushButton(tr("Take into the project"), this)) {
     view_->setAccessibleName(to_qt(field.title));
     view_->setObjectName(to_qt(field.key));
-    note_->setWordWrap(true);
+    keep_room(*note_, 1);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(add_button(tr("Add row"), view_->append_row_action()));
     buttons->addWidget(add_button(tr("Delete rows"), view_->remove_rows_action()));
@@ -53,10 +53,6 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
             [this](const QModelIndex& cell) {
                 if (cell.isValid()) emit part_selected(QStringLiteral("/rows/%1").arg(cell.row()));
             });
-    connect(view_, &SpreadsheetView::cells_refused, this, [this](int count) {
-        note_->setText(tr("%n cell(s) could not be understood and are marked.", nullptr, count));
-        note_->show();
-    });
     set_value({});
     set_complaint({});
 }
@@ -80,8 +76,7 @@ void TableEditor::set_value(const SetupValue&) {
 
 void TableEditor::set_complaint(const QString& complaint) {
     mark(*view_, complaint, help_text(field_));
-    note_->setText(complaint);
-    note_->setVisible(!complaint.isEmpty());
+    show_note(*note_, complaint);
 }
 
 void TableEditor::focus_part(const std::string& path) {

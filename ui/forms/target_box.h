@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/project/study_target.h"
+#include "ui/document/unread_texts.h"
 
 namespace covaria::ui {
 
@@ -13,6 +14,8 @@ class TargetBox : public QComboBox {
 public:
     /// `choices` is asked each time the list is opened or searched.
     explicit TargetBox(std::function<std::vector<StudyTargetChoice>()> choices, QWidget* parent = nullptr);
+    /// Where in the project it stands: a text that names nothing is kept in the document under this place.
+    void set_place(UnreadTexts& unread, const TextPlace& place);
     /// What is chosen now, in words.
     void show_title(const QString& title);
     void showPopup() override;
@@ -28,10 +31,14 @@ protected:
 private:
     void fill();
     void take(int index);
+    void take_typed();
+    void show_mark();
 
     std::function<std::vector<StudyTargetChoice>()> choices_;
     std::vector<StudyTargetChoice> listed_;
-    QString title_;
+    QString title_, help_;
+    UnreadTexts* unread_ = nullptr;
+    TextPlace place_;
 };
 
 }  // namespace covaria::ui

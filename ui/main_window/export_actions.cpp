@@ -4,8 +4,8 @@
 #include <QFileInfo>
 #include <QMenu>
 
-#include "core/project/project_file.h"
-#include "ui/export/scene_pictures.h"
+#include "core/report/result_files.h"
+#include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
@@ -37,18 +37,6 @@ QString filter_of(ReportFormat format) {
     return {};
 }
 
-/// What went wrong, or nothing. For worker threads.
-QString write_report(const RecordedReport& report, const ReportTarget& target) {
-    ScenePictures scenes(report.analyses);
-    FigurePainters painters;
-    painters.paint_plot = [&](QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
-        report.play(painter, area, plot);
-    };
-    painters.render_scene = [&](const SceneBlock& block, QSize size) { return scenes.render(block, size); };
-    const auto written = export_report(report.document, target, painters);
-    return written ? QString() : to_qt(written.error().message);
-}
-
 }  // namespace
 
 ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs& dialogs, QObject* parent)
@@ -60,6 +48,10 @@ ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs
       jobs_(this, Execution::threads) {
     pdf_action->setShortcut(Qt::CTRL | Qt::Key_P);
     connect(pdf_action, &QAction::triggered, this, [this] { ask_report(ReportFormat::pdf); });
+    connect(&runner_, &AnalysisRunner::idle, this, [this] {
+        if (!runner_.is_busy()) go_on();
+    });
+    connect(&document_, &Document::project_replaced, this, [this] { waiting_ = nullptr; });
 }
 
 QMenu* ExportActions::make_menu(QWidget* parent) {
@@ -78,22 +70,42 @@ QString ExportActions::suggested(const QString& ending) const {
     return QDir(folder).filePath(QFileInfo(document_.display_name()).completeBaseName() + ending);
 }
 
+bool ExportActions::has_results() {
+    if (runner_.is_busy() || !current_results(document_.project(), runner_).empty()) return true;
+    dialogs_.show_message(tr("No results yet"), tr("No analysis is up to date. Run one first (F5)."));
+    return false;
+}
+
+void ExportActions::when_finished(const std::function<void()>& what) {
+    finish_typing();
+    waiting_ = what;
+    if (runner_.is_busy())
+        emit message(tr("The export waits until the analyses have run"));
+    else
+        go_on();
+}
+
+void ExportActions::go_on() {
+    const auto what = std::exchange(waiting_, nullptr);
+    if (what && has_results()) what();
+}
+
+QString ExportActions::without_words() const {
+    const QStringList names = left_out(document_.project(), runner_);
+    return names.isEmpty() ? QString() : tr(", without %1: not up to date").arg(names.join(tr(", ")));
+}
+
 void ExportActions::ask_report(ReportFormat format) {
-    if (current_results(document_.project(), runner_).empty()) {
-        dialogs_.show_message(tr("Nothing to report yet"),
-                              tr("No analysis is up to date. Run one first (F5)."));
-        return;
-    }
+    finish_typing();
+    if (!has_results()) return;
     const QString ending = QString::fromLatin1(ending_of(format));
     const QString file = dialogs_.file_to_save(tr("Export Report"), suggested(ending), filter_of(format));
     if (!file.isEmpty()) export_report_to(file.endsWith(ending) ? file : file + ending, format);
 }
 
 void ExportActions::ask_tables() {
-    if (current_results(document_.project(), runner_).empty()) {
-        dialogs_.show_message(tr("No results yet"), tr("No analysis is up to date. Run one first (F5)."));
-        return;
-    }
+    finish_typing();
+    if (!has_results()) return;
     const QString file =
         dialogs_.file_to_save(tr("Export Results and Tables into the Folder of"),
                               QFileInfo(suggested({})).dir().filePath(QStringLiteral("results.json")),
@@ -102,6 +114,14 @@ void ExportActions::ask_tables() {
 }
 
 void ExportActions::export_report_to(const QString& file, ReportFormat format) {
+    when_finished([this, file, format] { write_report(file, format); });
+}
+
+void ExportActions::export_results_to(const QString& folder) {
+    when_finished([this, folder] { write_results(folder); });
+}
+
+void ExportActions::write_report(const QString& file, ReportFormat format) {
     if (is_busy()) {
         emit message(tr("A report is being written; wait until it is finished"));
         return;
@@ -111,31 +131,31 @@ void ExportActions::export_report_to(const QString& file, ReportFormat format) {
     target.folder = to_path(QFileInfo(file).path());
     target.name = to_std(QFileInfo(file).completeBaseName());
     target.formats = {format};
-    recorder_.record(document_.snapshot(), current_results(document_.project(), runner_),
-                     [this, file, target](const RecordedReport& report) -> JobQueue::Delivery {
-                         const QString problem = write_report(report, target);
-                         return [this, file, problem] { finish(file, problem); };
-                     });
+    maker_.make(document_.snapshot(), current_results(document_.project(), runner_),
+                [this, file, target, without = without_words()](
+                    const ReportDocument& report, const FigurePainters& painters,
+                    const std::stop_token& stop) -> JobQueue::Delivery {
+                    const auto written = export_report(report, target, painters, stop);
+                    const QString problem = written ? QString() : to_qt(written.error().message);
+                    return [this, file, problem, without] { finish(file, problem, without); };
+                });
 }
 
-void ExportActions::export_results_to(const QString& folder) {
-    jobs_.push([this, folder, analyses = current_results(document_.project(), runner_),
+void ExportActions::write_results(const QString& folder) {
+    jobs_.push([this, folder, without = without_words(),
+                analyses = current_results(document_.project(), runner_),
                 project = document_.snapshot()]() -> JobQueue::Delivery {
-        const std::filesystem::path place = to_path(folder);
-        auto written = write_file_atomically(place / "results.json", results_json(*project, analyses));
-        for (const EvaluatedAnalysis& one : analyses)
-            for (const DataTable& table : result_tables(*project, one))
-                if (written)
-                    written = write_file_atomically(place / (one.analysis->id + "-" + table.id + ".csv"),
-                                                    to_csv(table));
+        Problems known;  // they stand in the problems list
+        const AssetLibrary assets = make_assets(*project, known);
+        const auto written = write_result_files(to_path(folder), *project, assets, analyses);
         const QString problem = written ? QString() : to_qt(written.error().message);
-        return [this, folder, problem] { finish(folder, problem); };
+        return [this, folder, problem, without] { finish(folder, problem, without); };
     });
 }
 
-void ExportActions::finish(const QString& file, const QString& problem) {
+void ExportActions::finish(const QString& file, const QString& problem, const QString& without) {
     if (problem.isEmpty())
-        emit message(tr("Wrote %1").arg(QDir::toNativeSeparators(file)));
+        emit message(tr("Wrote %1").arg(QDir::toNativeSeparators(file)) + without);
     else
         dialogs_.show_message(tr("The export failed"), problem);
     emit finished(file, problem);

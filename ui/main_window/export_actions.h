@@ -3,11 +3,12 @@
 
 #include <QAction>
 #include <QObject>
+#include <functional>
 
 #include "core/report/report.h"
 #include "ui/document/document.h"
 #include "ui/export/report_export.h"
-#include "ui/export/report_recorder.h"
+#include "ui/export/report_maker.h"
 #include "ui/main_window/dialogs.h"
 #include "ui/run/analysis_runner.h"
 #include "ui/run/job_queue.h"
@@ -29,20 +30,28 @@ public:
     void export_report_to(const QString& file, ReportFormat format);
     /// results.json and the CSV tables, into a folder.
     void export_results_to(const QString& folder);
-    bool is_busy() const { return recorder_.is_busy(); }
+    bool is_busy() const { return maker_.is_busy(); }
 
 signals:
     void message(const QString& text);
     void finished(const QString& file, const QString& problem);
 
 private:
+    /// Does it when no analysis runs any more: an export has the results, not what there is of them.
+    void when_finished(const std::function<void()>& what);
+    void go_on();
+    QString without_words() const;
     QString suggested(const QString& ending) const;
-    void finish(const QString& file, const QString& problem);
+    bool has_results();
+    void write_report(const QString& file, ReportFormat format);
+    void write_results(const QString& folder);
+    void finish(const QString& file, const QString& problem, const QString& without);
 
     Document& document_;
     AnalysisRunner& runner_;
     Dialogs& dialogs_;
-    ReportRecorder recorder_;
+    ReportMaker maker_;
+    std::function<void()> waiting_;
     JobQueue jobs_;
 };
 

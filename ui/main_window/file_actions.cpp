@@ -1,13 +1,12 @@
 #include "ui/main_window/file_actions.h"
 
-#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
-#include <QPointer>
 #include <QSettings>
 #include <QStandardPaths>
 
+#include "ui/forms/finish_typing.h"
 #include "ui/pages/start_page.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
@@ -23,14 +22,6 @@ QAction* make_action(QObject* parent, const char* picture, const QString& text,
     auto* action = new QAction(icon(QString::fromLatin1(picture)), text, parent);
     action->setShortcut(key);
     return action;
-}
-
-/// What is typed in a field or cell counts without Enter, too: it is taken over when the focus leaves.
-void finish_typing() {
-    const QPointer<QWidget> typing = QApplication::focusWidget();
-    if (!typing) return;
-    typing->clearFocus();
-    if (typing) typing->setFocus();
 }
 
 }  // namespace
@@ -160,7 +151,7 @@ bool FileActions::save() {
         dialogs.show_message(tr("The project was not saved"), to_qt(saved.error().message));
         return false;
     }
-    emit message(tr("Saved %1").arg(QFileInfo(document_.file()).fileName()));
+    tell_saved();
     return true;
 }
 
@@ -175,8 +166,18 @@ bool FileActions::save_as() {
         return false;
     }
     remember(file);
-    emit message(tr("Saved %1").arg(QFileInfo(file).fileName()));
+    tell_saved();
     return true;
+}
+
+/// The file has no place for what cannot be read.
+void FileActions::tell_saved() {
+    const QString name = QFileInfo(document_.file()).fileName();
+    const auto unread = int(document_.unread().all().size());
+    emit message(
+        unread == 0 ? tr("Saved %1").arg(name)
+                    : tr("Saved %1 without %n text(s) that cannot be read: see the problems", nullptr, unread)
+                          .arg(name));
 }
 
 bool FileActions::may_leave() {
@@ -194,6 +195,7 @@ bool FileActions::may_leave() {
 }
 
 bool FileActions::offer_recovery() {
+    store_.remove_leftovers();
     const std::vector<RecoveryEntry> entries = store_.abandoned();
     if (entries.empty()) return false;
     QStringList words;
@@ -208,6 +210,7 @@ bool FileActions::offer_recovery() {
         return false;
     }
     document_.restore(std::move(loaded.project), entry.original_file);
+    autosave_.flush();  // first there is another copy, then the old one goes: whatever happens in between
     RecoveryStore::remove(entry.recovery_file);
     emit project_opened();
     return true;

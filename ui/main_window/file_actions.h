@@ -52,6 +52,7 @@ private:
     void opened(const QString& file, const Problems& problems);
     void remember(const QString& file);
     void ask_about_disk_change();
+    void tell_saved();
     QString suggested_file(const QString& ending) const;
 
     Document& document_;

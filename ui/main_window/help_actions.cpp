@@ -168,6 +168,9 @@ void add_help_actions(QMenu& menu, QWidget& window, Selection& selection, Docume
     menu.addAction(tr("&Results and Requirements"), &window, [&window] {
         show_text(window, tr("Results and requirements"), shipped_page("results.md"));
     });
+    menu.addAction(tr("What Every &Analysis Has"), &window, [&window] {
+        show_text(window, tr("What every analysis has"), shipped_page("analysis.md"));
+    });
     menu.addAction(tr("&Keys"), &window, [&window] { show_text(window, tr("Keys"), keys_text()); });
     menu.addSeparator();
     menu.addAction(icon(QStringLiteral("about")), tr("&About Covaria"), &window,

@@ -1,10 +1,10 @@
 #include "ui/main_window/import_actions.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 
 #include "core/assets/urdf.h"
+#include "core/base/file_io.h"
 #include "ui/document/project_edits.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
@@ -27,13 +27,9 @@ void ImportActions::ask_for_urdf() {
 
 void ImportActions::import_urdf_file(const QString& file) {
     const QString name = QFileInfo(file).fileName();
-    QFile in(file);
-    if (!in.open(QIODevice::ReadOnly)) {
-        dialogs_.show_message(tr("The robot was not imported"),
-                              name + QStringLiteral("\n\n") + in.errorString());
-        return;
-    }
-    auto robot = import_urdf(in.readAll().toStdString());
+    const auto text = read_file(to_path(file));
+    if (!text) return dialogs_.show_message(tr("The robot was not imported"), to_qt(text.error().message));
+    auto robot = import_urdf(*text);
     if (!robot) {
         dialogs_.show_message(tr("The robot was not imported"),
                               name + QStringLiteral("\n\n") + to_qt(robot.error().message));

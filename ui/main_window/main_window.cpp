@@ -131,7 +131,8 @@ void MainWindow::arrange() {
     tabifyDockWidget(docks_[2], docks_[3]);
     tabifyDockWidget(docks_[3], docks_[4]);
     docks_[2]->raise();
-    resizeDocks({docks_[0], docks_[1]}, {210, 350}, Qt::Horizontal);
+    const int names = std::clamp(project_->wanted_width(), 210, (27 * width()) / 100);
+    resizeDocks({docks_[0], docks_[1]}, {names, 350}, Qt::Horizontal);
     resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
     toolbar_->show();
@@ -253,6 +254,7 @@ void MainWindow::connect_panes() {
         selection_.select_entry({SetupOwner::asset, to_std(asset)});
     });
     connect(&document_, &Document::project_changed, this, &MainWindow::follow_document);
+    connect(&document_.unread(), &UnreadTexts::changed, this, &MainWindow::hold_runs);
     connect(&problems_->problems(), &QAbstractItemModel::modelReset, this, &MainWindow::count_problems);
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
     connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
@@ -325,6 +327,8 @@ void MainWindow::show_project() {
     }
     runner_.reset(document_.snapshot());
     selection_.clear();
+    scene_->start_over();
+    results_->start_over();
     const Project& project = document_.project();
     if (!project.analyses.empty())
         selection_.select_entry({SetupOwner::analysis, project.analyses.front().id});
@@ -335,6 +339,14 @@ void MainWindow::show_project() {
 
 void MainWindow::follow_document() {
     runner_.set_project(document_.snapshot());
+    hold_runs();
+}
+
+/// Nothing is evaluated from an old value while a text stands in its place.
+void MainWindow::hold_runs() {
+    const UnreadTexts::Held held = document_.unread().held(document_.project());
+    runner_.set_held(held.analyses);
+    runner_.studies().set_held(held.studies);
 }
 
 void MainWindow::count_problems() {

@@ -73,6 +73,7 @@ private:
     void show_study_in_scene();
     void show_project();
     void follow_document();
+    void hold_runs();
     void go_to(const QString& path);
     void update_title();
 

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "ui/forms/finish_typing.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
@@ -26,8 +27,14 @@ RunActions::RunActions(Document& document, AnalysisRunner& runner, Selection& se
     stop->setShortcut(Qt::Key_Escape);
     live->setCheckable(true);
     live->setStatusTip(tr("Each edit computes first-order results at once, then Monte Carlo"));
-    connect(run, &QAction::triggered, this, [this] { runner_.run(selection_.analysis()); });
-    connect(run_all, &QAction::triggered, &runner_, &AnalysisRunner::run_all);
+    connect(run, &QAction::triggered, this, [this] {
+        finish_typing();
+        runner_.run(selection_.analysis());
+    });
+    connect(run_all, &QAction::triggered, this, [this] {
+        finish_typing();
+        runner_.run_all();
+    });
     connect(stop, &QAction::triggered, &runner_, &AnalysisRunner::stop_all);
     connect(live, &QAction::toggled, this, [this](bool on) {
         runner_.set_live(on);

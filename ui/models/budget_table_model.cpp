@@ -45,7 +45,10 @@ QString BudgetTableModel::number(double value) const {
 
 void BudgetTableModel::add_component_columns(std::vector<Column>& columns) const {
     columns.push_back({tr("Input quantity"), {}, [this](std::size_t row) {
-                           return to_qt(symbol_to_unicode(component(row).quantity));
+                           QStringList symbols;
+                           for (const std::string& symbol : component(row).quantities)
+                               symbols << to_qt(symbol_to_unicode(symbol));
+                           return symbols.join(QStringLiteral(", "));
                        }});
     columns.push_back({QStringLiteral("u"), tr("Standard uncertainty of the component"),
                        [this](std::size_t row) {

@@ -3,7 +3,9 @@
 
 #include <QColor>
 #include <algorithm>
+#include <string_view>
 
+#include "core/project/input_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/roles.h"
@@ -13,24 +15,10 @@ namespace covaria::ui {
 
 namespace {
 
+constexpr const char* correlations_part = "/correlations/";
+
 bool is_pair(const covaria::CorrelationEdit& edit, const std::string& a, const std::string& b) {
     return (edit.first == a && edit.second == b) || (edit.first == b && edit.second == a);
-}
-
-std::size_t find_component(const InputSet& inputs, const std::string& id) {
-    for (std::size_t i = 0; i < inputs.components.size(); ++i)
-        if (inputs.components[i].id == id) return i;
-    return InputSet::npos;
-}
-
-void set_coefficient(InputSet& inputs, std::size_t a, std::size_t b, double r) {
-    for (ComponentCorrelation& known : inputs.correlations) {
-        const bool same = (known.first == a && known.second == b) || (known.first == b && known.second == a);
-        if (!same) continue;
-        known.coefficient = r;
-        return;
-    }
-    inputs.correlations.push_back({a, b, r});
 }
 
 template <class Container, class Value>
@@ -43,6 +31,9 @@ bool contains(const Container& container, const Value& value) {
 InputCorrelationModel::InputCorrelationModel(Document& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
     connect(&document_, &Document::project_changed, this, &InputCorrelationModel::refresh);
+    connect(&document_.unread(), &UnreadTexts::changed, this, [this] {
+        if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, rowCount() - 1));
+    });
 }
 
 void InputCorrelationModel::set_analysis(std::shared_ptr<const PreparedAnalysis> analysis) {
@@ -76,7 +67,15 @@ std::vector<std::string> InputCorrelationModel::shown_components() const {
 }
 
 void InputCorrelationModel::refresh() {
-    const std::vector<std::string> shown = shown_components();
+    std::vector<std::string> shown = shown_components();
+    if (analysis_)
+        for (const auto& [at, text] :
+             document_.unread().under({SetupOwner::analysis, analysis_->id}, correlations_part)) {
+            const std::string pair = at.part.substr(std::string_view(correlations_part).size());
+            const std::size_t bar = pair.find('|');
+            for (const std::string& id : {pair.substr(0, bar), pair.substr(bar + 1)})
+                if (!contains(shown, id)) shown.push_back(id);
+        }
     if (shown != ids_) {
         beginResetModel();
         ids_ = shown;
@@ -84,19 +83,44 @@ void InputCorrelationModel::refresh() {
     } else if (!ids_.empty()) {
         emit dataChanged(index(0, 0), index(rowCount() - 1, rowCount() - 1));
     }
+    // A text goes when another coefficient comes into its place.
+    forget_unread([this](const TextPlace& at, const UnreadText& text) {
+        const std::string pair = at.part.substr(std::string_view(correlations_part).size());
+        const std::size_t bar = pair.find('|');
+        const double now = coefficient(pair.substr(0, bar), pair.substr(bar + 1));
+        return to_std(number_text(now, QLocale::c())) != text.instead_of;
+    });
     check();
+}
+
+TextPlace InputCorrelationModel::place(const QModelIndex& index) const {
+    const auto& [low, high] = std::minmax(ids_[static_cast<std::size_t>(index.row())],
+                                          ids_[static_cast<std::size_t>(index.column())]);
+    return {{SetupOwner::analysis, analysis_->id}, correlations_part + low + "|" + high};
+}
+
+const UnreadText* InputCorrelationModel::unread(const QModelIndex& index) const {
+    return analysis_ ? document_.unread().find(place(index)) : nullptr;
+}
+
+void InputCorrelationModel::forget_unread(
+    const std::function<bool(const TextPlace&, const UnreadText&)>& which) {
+    if (!analysis_) return;
+    const SetupAddress entry{SetupOwner::analysis, analysis_->id};
+    UnreadTexts::Texts texts = document_.unread().under(entry, correlations_part);
+    std::erase_if(texts, [&](const auto& one) { return which(one.first, one.second); });
+    document_.unread().replace_under(entry, correlations_part, std::move(texts));
 }
 
 void InputCorrelationModel::check() {
     QString complaint;
     if (analysis_) {
         InputSet inputs = analysis_->inputs;
-        for (const covaria::CorrelationEdit& edit : edits()) {
-            const std::size_t a = find_component(inputs, edit.first);
-            const std::size_t b = find_component(inputs, edit.second);
-            if (a != InputSet::npos && b != InputSet::npos) set_coefficient(inputs, a, b, edit.coefficient);
-        }
-        if (const auto resolved = resolved_correlations(inputs); !resolved)
+        Problems problems;
+        apply_correlations(inputs, edits(), problems);
+        if (problems.has_errors())
+            complaint = to_qt(problems.items().front().message);
+        else if (const auto resolved = resolved_correlations(inputs); !resolved)
             complaint = to_qt(resolved.error().message);
     }
     if (complaint == complaint_) return;
@@ -112,6 +136,9 @@ void InputCorrelationModel::add_component(const std::string& id) {
 void InputCorrelationModel::remove_component(int row) {
     const std::string id = ids_[static_cast<std::size_t>(row)];
     std::erase(added_, id);
+    forget_unread([&id](const TextPlace& at, const UnreadText&) {
+        return at.part.starts_with(correlations_part + id + "|") || at.part.ends_with("|" + id);
+    });
     document_.apply(tr("Remove correlations of %1").arg(to_qt(id)), [&](Project& project) {
         if (AnalysisEntry* entry = find_analysis_entry(project, analysis_->id))
             std::erase_if(entry->correlations, [&](const covaria::CorrelationEdit& edit) {
@@ -126,6 +153,8 @@ std::vector<std::string> InputCorrelationModel::other_components() const {
     if (!analysis_) return others;
     for (const UncertaintyComponent& component : analysis_->inputs.components)
         if (!contains(ids_, component.id)) others.push_back(component.id);
+    for (const InputQuantity& quantity : analysis_->inputs.quantities)  // as a whole
+        if (quantity.shares.size() > 1 && !contains(ids_, quantity.symbol)) others.push_back(quantity.symbol);
     return others;
 }
 
@@ -148,20 +177,23 @@ QVariant InputCorrelationModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const std::string& a = ids_[static_cast<std::size_t>(index.row())];
     const std::string& b = ids_[static_cast<std::size_t>(index.column())];
+    const UnreadText* kept = unread(index);
     switch (role) {
         case Qt::DisplayRole:
         case Qt::EditRole:
-            return number_text(coefficient(a, b), QLocale());
+            return kept ? kept->text : number_text(coefficient(a, b), QLocale());
         case Qt::TextAlignmentRole:
             return QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::BackgroundRole:
+            if (kept) return QColor(213, 94, 0, 60);
             return complaint_.isEmpty() || a == b || coefficient(a, b) == 0.0
                        ? QVariant()
                        : QVariant(QColor(213, 94, 0, 60));
         case Qt::ToolTipRole:
+            if (kept) return kept->reason;
             return complaint_.isEmpty() ? to_qt(a + ", " + b) : complaint_;
         case problem_role:
-            return complaint_;
+            return kept ? kept->reason : complaint_;
         default:
             return {};
     }
@@ -179,8 +211,19 @@ Qt::ItemFlags InputCorrelationModel::flags(const QModelIndex& index) const {
 
 bool InputCorrelationModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
-    const std::optional<double> r = parse_number(value.toString(), QLocale());
-    if (!r || *r < -1.0 || *r > 1.0) return false;
+    const QString typed = value.toString();
+    const std::optional<double> r = parse_number(typed, QLocale());
+    if (!r || *r < -1.0 || *r > 1.0) {
+        const std::string now =
+            to_std(number_text(coefficient(ids_[static_cast<std::size_t>(index.row())],
+                                           ids_[static_cast<std::size_t>(index.column())]),
+                               QLocale::c()));
+        const QString reason = r ? tr("A correlation coefficient lies between −1 and 1; “%1” does not.")
+                                 : tr("“%1” is not a number.");
+        document_.unread().set(place(index), {typed, reason.arg(typed), now});
+        return true;
+    }
+    document_.unread().remove(place(index));
     const std::string a = ids_[static_cast<std::size_t>(index.row())];
     const std::string b = ids_[static_cast<std::size_t>(index.column())];
     for (const std::string& id : {a, b})

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,6 +46,10 @@ private:
     void refresh();
     void check();
     const std::vector<covaria::CorrelationEdit>& edits() const;
+    TextPlace place(const QModelIndex& index) const;
+    /// What was typed and is no coefficient; null where there is one.
+    const UnreadText* unread(const QModelIndex& index) const;
+    void forget_unread(const std::function<bool(const TextPlace&, const UnreadText&)>& which);
     double coefficient(const std::string& a, const std::string& b) const;
     std::vector<std::string> shown_components() const;
 

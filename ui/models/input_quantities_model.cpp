@@ -64,7 +64,7 @@ QString InputQuantitiesModel::components_text(int row) const {
         const UncertaintyComponent& component = analysis_->inputs.components[share.component];
         const double u = component.unit.interval_from_si(component.distribution.standard_uncertainty());
         parts << tr("%1 (%2, %3 %4)")
-                     .arg(to_qt(component.name), to_qt(component.distribution.title()),
+                     .arg(to_qt(component.name), to_qt(drawn_distribution(component).title()),
                           localized(format_significant(u, 2)), to_qt(component.unit.display()));
     }
     return parts.join("; ");

@@ -14,8 +14,7 @@ QString localized(const std::string& number) {
 }
 
 QString degrees_of_freedom_text(double value) {
-    if (!std::isfinite(value) || value >= 1e6) return QStringLiteral("∞");
-    return localized(value < 10.0 ? format_significant(value, 2) : format_decimals(std::floor(value), 0));
+    return localized(format_degrees_of_freedom(value));
 }
 
 }  // namespace covaria::ui

@@ -121,6 +121,8 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const {
             return to_qt(entry_path(document_.project(), at));
         case problem_role:
             return problems_of(at);
+        case worst_role:
+            return static_cast<int>(worst_of(at));
         default:
             break;
     }
@@ -148,7 +150,8 @@ QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int r
         return problems.isEmpty() ? QString() : tr("has problems");
     }
     if (role != Qt::ToolTipRole) return {};
-    return problems.isEmpty() ? to_qt(kind ? kind->title : asset.kind) : problems;
+    return to_qt(asset.name) + QLatin1Char('\n') +
+           (problems.isEmpty() ? to_qt(kind ? kind->title : asset.kind) : problems);
 }
 
 QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int column, int role) const {
@@ -159,7 +162,19 @@ QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int colu
     if (role != Qt::ToolTipRole) return {};
     if (status.state == RunState::failed) return status.message;
     const ModelDescriptor* model = find_model(analysis.model);
-    return to_qt(model ? model->title : analysis.model) + QStringLiteral(": ") + words(status.state);
+    const QString problems = problems_of({SetupOwner::analysis, analysis.id});
+    return to_qt(analysis.name) + QLatin1Char('\n') + to_qt(model ? model->title : analysis.model) +
+           QStringLiteral(": ") + words(status.state) +
+           (problems.isEmpty() ? problems : QLatin1Char('\n') + problems);
+}
+
+Severity ProjectTreeModel::worst_of(const SetupAddress& address) const {
+    const std::string path = entry_path(document_.project(), address);
+    for (const Problem& problem : document_.problems().items())
+        if (problem.severity == Severity::error &&
+            (problem.path == path || problem.path.starts_with(path + '/')))
+            return Severity::error;
+    return Severity::warning;
 }
 
 QString ProjectTreeModel::problems_of(const SetupAddress& address) const {

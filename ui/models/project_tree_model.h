@@ -50,6 +50,7 @@ private:
     QVariant asset_data(const AssetEntry& asset, int column, int role) const;
     QVariant analysis_data(const AnalysisEntry& analysis, int column, int role) const;
     QString problems_of(const SetupAddress& address) const;
+    Severity worst_of(const SetupAddress& address) const;
 
     Document& document_;
     AnalysisRunner& runner_;

@@ -13,6 +13,7 @@ enum Role : int {
     category_role,  ///< of the project tree
     problem_role,   ///< what is wrong with the item, in words; empty when nothing is
     severity_role,  ///< int of Severity
+    worst_role,     ///< int of Severity: of the problems that problem_role says
     choices_role,   ///< QStringList of what the cell may be set to
     group_role,     ///< of an output or input quantity ("pose 7")
     index_role,     ///< of an output among the result's outputs

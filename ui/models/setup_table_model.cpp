@@ -45,6 +45,7 @@ SetupTableModel::SetupTableModel(Document& document, SetupAddress address, const
       field_(std::move(field)),
       schema_(schema),
       table_(read()) {
+    recall_rejected();
     refresh_problems();
     connect(&document_, &Document::project_changed, this, &SetupTableModel::refresh);
     connect(&document_, &Document::problems_changed, this, &SetupTableModel::refresh_problems);
@@ -156,11 +157,13 @@ int SetupTableModel::take(const Marks& marks) {
         rejected_.erase(at);
         if (!mark.reason.isEmpty()) {
             rejected_[at] = mark;
+            rejected_[at].instead_of = written(at);
             ++refused;
         }
         const QModelIndex cell = index(at.first, at.second);
         emit dataChanged(cell, cell);
     }
+    remember_rejected();
     return refused;
 }
 

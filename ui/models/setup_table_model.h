@@ -56,12 +56,16 @@ private:
     using CellPosition = std::pair<int, int>;  ///< row, column; column -1: the whole row
     struct Rejected {
         QString text;
-        QString reason;  ///< empty: the cell was understood
+        QString reason;               ///< empty: the cell was understood
+        std::string instead_of = {};  ///< what the project has there
     };
     using Marks = std::map<CellPosition, Rejected>;
     void refresh();
     void change_rows(const SetupTable& next);
     void shift_rejected(int row, int count);
+    void remember_rejected();
+    void recall_rejected();
+    std::string written(const CellPosition& at) const;
     void refresh_problems();
     SetupTable read() const;
     bool write(const QString& text, const std::function<void(SetupTable&)>& change);

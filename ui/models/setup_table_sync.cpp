@@ -34,6 +34,11 @@ void SetupTableModel::refresh() {
     const bool everything = heads || next.csv_file != table_.csv_file;
     change_rows(next);
     table_ = next;
+    // A text goes when something else comes into its cell; in another unit the cell is the same.
+    for (auto& [at, mark] : rejected_)
+        if (heads) mark.instead_of = written(at);
+    std::erase_if(rejected_, [this](const auto& one) { return written(one.first) != one.second.instead_of; });
+    remember_rejected();
     if (heads) emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
     if (everything && rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }
@@ -82,6 +87,34 @@ void SetupTableModel::shift_rejected(int row, int count) {
     rejected_ = std::move(shifted);
 }
 
+/// What the project has in a cell.
+std::string SetupTableModel::written(const CellPosition& at) const {
+    const auto row = static_cast<std::size_t>(at.first), cell = static_cast<std::size_t>(at.second);
+    return to_std(cell_text(column(at.second), table_.rows[row][cell], QLocale::c()));
+}
+
+/// In the document, where texts outlive this view of them.
+void SetupTableModel::remember_rejected() {
+    const std::string part = "/setup/" + field_ + "/rows/";
+    UnreadTexts::Texts texts;
+    for (const auto& [at, mark] : rejected_)
+        texts[{address_, part + std::to_string(at.first) + "/" + std::to_string(at.second)}] = {
+            mark.text, mark.reason, mark.instead_of};
+    document_.unread().replace_under(address_, part, std::move(texts));
+}
+
+void SetupTableModel::recall_rejected() {
+    if (!field()) return;
+    const std::string part = "/setup/" + field_;
+    for (const auto& [place, text] : document_.unread().under(address_, part + "/rows/")) {
+        const CellPosition at = position_of_path(place.part.substr(part.size()));
+        const bool there =
+            at.first >= 0 && at.first < rowCount() && at.second >= 0 && at.second < columnCount();
+        if (there && written(at) == text.instead_of)
+            rejected_[at] = {text.text, text.reason, text.instead_of};
+    }
+}
+
 void SetupTableModel::refresh_problems() {
     problems_.clear();
     const std::string prefix = setup_path(document_.project(), address_) + '/' + field_;
@@ -127,6 +160,7 @@ void SetupTableModel::set_unit(int column_index, const Unit& next) {
 
 void SetupTableModel::replace_table(const SetupTable& table, const QString& text) {
     rejected_.clear();
+    remember_rejected();
     document_.apply(text, [&](Project& project) {
         if (Setup* setup = find_setup(project, address_)) setup->values[field_] = table;
     });

@@ -4,6 +4,7 @@
 
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
+#include "core/result/representation.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
@@ -37,16 +38,15 @@ void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool c
                                  : tr("Expanded uncertainty");
         columns.push_back({with_unit(to_qt(quantity.title), quantity.unit), help, text, value});
     }
-    if (shown.failed() > 0)
-        columns.push_back({tr("Remark"), tr("Why there are no values"), [this](std::size_t row) {
-                               return to_qt(study_->reasons[study_->points[row].reason]);
-                           }});
+    if (shown.failed() > 0 || !not_representing(shown).empty())
+        columns.push_back({tr("Remark"), tr("Why there are no values, or what is wrong with them"),
+                           [this](std::size_t row) { return to_qt(remark_on(*study_, row)); }});
     set_contents(std::move(columns), shown.points.size(), current);
 }
 
 QVariant StudyTableModel::extra(std::size_t row, std::size_t, int role) const {
-    if (role != Qt::ToolTipRole || !study_ || study_->points[row].has_values()) return {};
-    return to_qt(study_->reasons[study_->points[row].reason]);
+    const std::string remark = role == Qt::ToolTipRole && study_ ? remark_on(*study_, row) : std::string();
+    return remark.empty() ? QVariant() : to_qt(remark);
 }
 
 }  // namespace covaria::ui

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "ui/document/quantity_text.h"
+
 namespace covaria::ui {
 
 namespace {
@@ -66,6 +68,15 @@ QString quoted_if_needed(QString cell) {
 
 }  // namespace
 
+QString number_for_programs(const QString& shown, const QLocale& locale, const QString& decimal_mark) {
+    if (!parse_number(shown, locale)) return shown;
+    QString plain = shown.trimmed();
+    plain.replace(QChar(0x2212), '-');
+    for (const char16_t space : {u'\u00a0', u'\u202f', u'\u2009'}) plain.remove(QChar(space));
+    if (plain.count(locale.decimalPoint()) == 1) plain.replace(locale.decimalPoint(), decimal_mark);
+    return plain;
+}
+
 std::vector<QStringList> parse_block(const QString& text, const QLocale& locale) {
     QString plain = text;
     plain.replace("\r\n", "\n").replace('\r', '\n');
@@ -79,9 +90,11 @@ QString block_text(const QModelIndexList& cells, bool heads) {
     if (cells.isEmpty()) return {};
     std::map<int, std::map<int, QString>> rows;
     std::map<int, QString> columns;
+    const QLocale locale;
     const QAbstractItemModel* model = cells.front().model();
     for (const QModelIndex& cell : cells) {
-        rows[cell.row()][cell.column()] = cell.data().toString();
+        rows[cell.row()][cell.column()] =
+            number_for_programs(cell.data().toString(), locale, locale.decimalPoint());
         columns[cell.column()] = model->headerData(cell.column(), Qt::Horizontal).toString();
     }
     QStringList lines;

@@ -18,4 +18,11 @@ std::vector<EvaluatedAnalysis> current_results(const Project& project, const Ana
     return current;
 }
 
+QStringList left_out(const Project& project, const AnalysisRunner& runner) {
+    QStringList names;
+    for (const AnalysisEntry& analysis : project.analyses)
+        if (!runner.status(to_qt(analysis.id)).is_current()) names << to_qt(analysis.name);
+    return names;
+}
+
 }  // namespace covaria::ui

@@ -1,6 +1,7 @@
-// The results that belong to the project as it is now.
+// Which results count: what of the project may be reported and exported, and what is to be said of the rest.
 #pragma once
 
+#include <QString>
 #include <vector>
 
 #include "core/report/report.h"
@@ -8,7 +9,10 @@
 
 namespace covaria::ui {
 
-/// Of the analyses that are up to date, in the project's order.
+/// Analyses (in the order of the project) and studies whose results are those of the project as it is now,
+/// with all the trials it asks for.
 std::vector<EvaluatedAnalysis> current_results(const Project& project, const AnalysisRunner& runner);
+/// Names of the analyses that are not among them.
+QStringList left_out(const Project& project, const AnalysisRunner& runner);
 
 }  // namespace covaria::ui

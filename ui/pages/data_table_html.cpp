@@ -4,6 +4,7 @@
 
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
+#include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -18,10 +19,10 @@ QString head_of(const TableColumn& column) {
     return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
 }
 
-/// Numbers with a true minus sign.
-QString shown(QString cell) {
-    if (cell.size() > 1 && cell[0] == QLatin1Char('-') && cell[1].isDigit()) cell[0] = QChar(0x2212);
-    return cell;
+/// Numbers as everywhere in the window: the locale's decimal mark, a true minus sign.
+QString shown(const TableCell& cell, const TableColumn& column) {
+    const std::string text = format_cell(cell, column);
+    return std::holds_alternative<std::string>(cell) ? to_qt(text) : localized(text);
 }
 
 QString html_of(const DataTable& table) {
@@ -34,7 +35,7 @@ QString html_of(const DataTable& table) {
         html += QStringLiteral("<tr>");
         for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
             html += QStringLiteral("<td align=\"right\">%1</td>")
-                        .arg(shown(to_qt(format_cell(row[i], table.columns[i]))).toHtmlEscaped());
+                        .arg(shown(row[i], table.columns[i]).toHtmlEscaped());
         html += QStringLiteral("</tr>");
     }
     html += QStringLiteral("</table>");

@@ -28,7 +28,10 @@ QString icon_of(const QModelIndex& index) {
         const QVariant category = index.data(category_role);
         return category.isValid() ? category_icon(category.toInt()) : QString();
     }
-    if (!index.data(problem_role).toString().isEmpty()) return QStringLiteral("error");
+    if (!index.data(problem_role).toString().isEmpty())
+        return index.data(worst_role).toInt() == static_cast<int>(Severity::error)
+                   ? QStringLiteral("error")
+                   : QStringLiteral("warning");
     const QVariant state = index.data(state_role);
     return state.isValid() ? state_icon(static_cast<RunState>(state.toInt())) : QString();
 }

@@ -22,10 +22,8 @@ void EvaluationTab::refresh() {
     const auto prepared = runner_.status(selection_.analysis()).prepared;
     if (prepared == shown_) return;
     shown_ = prepared;
-    if (!prepared) {
-        show_evaluation({}, {});
-        return emit filled(false);
-    }
+    // The tab stays where it is while the analysis has a problem.
+    if (!prepared) return show_evaluation({}, {});
     jobs_.push([this, prepared]() -> JobQueue::Delivery {
         const QString html = html_of(prepared->model->evaluation());
         return [this, prepared, html, figures = prepared->model->figures()] {

@@ -1,6 +1,7 @@
 #include "ui/pages/field_help.h"
 
 #include <QApplication>
+#include <QEvent>
 
 namespace covaria::ui {
 namespace {
@@ -15,17 +16,36 @@ FieldHelp::FieldHelp(QWidget& area) : QLabel(&area), area_(area) {
     setMargin(6);
     setFixedHeight(lines_shown * fontMetrics().lineSpacing() + 12);
     setForegroundRole(QPalette::WindowText);
-    setText(tr("Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit."));
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { show_help_of(now); });
+    start_over();
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
 }
 
-void FieldHelp::show_help_of(const QWidget* widget) {
-    if (!widget || !area_.isAncestorOf(widget) || widget->toolTip().isEmpty()) return;
-    const QString name = widget->accessibleName().toHtmlEscaped();
+void FieldHelp::start_over() {
+    if (shown_) shown_->removeEventFilter(this);
+    shown_ = nullptr;
+    setText(tr("Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit."));
+    setToolTip({});
+}
+
+void FieldHelp::follow(QWidget* widget) {
+    if (!widget || widget == shown_ || !area_.isAncestorOf(widget) || widget->toolTip().isEmpty()) return;
+    if (shown_) shown_->removeEventFilter(this);
+    shown_ = widget;
+    shown_->installEventFilter(this);
+    show_help();
+}
+
+bool FieldHelp::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == shown_ && event->type() == QEvent::ToolTipChange) show_help();
+    return QLabel::eventFilter(watched, event);
+}
+
+void FieldHelp::show_help() {
+    const QString name = shown_->accessibleName().toHtmlEscaped();
     const QString help =
-        widget->toolTip().toHtmlEscaped().replace(QStringLiteral("\n\n"), QStringLiteral(" "));
+        shown_->toolTip().toHtmlEscaped().replace(QStringLiteral("\n\n"), QStringLiteral(" "));
     setText(name.isEmpty() ? help : QStringLiteral("<b>%1.</b> %2").arg(name, help));
-    setToolTip(widget->toolTip());
+    setToolTip(shown_->toolTip());
 }
 
 }  // namespace covaria::ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QPointer>
 
 namespace covaria::ui {
 
@@ -11,10 +12,19 @@ class FieldHelp : public QLabel {
 public:
     explicit FieldHelp(QWidget& area);
 
+    /// Nothing is looked at any more: what to know about fields in general.
+    void start_over();
+
+protected:
+    /// What is said follows the field: a complaint goes when it is solved.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
-    void show_help_of(const QWidget* widget);
+    void follow(QWidget* widget);
+    void show_help();
 
     QWidget& area_;
+    QPointer<QWidget> shown_;
 };
 
 }  // namespace covaria::ui

@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <cstdio>
+#include <string_view>
 
 #include "ui/forms/components_edit.h"
 #include "ui/forms/correlation_edit.h"
@@ -30,7 +31,7 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     make_table();
     components_ = new ComponentsEdit(document_);
     correlations_ = new CorrelationEdit(document_);
-    auto* details = new QTabWidget;
+    auto* details = details_ = new QTabWidget;
     details->setDocumentMode(true);
     auto* scroll = new QScrollArea;
     scroll->setFrameShape(QFrame::NoFrame);
@@ -92,14 +93,24 @@ void InputsPage::show_components() {
 }
 
 bool InputsPage::focus_field(const std::string& path) {
-    const auto at = path.find("/inputs/");
-    unsigned index = 0;
     const AnalysisEntry* analysis = document_.project().find_analysis(analysis_);
-    if (!analysis || at == std::string::npos || std::sscanf(path.c_str() + at, "/inputs/%u", &index) != 1)
-        return false;
-    if (index >= analysis->inputs.size()) return false;
-    const int row = model_.row_of(analysis->inputs[index].symbol);
+    if (!analysis) return false;
+    const std::string entry = entry_path(document_.project(), {SetupOwner::analysis, analysis_});
+    if (path.starts_with(entry + "/correlations")) {
+        details_->setCurrentWidget(correlations_);
+        correlations_->view().setFocus(Qt::OtherFocusReason);
+        return true;
+    }
+    if (!path.starts_with(entry + "/inputs/")) return false;
+    // An edit by its number, or a quantity by its symbol.
+    const std::string rest = path.substr(entry.size() + std::string_view("/inputs/").size());
+    std::string symbol = rest.substr(0, rest.find('/'));
+    unsigned index = 0;
+    if (std::sscanf(rest.c_str(), "%u", &index) == 1 && index < analysis->inputs.size())
+        symbol = analysis->inputs[index].symbol;
+    const int row = model_.row_of(symbol);
     if (row < 0) return false;
+    details_->setCurrentIndex(0);
     search_->clear();
     table_->selectRow(filter_.mapFromSource(model_.index(row, 0)).row());
     return true;

@@ -10,6 +10,7 @@
 
 class QLineEdit;
 class QTableView;
+class QTabWidget;
 
 namespace covaria::ui {
 
@@ -38,6 +39,7 @@ private:
     QLineEdit* search_;
     QTableView* table_;
     ComponentsEdit* components_;
+    QTabWidget* details_ = nullptr;
     CorrelationEdit* correlations_;
 };
 

@@ -9,6 +9,7 @@
 #include "core/models/registry.h"
 #include "core/project/library.h"
 #include "ui/document/project_edits.h"
+#include "ui/forms/finish_typing.h"
 #include "ui/pages/entry_delegate.h"
 #include "ui/pages/library_menu.h"
 #include "ui/theme/icons.h"
@@ -109,6 +110,10 @@ void ProjectPane::currentChanged(const QModelIndex& current, const QModelIndex& 
     update_actions();
 }
 
+int ProjectPane::wanted_width() const {
+    return sizeHintForColumn(0) + sizeHintForColumn(1) + 2 * frameWidth() + 12;
+}
+
 void ProjectPane::follow_selection() {
     const QModelIndex index = model_.index_of(selection_.entry());
     if (index.isValid() && index != currentIndex()) setCurrentIndex(index);
@@ -124,8 +129,10 @@ void ProjectPane::contextMenuEvent(QContextMenuEvent* event) {
     menu.addMenu(make_add_menu(&menu));
     const SetupAddress address = model_.address(indexAt(event->pos()));
     if (address.owner == SetupOwner::analysis && !address.id.empty())
-        menu.addAction(icon(QStringLiteral("run")), tr("Run"), this,
-                       [this, address] { runner_.run(to_qt(address.id)); });
+        menu.addAction(icon(QStringLiteral("run")), tr("Run"), this, [this, address] {
+            finish_typing();
+            runner_.run(to_qt(address.id));
+        });
     if (address.owner == SetupOwner::asset && !address.id.empty())
         menu.addAction(tr("Keep in My Library"), this, [this, address] { keep_in_library(address); });
     menu.addSeparator();

@@ -33,6 +33,9 @@ public:
     /// Copies an asset into the user's library.
     void keep_in_library(const SetupAddress& address);
 
+    /// That shows the names whole.
+    int wanted_width() const;
+
 signals:
     /// Something to be told in passing.
     void message(const QString& text);

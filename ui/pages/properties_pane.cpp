@@ -36,7 +36,8 @@ PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selec
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(new FieldHelp(*this));
+    help_ = new FieldHelp(*this);
+    column->addWidget(help_);
     connect(&selection_, &Selection::entry_changed, this, &PropertiesPane::rebuild);
     connect(&document_, &Document::project_changed, this, &PropertiesPane::discard_if_gone);
     connect(&runner_, &AnalysisRunner::state_changed, this, &PropertiesPane::show_forecast);
@@ -45,6 +46,7 @@ PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selec
 }
 
 void PropertiesPane::rebuild() {
+    help_->start_over();
     delete tabs_;
     setup_ = nullptr;
     inputs_ = nullptr;

@@ -14,6 +14,7 @@ class QTabWidget;
 
 namespace covaria::ui {
 
+class FieldHelp;
 class InputsPage;
 class OptionsForm;
 class RequirementsForm;
@@ -45,6 +46,7 @@ private:
     Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
+    FieldHelp* help_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     SetupForm* setup_ = nullptr;
     InputsPage* inputs_ = nullptr;

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/export/scene_pictures.h"
+#include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
 #include "ui/print/report_pages.h"
 
@@ -17,16 +17,6 @@ namespace covaria::ui {
 namespace {
 
 constexpr int preview_dots_per_inch = 96;
-
-std::vector<QImage> pages_of(const RecordedReport& report) {
-    ScenePictures scenes(report.analyses);
-    PdfOptions options;
-    options.paint_plot = [&](QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
-        report.play(painter, area, plot);
-    };
-    options.render_scene = [&](const SceneBlock& block, QSize size) { return scenes.render(block, size); };
-    return page_images(report.document, options, preview_dots_per_inch);
-}
 
 /// A page, as wide as there is room, but no wider than it was made.
 class Sheet : public QWidget {
@@ -80,33 +70,52 @@ ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget
     column->setSpacing(0);
     column->addLayout(head);
     column->addWidget(area_, 1);
-    connect(update, &QPushButton::clicked, this, &ReportPreview::refresh);
+    connect(update, &QPushButton::clicked, this, [this] {
+        finish_typing();
+        refresh();
+    });
     connect(&document_, &Document::project_changed, this, &ReportPreview::mark_old);
     connect(&runner_, &AnalysisRunner::result_changed, this, &ReportPreview::mark_old);
+    connect(&runner_, &AnalysisRunner::idle, this, [this] {
+        if (isVisible() && old_ && pages_.empty() && !maker_.is_busy()) refresh();
+    });
 }
 
 void ReportPreview::mark_old() {
     old_ = true;
-    if (pages_ > 0) state_->setText(tr("Out of date: the project or its results have changed since."));
+    if (!pages_.empty()) state_->setText(tr("Out of date: the project or its results have changed since."));
 }
 
 void ReportPreview::showEvent(QShowEvent*) {
-    if (old_ && pages_ == 0) refresh();
+    if (old_ && pages_.empty()) refresh();
+}
+
+void ReportPreview::start_over() {
+    maker_.cancel();
+    old_ = true;
+    pages_.clear();
+    delete area_->takeWidget();
+    state_->setText(tr("The report has not been made yet."));
 }
 
 void ReportPreview::refresh() {
     const auto results = current_results(document_.project(), runner_);
     if (results.empty()) {
-        state_->setText(tr("No analysis is up to date: run one first (F5)."));
+        state_->setText(runner_.is_busy() ? tr("The analyses are running: the report waits for them.")
+                                          : tr("No analysis is up to date: run one first (F5)."));
         return;
     }
     old_ = false;
     state_->setText(tr("Making the report …"));
-    recorder_.record(document_.snapshot(), results,
-                     [this](const RecordedReport& report) -> JobQueue::Delivery {
-                         const std::vector<QImage> images = pages_of(report);
-                         return [this, images] { show_pages(images); };
-                     });
+    maker_.make(document_.snapshot(), results,
+                [this](const ReportDocument& report, const FigurePainters& painters,
+                       const std::stop_token&) -> JobQueue::Delivery {
+                    const PdfOptions options{.paint_plot = painters.paint_plot,
+                                             .render_scene = painters.render_scene};
+                    return [this, images = page_images(report, options, preview_dots_per_inch)] {
+                        show_pages(images);
+                    };
+                });
 }
 
 void ReportPreview::show_pages(const std::vector<QImage>& images) {
@@ -115,9 +124,10 @@ void ReportPreview::show_pages(const std::vector<QImage>& images) {
     column->setSpacing(16);
     for (const QImage& image : images) column->addWidget(new Sheet(image));
     area_->setWidget(sheets);
-    pages_ = images.size();
+    pages_ = images;
     if (!old_)
-        state_->setText(pages_ == 1 ? tr("1 page, as printed") : tr("%1 pages, as printed").arg(pages_));
+        state_->setText(pages_.size() == 1 ? tr("1 page, as printed")
+                                           : tr("%1 pages, as printed").arg(pages_.size()));
 }
 
 }  // namespace covaria::ui

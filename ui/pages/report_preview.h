@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/document/document.h"
-#include "ui/export/report_recorder.h"
+#include "ui/export/report_maker.h"
 #include "ui/run/analysis_runner.h"
 
 class QLabel;
@@ -22,8 +22,12 @@ public:
     ReportPreview(Document& document, AnalysisRunner& runner, QWidget* parent = nullptr);
 
     void refresh();
-    bool is_busy() const { return recorder_.is_busy(); }
-    std::size_t page_count() const { return pages_; }
+    /// Another project: no page of the former one stays.
+    void start_over();
+    bool is_busy() const { return maker_.is_busy(); }
+    std::size_t page_count() const { return pages_.size(); }
+    /// As they are shown; the same as the pages of the PDF.
+    const std::vector<QImage>& pages() const { return pages_; }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -35,10 +39,10 @@ private:
     Document& document_;
     AnalysisRunner& runner_;
     bool old_ = true;
-    std::size_t pages_ = 0;
+    std::vector<QImage> pages_;
     QLabel* state_;
     QScrollArea* area_;
-    ReportRecorder recorder_;
+    ReportMaker maker_;
 };
 
 }  // namespace covaria::ui

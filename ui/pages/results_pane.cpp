@@ -12,12 +12,14 @@
 
 #include "core/base/symbol.h"
 #include "core/report/plots.h"
+#include "core/result/representation.h"
 #include "ui/charts/chart_view.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/study_tab.h"
 #include "ui/pages/unit_button.h"
+#include "ui/run/result_words.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/typeset.h"
@@ -160,22 +162,27 @@ QString ResultsPane::state_words() const {
     if (status.state == RunState::failed) return tr("Failed: %1").arg(status.message);
     if (!status.result)
         return status.prepared ? tr("Not evaluated yet: press F5.") : tr("The analysis has problems.");
-    QString words =
-        status.stage == ResultStage::first_order || status.result->trials == 0
-            ? tr("Law of propagation of uncertainty")
-            : tr("Monte Carlo, %1 trials").arg(QLocale().toString(qulonglong(status.result->trials)));
+    QString words = result_words(status);
+    if (status.is_of_present() && !status.is_current())
+        words = QStringLiteral("<b>%1</b>").arg(words) +
+                (status.state == RunState::running ? tr("; running") : tr("; press F5 for the result"));
     if (status.result->failed_trials > 0)
         words += tr("; %1 trials without a value")
                      .arg(QLocale().toString(qulonglong(status.result->failed_trials)));
+    if (!represents_measurand(*status.result))
+        words =
+            tr("<b>Does not represent the measurand</b> (more than 1 % of the trials are lost). ") + words;
     if (!status.result->stabilised) words += tr("; not stabilised");
-    if (!status.is_current()) words = tr("<b>Out of date</b>: shown for the project as it was. ") + words;
+    if (!status.is_of_present()) words = tr("<b>Out of date</b>: shown for the project as it was. ") + words;
     return words;
 }
 
 void ResultsPane::take_result() {
     const AnalysisStatus& status = runner_.status(selection_.analysis());
     result_ = status.result;
-    current_ = status.is_current();
+    current_ = status.is_of_present();
+    const QString said = reservation(status);
+    for (SortableTable* table : {results_, budget_, correlation_}) table->set_remark(said);
     state_->setText(state_words());
     state_->setToolTip(state_->text());
     units_->set_result(result_);
@@ -191,6 +198,13 @@ void ResultsPane::take_units() {
     budget_model_.set_units(units_->units());
     plotted_ = in_units(result_, units_->units());
     refresh_charts();
+}
+
+/// Charts are copied and saved: each says itself when it is not the result.
+void ResultsPane::show_chart(ChartView& view, PlotSpecification plot) const {
+    const QString said = reservation(runner_.status(selection_.analysis()));
+    if (!said.isEmpty() && !plot.series.empty()) plot.title += " \u2013 " + to_std(said);
+    view.set_plot(std::move(plot));
 }
 
 void ResultsPane::refresh_outputs() {
@@ -237,14 +251,18 @@ void ResultsPane::refresh_charts() {
     }
     const auto index = std::size_t(output);
     const QWidget* shown = tabs_->currentWidget();
-    if (shown->isAncestorOf(contributions_)) contributions_->set_plot(contribution_plot(*plotted_, index));
+    if (shown->isAncestorOf(contributions_)) show_chart(*contributions_, contribution_plot(*plotted_, index));
     if (shown->isAncestorOf(histogram_)) {
-        histogram_->set_plot(histogram_plot(*plotted_, index));
-        quantiles_->set_plot(normal_quantile_plot(*plotted_, index));
+        show_chart(*histogram_, histogram_plot(*plotted_, index));
+        show_chart(*quantiles_, normal_quantile_plot(*plotted_, index));
     }
     if (shown->isAncestorOf(correlation_map_))
-        correlation_map_->set_plot(correlation_plot(*plotted_, plotted_->outputs[index].quantity.group));
-    if (shown == convergence_) convergence_->set_plot(convergence_plot(*plotted_, index));
+        show_chart(*correlation_map_, correlation_plot(*plotted_, plotted_->outputs[index].quantity.group));
+    if (shown == convergence_) show_chart(*convergence_, convergence_plot(*plotted_, index));
+}
+
+void ResultsPane::start_over() {
+    report_->start_over();
 }
 
 void ResultsPane::set_dark(bool dark) {

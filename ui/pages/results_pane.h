@@ -16,6 +16,10 @@ class QComboBox;
 class QLabel;
 class QSpinBox;
 
+namespace covaria {
+struct PlotSpecification;
+}
+
 namespace covaria::ui {
 
 class ChartView;
@@ -30,6 +34,8 @@ public:
     ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
 
     void set_dark(bool dark);
+    /// Another project: its report has not been made.
+    void start_over();
     /// State of the analysis, output quantity, units, digits: for the dock's title bar.
     QWidget& head() { return *head_; }
     QTabWidget& tabs() { return *tabs_; }
@@ -52,6 +58,7 @@ private:
     void show_group(const QString& group);
     void show_output(int output);
     void refresh_charts();
+    void show_chart(ChartView& view, PlotSpecification plot) const;
     QString state_words() const;
 
     AnalysisRunner& runner_;

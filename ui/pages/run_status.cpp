@@ -40,7 +40,7 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
     stop_->setAutoRaise(true);
     stop_->setToolTip(tr("Stop all runs (Esc)"));
     stop_->setAccessibleName(tr("Stop all runs"));
-    for (QWidget* widget : std::initializer_list<QWidget*>{picture_, text_, bar_, stop_})
+    for (QWidget* widget : std::initializer_list<QWidget*>{bar_, stop_, picture_, text_})
         row->addWidget(widget);
     connect(stop_, &QToolButton::clicked, &runner_, &AnalysisRunner::stop_all);
     connect(&runner_, &AnalysisRunner::progress_changed, this, &RunStatus::show_progress);
@@ -110,7 +110,9 @@ void RunStatus::show_state() {
     if (!status.prepared && status.state != RunState::failed) words = tr("has problems");
     if (status.state == RunState::up_to_date && status.result && status.result->trials > 0)
         words += tr(", %1 trials").arg(QLocale().toString(qulonglong(status.result->trials)));
-    set_picture(state_icon(status.state));
+    const bool warned = status.state == RunState::up_to_date && !status.warnings.empty();
+    if (warned) words += tr(", with warnings");
+    set_picture(warned ? QStringLiteral("warning") : state_icon(status.state));
     text_->setText(name_of(id) + QStringLiteral(": ") + words);
 }
 

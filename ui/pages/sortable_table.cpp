@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "core/project/project_file.h"
+#include "core/report/csv_text.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
 #include "ui/theme/icons.h"
@@ -19,11 +20,8 @@
 namespace covaria::ui {
 namespace {
 
-QString quoted(QString cell) {
-    if (!cell.contains(QLatin1Char(',')) && !cell.contains(QLatin1Char('"')) &&
-        !cell.contains(QLatin1Char('\n')))
-        return cell;
-    return QLatin1Char('"') + cell.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
+QString quoted(const QString& cell) {
+    return to_qt(csv_text(to_std(cell)));
 }
 
 constexpr int widest_column = 260;  ///< that a column gets by itself
@@ -116,7 +114,9 @@ void SortableTable::forget_columns() {
 }
 
 void SortableTable::copy_selection() {
-    QGuiApplication::clipboard()->setText(block_text(selectionModel()->selectedIndexes(), true));
+    QString text = block_text(selectionModel()->selectedIndexes(), true);
+    if (!remark_.isEmpty()) text += remark_ + QLatin1Char('\n');
+    QGuiApplication::clipboard()->setText(text);
 }
 
 QString SortableTable::csv() const {
@@ -126,9 +126,11 @@ QString SortableTable::csv() const {
         for (int column = 0; column < proxy_.columnCount(); ++column)
             if (!isColumnHidden(column))
                 cells << quoted(row < 0 ? proxy_.headerData(column, Qt::Horizontal).toString()
-                                        : proxy_.index(row, column).data().toString());
+                                        : number_for_programs(proxy_.index(row, column).data().toString(),
+                                                              QLocale(), QStringLiteral(".")));
         lines << cells.join(QLatin1Char(','));
     }
+    if (!remark_.isEmpty()) lines << quoted(remark_);
     return lines.join(QStringLiteral("\r\n")) + QStringLiteral("\r\n");
 }
 

@@ -24,6 +24,9 @@ public:
     /// Further entries of the context menu, for a row of the model.
     std::function<void(QMenu& menu, int row)> extend_menu;
 
+    /// What is said below the numbers wherever they are copied or saved; empty: nothing.
+    void set_remark(const QString& remark) { remark_ = remark; }
+
     void copy_selection();
     /// Everything shown, in the order shown.
     QString csv() const;
@@ -51,7 +54,7 @@ private:
     void show_header_menu(QPoint at);
     void ask_and_save();
 
-    QString name_, key_;
+    QString name_, key_, remark_;
     QStringList hidden_;
     QMap<QString, QVariant> widths_;  ///< that the user gave
     QSortFilterProxyModel proxy_;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/charts/chart_view.h"
+#include "ui/forms/finish_typing.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/theme/strings.h"
 
@@ -73,6 +74,7 @@ void StudyTab::make_head() {
     connect(list_, &QComboBox::activated, this,
             [this](int index) { selection_.select_study(list_->itemData(index).toString()); });
     connect(run_, &QPushButton::clicked, this, [this] {
+        finish_typing();
         if (study_of_project()) runner_.studies().run(selection_.analysis(), selection_.study());
     });
     connect(edit_, &QPushButton::clicked, this, [this] {
@@ -119,6 +121,7 @@ void StudyTab::refresh() {
     state_->setToolTip(state_->text());
     if (other) refresh_choices();
     model_.set_study(result_, current_);
+    table_->set_remark(result_ && !current_ ? tr("Out of date: of the project as it was") : QString());
     show_study();
 }
 
@@ -175,6 +178,7 @@ void StudyTab::show_study() {
         plot.title = to_std(study_of_project()
                                 ? tr("Run the study to see how the uncertainty depends on what it varies")
                                 : tr("A study evaluates the analysis for many values of a number: add one"));
+    if (result_ && !current_) plot.title += to_std(tr(" – out of date"));
     chart_->set_plot(std::move(plot));
     emit shown_changed();
 }

@@ -31,10 +31,11 @@ void UnitButton::set_result(const ResultPointer& result) {
     shown_.clear();
     for (std::size_t i = 0; result && i < result->outputs.size(); ++i) {
         const Unit& unit = result->outputs[i].quantity.unit;
-        const bool known = std::any_of(shown_.begin(), shown_.end(), [&](const Unit& other) {
+        const auto known = std::find_if(shown_.begin(), shown_.end(), [&](const Unit& other) {
             return other.dimension() == unit.dimension();
         });
-        if (!known && !unit.dimension().is_one()) shown_.push_back(unit);
+        if (known == shown_.end() && !unit.dimension().is_one()) shown_.push_back(unit);
+        if (known != shown_.end() && unit.has_offset()) *known = unit;  // has the more choices
     }
     setEnabled(!shown_.empty());
 }

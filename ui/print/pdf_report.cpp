@@ -13,8 +13,6 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int dots_per_inch = 1200;
-
 template <class Block>
 bool has(const ReportDocument& document) {
     return std::any_of(document.blocks.begin(), document.blocks.end(),
@@ -30,11 +28,20 @@ Result<void> check_painters(const ReportDocument& document, const PdfOptions& op
 }
 
 void set_up(QPdfWriter& writer, const ReportDocument& document, PaperSize paper) {
-    writer.setResolution(dots_per_inch);
+    writer.setResolution(printed_dots_per_inch);
     writer.setPageSize(page_size_of(paper));
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0), QPageLayout::Millimeter);
     writer.setTitle(QString::fromStdString(document.title));
     writer.setCreator("Covaria " COVARIA_VERSION);
+}
+
+/// The same report gives the same bytes: a fixed date in place of the clock. It is as long, so that the
+/// file's table of objects stays right.
+std::string without_clock(std::string bytes) {
+    const std::string begin = "/CreationDate (D:", fixed = "20000101000000";
+    if (const std::size_t at = bytes.find(begin); at != std::string::npos)
+        bytes.replace(at + begin.size(), fixed.size(), fixed);
+    return bytes;
 }
 
 }  // namespace
@@ -53,7 +60,7 @@ Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& 
         pages.paint(page, painter);
     }
     if (!painter.end()) return fail(ErrorCode::io, "the PDF of the report could not be finished");
-    return buffer.data().toStdString();
+    return without_clock(buffer.data().toStdString());
 }
 
 Result<void> write_pdf(const ReportDocument& document, const PdfOptions& options,

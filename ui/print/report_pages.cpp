@@ -47,6 +47,7 @@ private:
     const PageStyle& style_;
 };
 
+/// White, and for who paints on it of that resolution: fonts and lengths come out as they do there.
 QImage blank_page(QSize size, int dots_per_inch) {
     QImage image(size, QImage::Format_RGB32);
     const int dots_per_metre = int(std::lround(dots_per_inch * 1000.0 / millimetres_per_inch));
@@ -73,16 +74,19 @@ void ReportPages::paint(int page, QPainter& painter) const {
 
 std::vector<QImage> page_images(const ReportDocument& document, const PdfOptions& options,
                                 int dots_per_inch) {
-    QImage measure = blank_page(QSize(1, 1), dots_per_inch);
+    QImage measure = blank_page(QSize(1, 1), printed_dots_per_inch);
     const ReportPages pages(document, options, &measure);
-    const QSize size = PageStyle(&measure, options.paper).sheet().size().toSize();
+    const double scale = double(dots_per_inch) / printed_dots_per_inch;
+    const QSize size = (PageStyle(&measure, options.paper).sheet().size() * scale).toSize();
     std::vector<QImage> images;
     for (int page = 0; page < pages.count(); ++page) {
-        QImage image = blank_page(size, dots_per_inch);
+        QImage image = blank_page(size, printed_dots_per_inch);
         QPainter painter(&image);
         painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing |
                                QPainter::SmoothPixmapTransform);
+        painter.scale(scale, scale);
         pages.paint(page, painter);
+        painter.end();
         images.push_back(std::move(image));
     }
     return images;

@@ -10,6 +10,9 @@
 
 namespace covaria::ui {
 
+/// Of the PDF, and of everything that shows its pages: lines and pages break in the same places.
+constexpr int printed_dots_per_inch = 1200;
+
 class ReportPages {
 public:
     /// `document` and `options` must outlive the pages; `device` gives the resolution.
@@ -25,7 +28,7 @@ private:
     FlowedPages pages_;
 };
 
-/// The pages as they are printed, on white, at `dots_per_inch`.
+/// The pages as they are printed, on white, with `dots_per_inch` pixels an inch.
 std::vector<QImage> page_images(const ReportDocument& document, const PdfOptions& options, int dots_per_inch);
 
 }  // namespace covaria::ui

@@ -1,6 +1,7 @@
 // Everything here happens on the owner's thread except the bodies of `prepare` and `execute`.
 #include "ui/run/analysis_runner.h"
 
+#include "core/result/result_names.h"
 #include "ui/theme/strings.h"
 
 #include <QEventLoop>
@@ -73,6 +74,7 @@ void AnalysisRunner::reset(ProjectSnapshot project) {
     studies_.reset();
     entries_.clear();
     wanted_.clear();
+    set_held({});
     ++generation_;
     prepare_jobs_.push([this]() -> JobQueue::Delivery {
         first_order_of_.clear();
@@ -118,9 +120,9 @@ void AnalysisRunner::take(const std::string& id, const Prepared& prepared) {
     const auto result = prepared.first_order.find(id);
     if (message != prepared.messages.end())
         set_state(id, RunState::failed, message->second);
-    else if (result != prepared.first_order.end() && !entry.is_current())
+    else if (result != prepared.first_order.end() && !entry.is_of_present())
         keep(id, entry.prepared, ResultStage::first_order, result->second);
-    if (live_ && entry.prepared && entry.state == RunState::out_of_date) enqueue(id);
+    if (live_ && entry.state == RunState::out_of_date) enqueue(id);
 }
 
 void AnalysisRunner::start_wanted() {
@@ -135,15 +137,41 @@ void AnalysisRunner::update_entry(const std::string& id, const Preparation& prep
                       entry.prepared->fingerprint == preparation.analysis->fingerprint;
     entry.prepared = preparation.analysis;
     entry.warnings = preparation.warnings;
+    const auto held = held_.find(id);
+    entry.held = held == held_.end() ? QString() : held->second;
     if (!preparation.analysis) {
         stop(to_qt(id));
         set_state(id, RunState::failed, preparation.message);
+        return;
+    }
+    if (entry.is_of_present() && entry.result_of != entry.prepared) {
+        take_present_names(entry);
+        emit result_changed(to_qt(id));
+    }
+    if (!entry.held.isEmpty()) {
+        set_state(id, RunState::failed, to_std(entry.held));
     } else if (!same) {
         if (live_ && active_id_ == id) active_stop_.request_stop();
         set_state(id, resting_state(entry));
     } else {
         emit state_changed(to_qt(id));  // titles and warnings may differ
     }
+}
+
+void AnalysisRunner::set_held(const std::map<std::string, QString>& held) {
+    if (held == held_) return;
+    held_ = held;
+    for (auto& [id, entry] : entries_) {
+        const auto found = held.find(id);
+        const QString reason = found == held.end() ? QString() : found->second;
+        if (reason == entry.held) continue;
+        entry.held = reason;
+        if (!reason.isEmpty()) stop(to_qt(id));
+        if (!entry.prepared) continue;  // that is the greater trouble
+        set_state(id, reason.isEmpty() ? resting_state(entry) : RunState::failed, to_std(reason));
+        if (live_ && entry.state == RunState::out_of_date) enqueue(id);
+    }
+    start_next();
 }
 
 void AnalysisRunner::set_live(bool live) {
@@ -157,7 +185,7 @@ void AnalysisRunner::run(const QString& id) {
         return;
     }
     const auto entry = entries_.find(id.toStdString());
-    if (entry == entries_.end() || !entry->second.prepared) return;
+    if (entry == entries_.end() || !entry->second.prepared || !entry->second.held.isEmpty()) return;
     if (active_id_ == entry->first) active_stop_.request_stop();
     enqueue(entry->first);
     settling_.stop();
@@ -168,7 +196,8 @@ void AnalysisRunner::run_all() {
     all_wanted_ = preparing_ > 0;
     if (all_wanted_) return;
     for (const auto& [id, entry] : entries_)
-        if (entry.prepared && (entry.state == RunState::out_of_date || entry.state == RunState::failed))
+        if (entry.prepared && entry.held.isEmpty() &&
+            (entry.state == RunState::out_of_date || entry.state == RunState::failed))
             enqueue(id);
     settling_.stop();
     start_next();
@@ -250,7 +279,7 @@ void AnalysisRunner::deliver(quint64 number, const PreparedPointer& analysis, Re
     if (*result) {
         keep(analysis->id, analysis, stage, ResultPointer(result, &**result));
     } else if (result->error().code != ErrorCode::cancelled && entry->second.prepared &&
-               entry->second.prepared->fingerprint == analysis->fingerprint) {
+               entry->second.prepared->fingerprint == analysis->fingerprint && entry->second.held.isEmpty()) {
         set_state(analysis->id, RunState::failed, result->error().message);
     }
 }
@@ -273,11 +302,22 @@ void AnalysisRunner::keep(const std::string& id, const PreparedPointer& analysis
                           ResultPointer result) {
     AnalysisStatus& entry = entries_[id];
     const bool is_newest = entry.prepared && entry.prepared->fingerprint == analysis->fingerprint;
-    if (!is_newest && entry.is_current()) return;  // never replace a current result by a stale one
+    if (!is_newest && entry.is_of_present()) return;  // never replace a current result by a stale one
     entry.result = std::move(result);
     entry.result_of = analysis;
     entry.stage = stage;
+    if (is_newest) take_present_names(entry);
     emit result_changed(to_qt(id));
+}
+
+/// Names have no part in the fingerprint: a result stays current when something is renamed.
+void AnalysisRunner::take_present_names(AnalysisStatus& entry) {
+    if (entry.result_of == entry.prepared) return;
+    entry.result_of = entry.prepared;
+    if (!entry.prepared->model) return;
+    auto renamed = std::make_shared<UncertaintyResult>(*entry.result);
+    take_names(*renamed, entry.prepared->model->outputs(), entry.prepared->inputs);
+    entry.result = std::move(renamed);
 }
 
 void AnalysisRunner::report(quint64 number, const Progress& progress) {
@@ -287,8 +327,7 @@ void AnalysisRunner::report(quint64 number, const Progress& progress) {
 }
 
 RunState AnalysisRunner::resting_state(const AnalysisStatus& status) const {
-    return status.is_current() && status.stage == ResultStage::complete ? RunState::up_to_date
-                                                                        : RunState::out_of_date;
+    return status.is_current() ? RunState::up_to_date : RunState::out_of_date;
 }
 
 void AnalysisRunner::set_state(const std::string& id, RunState state, const std::string& message) {

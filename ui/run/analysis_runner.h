@@ -44,6 +44,9 @@ public:
     StudyRunner& studies() { return studies_; }
     const StudyRunner& studies() const { return studies_; }
 
+    /// Analyses that must not run, with the reason, by id: their results are not current.
+    void set_held(const std::map<std::string, QString>& held);
+
     void run(const QString& id);
     /// All that are not up to date.
     void run_all();
@@ -85,6 +88,7 @@ private:
     void report(quint64 number, const Progress& progress);
     void keep(const std::string& id, const PreparedPointer& analysis, ResultStage stage,
               ResultPointer result);
+    void take_present_names(AnalysisStatus& entry);
     void set_state(const std::string& id, RunState state, const std::string& message = {});
     RunState resting_state(const AnalysisStatus& status) const;
     void announce_idle();
@@ -92,6 +96,7 @@ private:
     RunBackend backend_;
     std::map<std::string, AnalysisStatus> entries_;
     std::deque<std::string> queue_;  ///< waiting for the run thread
+    std::map<std::string, QString> held_;
     std::string focus_;
     bool live_ = false;
     int threads_ = 0;

@@ -68,9 +68,21 @@ void StudyRunner::reset() {
     ++project_number_;
 }
 
+void StudyRunner::set_held(const std::map<std::string, QString>& held) {
+    const auto before = std::exchange(held_, held);
+    for (const auto& [key, entry] : entries_) {
+        const auto was = before.find(key.first);
+        const bool refused = entry.state == RunState::failed && was != before.end() &&
+                             entry.message == was->second && !held.contains(key.first);
+        if (refused) set_state(key, entry.is_current() ? RunState::up_to_date : RunState::out_of_date);
+    }
+}
+
 void StudyRunner::run(const QString& analysis, const QString& study) {
     const Key key{analysis.toStdString(), study.toStdString()};
     if (std::find(queue_.begin(), queue_.end(), key) != queue_.end()) return;
+    if (const auto held = held_.find(key.first); held != held_.end())
+        return set_state(key, RunState::failed, held->second);
     queue_.push_back(key);
     set_state(key, RunState::running);
     start_next();

@@ -37,6 +37,9 @@ public:
     void reset();  ///< another project: all results are forgotten
     void set_threads(int threads) { threads_ = threads; }
 
+    /// Analyses whose studies must not run, with the reason, by id.
+    void set_held(const std::map<std::string, QString>& held);
+
     void run(const QString& analysis, const QString& study);
     void stop_all();
     const StudyStatus& status(const QString& analysis, const QString& study) const;
@@ -59,6 +62,7 @@ private:
     void set_state(const Key& key, RunState state, const QString& message = {});
 
     std::map<Key, StudyStatus> entries_;
+    std::map<std::string, QString> held_;
     ProjectSnapshot project_ = std::make_shared<const Project>();
     std::deque<Key> queue_;
     int threads_ = 0;

@@ -10,6 +10,9 @@
 #include <utility>
 
 #include "core/model/has_layout.h"
+#include "core/report/number_format.h"
+#include "ui/models/number_words.h"
+#include "ui/run/result_words.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "viz/scene/analysis_scene.h"
@@ -17,16 +20,18 @@
 namespace covaria::ui {
 namespace {
 
+constexpr int usual_probability = 2;  // of the list: 95 %
+
 /// "0.021 0.034 0.012 mm"
 QString triple(const Eigen::Vector3d& v, const LengthUnit& unit) {
-    const auto number = [&](int i) { return QString::number(v[i] * unit.per_metre, 'g', 3); };
+    const auto number = [&](int i) { return localized(format_significant(v[i] * unit.per_metre, 3)); };
     return QStringLiteral("%1  %2  %3 %4")
         .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
 }
 
 QString coordinates(const Eigen::Vector3d& v, const LengthUnit& unit) {
-    const auto number = [&](int i) { return QString::number(v[i] * unit.per_metre, 'f', 2); };
-    return QStringLiteral("(%1, %2, %3) %4")
+    const auto number = [&](int i) { return localized(format_decimals(v[i] * unit.per_metre, 2)); };
+    return QStringLiteral("(%1; %2; %3) %4")
         .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
 }
 
@@ -43,12 +48,17 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     picked_ = new QLabel(this);
     picked_->setContentsMargins(8, 3, 8, 3);
     picked_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    picked_->setAutoFillBackground(true);
+    picked_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     picked_->hide();
     column->addWidget(toolbar_);
     column->addWidget(view_, 1);
     column->addWidget(equations_, 1);
     equations_->hide();
-    column->addWidget(picked_);
+    auto* over = new QVBoxLayout(view_);  // on the picture: the scene keeps its size
+    over->setContentsMargins(0, 0, 0, 0);
+    over->addStretch(1);
+    over->addWidget(picked_);
     make_toolbar();
     view_->set_empty_text(tr("Select an analysis in the project tree to see its layout here."));
     connect(view_, &SceneView::item_picked, this, &ScenePanel::take_pick);
@@ -87,7 +97,7 @@ void ScenePanel::make_toolbar() {
     probability_->setAccessibleName(tr("Coverage probability of the ellipsoids"));
     for (double p : {0.6827, 0.90, 0.95, 0.9545, 0.99, 0.9973})
         probability_->addItem(tr("p = %1 %").arg(100 * p), p);
-    probability_->setCurrentIndex(2);
+    probability_->setCurrentIndex(usual_probability);
     toolbar_->addWidget(probability_);
     for (QComboBox* combo : {magnification_, probability_})
         connect(combo, &QComboBox::currentIndexChanged, this, &ScenePanel::refresh);
@@ -148,6 +158,18 @@ void ScenePanel::show_group(const QString& group) {
     if (index >= 0) group_->setCurrentIndex(index);
 }
 
+void ScenePanel::start_over() {
+    const QSignalBlocker quiet[] = {QSignalBlocker(magnification_), QSignalBlocker(probability_)};
+    magnification_->setCurrentIndex(0);
+    probability_->setCurrentIndex(usual_probability);
+    study_.reset();
+    source_asset_.clear();
+    source_.clear();
+    picked_->hide();
+    view_->start_over();
+    refresh();
+}
+
 void ScenePanel::set_dark(bool dark) {
     view_->set_palette_kind(dark ? ScenePalette::dark : ScenePalette::light);
 }
@@ -194,6 +216,9 @@ void ScenePanel::build_scene() {
     refresh_due_ = false;
     const AnalysisStatus& status = runner_.status(analysis_);
     if (!status.prepared) {
+        const bool of_equations = equations_->isVisibleTo(this) && equations_of_ == analysis_;
+        if (of_equations)
+            return equations_->show_equations(tr("The analysis has problems; they are listed below."), {});
         show_in_space(true);
         shown_number_ = ++number_;
         view_->set_empty_text(analysis_.isEmpty()
@@ -209,15 +234,19 @@ void ScenePanel::build_scene() {
         view_->show_scene(nullptr);
         std::vector<ModelEquation> equations = status.prepared->model->formulas();
         if (equations.empty()) equations = status.prepared->descriptor->equations;
+        equations_of_ = analysis_;
         return equations_->show_equations(to_qt(status.prepared->name), std::move(equations));
     }
-    const ResultPointer result = status.is_current() ? status.result : nullptr;
+    const ResultPointer result = status.is_of_present() ? status.result : nullptr;
     ++building_;
     jobs_.push([this, number = ++number_, prepared = status.prepared, result, wanted = options(),
-                study = study_, of_study = study_options_]() -> JobQueue::Delivery {
+                study = study_, of_study = study_options_,
+                said = to_std(reservation(status))]() -> JobQueue::Delivery {
         if (number != number_) return [this] { --building_; };  // a newer scene is wanted already
         auto scene = std::make_shared<Result<Scene>>(study ? study_scene(*prepared, *study, of_study, wanted)
                                                            : analysis_scene(*prepared, result.get(), wanted));
+        // Pictures are copied and saved: each says itself when it does not show the result.
+        if (*scene && !study && result && !said.empty()) (*scene)->caption += "; " + said;
         return [this, number, scene, groups = groups_of_sources(*prepared)] {
             groups_ = groups;
             take_scene(number, scene);

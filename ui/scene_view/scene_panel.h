@@ -34,6 +34,8 @@ public:
     void show_group(const QString& group);
     QString group() const;
     void set_dark(bool dark);
+    /// Another project: nothing of what was looked at stays.
+    void start_over();
     /// The map of a study in place of the analysis' result; null: the result again.
     void show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted);
 
@@ -71,6 +73,7 @@ private:
 
     AnalysisRunner& runner_;
     QString analysis_;
+    QString equations_of_;  ///< the analysis whose equations are shown
     std::shared_ptr<const StudyResult> study_;
     StudySceneOptions study_options_;
     std::string source_asset_, source_;          ///< the selected set-up field

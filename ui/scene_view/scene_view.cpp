@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <cmath>
+#include <utility>
 
 namespace covaria::ui {
 namespace {
@@ -82,10 +83,14 @@ void SceneView::show_scene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
     if (scene_)
         service_.post(
-            [shown = scene_, framed = framed_](SceneRenderer& renderer) {
+            [shown = scene_, framed = framed_,
+             first = std::exchange(starts_over_, false)](SceneRenderer& renderer) {
                 const bool other = renderer.scene().title != shown->title;
                 renderer.set_scene(*shown);
-                if (other && framed) renderer.fit();
+                if (first)
+                    renderer.set_view(StandardView::iso);
+                else if (other && framed)
+                    renderer.fit();
             },
             moved_ ? RenderQuality::moving : RenderQuality::full);
     update();
@@ -107,6 +112,11 @@ void SceneView::set_view(StandardView view) {
 void SceneView::fit() {
     framed_ = true;
     service_.post([](SceneRenderer& renderer) { renderer.fit(); });
+}
+
+void SceneView::start_over() {
+    starts_over_ = framed_ = true;
+    select({});
 }
 
 void SceneView::select(const QString& item_id) {

@@ -26,6 +26,8 @@ public:
     void set_layers(const LayerVisibility& layers);
     void set_view(StandardView view);
     void fit();
+    /// The next scene is of something else: seen from the usual side, with nothing selected.
+    void start_over();
     /// Marks an item without telling anybody; empty = none.
     void select(const QString& item_id);
     const QString& selected() const { return selected_; }
@@ -75,6 +77,7 @@ private:
     std::shared_ptr<const Scene> scene_;
     QImage image_;
     Camera camera_;  ///< of the image
+    bool starts_over_ = false;
     QString selected_;
     QString empty_text_;
     QString failure_;

@@ -103,7 +103,9 @@ std::optional<PointUncertainty> PointUncertainties::of_inputs(const std::array<s
 
 CoverageEllipsoid coverage_ellipsoid(const Eigen::Matrix3d& covariance, double probability) {
     CoverageEllipsoid ellipsoid;
+    if (!covariance.allFinite()) return ellipsoid;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((covariance + covariance.transpose()) / 2);
+    if (solver.info() != Eigen::Success) return ellipsoid;
     const double largest = solver.eigenvalues()[2];
     if (!(largest > 0)) return ellipsoid;
     // A ratio of semi-axes below 1e-5 cannot be seen, and is rounding where the true value is zero.

@@ -62,7 +62,7 @@ std::vector<AxisTick> colour_ticks(double low, double high) {
 SceneMap map_of(const StudyResult& study, const StudyQuantity& quantity, std::size_t triple,
                 const StudySceneOptions& wanted) {
     SceneMap map;
-    map.title = quantity.title + (quantity.unit == Unit{} ? "" : " (" + quantity.unit.display() + ")");
+    map.title = quantity.id + (quantity.unit == Unit{} ? "" : " (" + quantity.unit.display() + ")");
     map.low = std::numeric_limits<double>::infinity();
     map.high = -map.low;
     for (std::size_t i = 0; i < study.points.size(); ++i) {

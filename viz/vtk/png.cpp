@@ -7,9 +7,9 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <cstring>
-#include <fstream>
 #include <system_error>
 
+#include "core/base/file_io.h"
 #include "viz/vtk/image.h"
 #include "viz/vtk/rendering_log.h"
 
@@ -47,24 +47,10 @@ Result<void> write_png(const Image& image, const fs::path& file) {
     detail::redirect_vtk_messages();
     if (image.empty()) return fail(ErrorCode::bad_input, "there is no picture to write to " + file.string());
     const auto bytes = encoded(image);
-    fs::path part = file;
-    part += ".part";
-    std::error_code error;
-    {
-        std::ofstream out(part, std::ios::binary);
-        if (bytes) out.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
-        out.close();
-        if (!out || !bytes) {
-            fs::remove(part, error);
-            return fail(ErrorCode::io, "cannot write the picture " + file.string() +
-                                           ": check that the folder exists, is writable and has room");
-        }
-    }
-    fs::rename(part, file, error);
-    if (!error) return {};
-    const std::string reason = error.message();
-    fs::remove(part, error);
-    return fail(ErrorCode::io, "cannot write the picture " + file.string() + ": " + reason);
+    if (!bytes) return fail(ErrorCode::numeric, "the picture " + file.string() + " cannot be encoded");
+    const auto* begin = reinterpret_cast<const char*>(bytes->GetPointer(0));
+    return write_file_atomically(file,
+                                 std::string(begin, static_cast<std::size_t>(bytes->GetNumberOfValues())));
 }
 
 Result<Image> read_png(const fs::path& file) {

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <chrono>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "core/assets/registry.h"
 #include "core/model/serial_robot.h"
@@ -55,7 +58,10 @@ Eigen::Isometry3d tip_of(const std::vector<Joint>& joints, const std::vector<dou
     std::size_t next = 0;
     for (const Joint& j : joints) {
         X = X * origin_of(j);
-        if (j.type != "fixed") X = X * Eigen::AngleAxisd(q[next++], j.axis.normalized());
+        if (j.type == "prismatic")
+            X = X * Eigen::Translation3d(q[next++] * j.axis.normalized());
+        else if (j.type != "fixed")
+            X = X * Eigen::AngleAxisd(q[next++], j.axis.normalized());
     }
     return X;
 }
@@ -78,7 +84,7 @@ void expect_same_tool(const std::vector<Joint>& joints) {
     for (int trial = 0; trial < 20; ++trial) {
         std::vector<double> q;
         for (std::size_t i = 0; i < robot.joints().size(); ++i)
-            q.push_back(1.5 * std::sin(1.0 + 7.3 * static_cast<double>(i) + 2.1 * trial));
+            q.push_back(1.4 * std::sin(1.0 + 7.3 * static_cast<double>(i) + 2.1 * trial));
         const Eigen::Isometry3d expected = tip_of(joints, q);
         const Eigen::Isometry3d found = robot.X_WB() * link_frames(robot, q).back();
         EXPECT_LT((found.translation() - expected.translation()).norm(), 1e-10) << trial;
@@ -148,7 +154,7 @@ TEST(Urdf, AGripperIsLeftOut) {
 }
 
 std::string refusal(const std::string& xml, const std::string& tip = {}) {
-    const auto imported = import_urdf(xml, tip);
+    const auto imported = import_urdf(xml, {.tip = tip});
     return imported ? "accepted" : imported.error().message;
 }
 
@@ -160,15 +166,190 @@ TEST(Urdf, WhatIsNoArmIsRefusedWithItsReason) {
     expect("not readable as XML", refusal("<robot><joint></robot>"));
     expect("<robot> is missing", refusal("<sdf/>"));
     expect("expand them first", refusal("<robot><xacro:include filename=\"a\"/></robot>"));
-    expect("no rotating joint", refusal("<robot name=\"a\"/>"));
-    expect("a kind that a serial robot does not have", refusal(urdf_of({{"prismatic", O, O, X}})));
+    expect("no moving joint", refusal("<robot name=\"a\"/>"));
+    expect("j1 is of the type planar", refusal(urdf_of({{"planar", O, O, X}})));
+    expect("axis has no direction", refusal(urdf_of({{"prismatic", O, O, O}})));
     expect("its axis has no direction", refusal(urdf_of({{"revolute", O, O, O}})));
     expect("at most 7", refusal(urdf_of(std::vector<Joint>(8, {"revolute", {.1, 0, 0}, O, Z}))));
     expect("no joint leads to a link called hand", refusal(urdf_of({{"revolute", O, O, Z}}), "hand"));
     std::string two = urdf_of({{"revolute", O, O, Z}});
     two.insert(two.find("</robot>"), joint_xml("k1", {"revolute", {0, 1, 0}, O, Z}, "l0", "m1"));
     expect("several arms of equal length", refusal(two));
-    EXPECT_TRUE(import_urdf(two, "m1"));
+    EXPECT_TRUE(import_urdf(two, {.tip = "m1"}));
+}
+
+TEST(Urdf, SlidingJointsAnywhere) {
+    expect_same_tool({{"prismatic", {.1, .2, 0}, O, Y},
+                      {"revolute", {0, 0, .4}, O, Z},
+                      {"revolute", {.3, 0, 0}, {0, .2, 0}, Y},
+                      {"fixed", {.1, 0, 0}, {.3, 0, 0}, X},
+                      {"prismatic", {.2, 0, .1}, {.1, .5, 0}, {1, .2, 0}},
+                      {"revolute", {.1, 0, 0}, O, X}});
+    expect_same_tool({{"revolute", {0, 0, .4}, O, Z},  // a SCARA: all axes parallel
+                      {"revolute", {.3, 0, 0}, O, Z},
+                      {"prismatic", {.25, 0, 0}, O, {0, 0, -1}},
+                      {"revolute", O, O, Z}});
+    expect_same_tool({{"prismatic", O, O, X}, {"prismatic", O, O, Y}, {"prismatic", O, O, Z}});
+}
+
+// Everything at right angles, where the angles of base and tool are in gimbal lock more often than not.
+TEST(Urdf, ArmsAtRightAngles) {
+    unsigned state = 12345;
+    const auto pick = [&](int n) {
+        state = state * 1664525u + 1013904223u;
+        return static_cast<int>((state >> 16) % static_cast<unsigned>(n));
+    };
+    const double quarter = std::acos(0.0);
+    const Eigen::Vector3d axes[] = {X, Y, Z, -X, -Y, -Z};
+    for (int arm = 0; arm < 200; ++arm) {
+        std::vector<Joint> joints;
+        const int n = 1 + pick(6);
+        for (int j = 0; j <= n; ++j) {
+            const Eigen::Vector3d xyz(.1 * pick(4), .1 * (pick(3) - 1), .1 * pick(5));
+            const Eigen::Vector3d rpy(quarter * (pick(4) - 1), quarter * (pick(3) - 1),
+                                      quarter * (pick(4) - 1));
+            joints.push_back({j == n                  ? "fixed"
+                              : pick(5) == 0 && j < 2 ? "prismatic"
+                                                      : "revolute",
+                              xyz, rpy, axes[pick(6)]});
+        }
+        expect_same_tool(joints);
+        if (HasFailure()) {
+            ADD_FAILURE() << "arm " << arm;
+            return;
+        }
+    }
+}
+
+std::string case_file(const char* name) {
+    std::ifstream in(std::string(COVARIA_SOURCE_DIR "/tests/data/cases/") + name);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+TEST(Urdf, TheToolOfTheGimbalCaseStandsWhereTheFileSays) {
+    const auto imported = import_urdf(case_file("gimbal.urdf"));
+    ASSERT_TRUE(imported) << imported.error().message;
+    const auto asset = made(*imported);
+    const SerialRobotSource& robot = *asset->serial_robot();
+    const Eigen::Isometry3d tool = robot.X_WB() * link_frames(robot, {0.0}).back();
+    EXPECT_LT((tool.translation() - Eigen::Vector3d(.2, .1, .15)).norm(), 1e-12);
+    EXPECT_LT((tool.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-10);
+}
+
+bool reports(const ImportedAsset& imported, const std::string& words) {
+    for (const std::string& line : imported.report)
+        if (line.find(words) != std::string::npos) return true;
+    for (const std::string& line : imported.report) std::printf("%s\n", line.c_str());
+    return false;
+}
+
+const std::vector<Joint> six_axes{{"revolute", {0, 0, .3}, O, Z}, {"revolute", {.1, 0, .1}, O, Y},
+                                  {"revolute", {0, 0, .4}, O, Y}, {"revolute", {.2, 0, 0}, O, X},
+                                  {"revolute", {.2, 0, 0}, O, Y}, {"revolute", {.1, 0, 0}, O, X},
+                                  {"fixed", {.1, 0, 0}, O, X}};
+
+std::string with(std::string xml, const std::string& more) {
+    return xml.insert(xml.find("</robot>"), more);
+}
+
+std::string mimicking(std::string joint, const std::string& driver) {
+    return joint.insert(joint.find("<axis"), "<mimic joint=\"" + driver + "\"/>");
+}
+
+TEST(Urdf, NoGripperIsTakenForAJointAndTheReportSaysWhy) {
+    const auto slider = [](const char* name, const char* parent, const char* child, double stroke) {
+        std::string xml = joint_xml(name, {"prismatic", O, O, Y}, parent, child);
+        const std::string limits = "lower=\"-2\" upper=\"1.5\"";
+        return xml.replace(xml.find(limits), limits.size(),
+                           "lower=\"0\" upper=\"" + std::to_string(stroke) + "\"");
+    };
+    struct Gripper {
+        std::string xml, joint, why;
+    };
+    const Joint turning{"revolute", {0, .05, 0}, O, Z};
+    const Gripper grippers[] = {
+        {slider("slide", "l7", "tip_a", .05), "slide", "less than 100 mm"},
+        {joint_xml("left_FINGER", turning, "l7", "tip_a"), "left_FINGER", "called like"},
+        {joint_xml("drive", turning, "l7", "a") + mimicking(joint_xml("k", turning, "l7", "b"), "drive"),
+         "drive", "others follow it"},
+        {joint_xml("drive", turning, "l7", "a") + mimicking(joint_xml("k", turning, "l7", "b"), "drive"), "k",
+         "follows joint drive"},
+        {joint_xml("a1", turning, "l7", "a") + joint_xml("a2", turning, "a", "aa") +
+             joint_xml("b1", turning, "l7", "b") + joint_xml("c1", turning, "l7", "c"),
+         "a1", "as in a hand"}};
+    for (const Gripper& gripper : grippers) {
+        const auto imported = import_urdf(with(urdf_of(six_axes), gripper.xml));
+        ASSERT_TRUE(imported) << imported.error().message;
+        EXPECT_EQ(made(*imported)->serial_robot()->joints().size(), 6u) << gripper.joint;
+        EXPECT_TRUE(reports(*imported, gripper.joint + ": left out: ")) << gripper.joint;
+        EXPECT_TRUE(reports(*imported, gripper.why)) << gripper.joint;
+        EXPECT_TRUE(reports(*imported, "6 joints from link l0 to link l7"));
+    }
+    const auto named = import_urdf(with(urdf_of(six_axes), grippers[1].xml), {.tip = "tip_a"});
+    ASSERT_TRUE(named) << named.error().message;
+    EXPECT_EQ(made(*named)->serial_robot()->joints().size(), 6u);
+    EXPECT_TRUE(reports(*named, "left_FINGER: frozen"));
+}
+
+TEST(Urdf, ArmsThatOnlyLookLikeGrippersAreTaken) {
+    std::vector<Joint> scara{{"revolute", O, O, Z},
+                             {"revolute", {.3, 0, 0}, O, Z},
+                             {"revolute", {.2, 0, 0}, O, Z},
+                             {"prismatic", O, O, Z}};
+    const auto quill = import_urdf(urdf_of(scara));  // slides by 3.5 m
+    ASSERT_TRUE(quill);
+    EXPECT_EQ(made(*quill)->serial_robot()->joints().size(), 4u);
+    // A palletiser: passive links follow the joints of the arm.
+    std::vector<Joint> four(six_axes.begin(), six_axes.begin() + 4);
+    const auto palletiser =
+        import_urdf(with(urdf_of(four), mimicking(joint_xml("rod", four[1], "l1", "rod_link"), "j2") +
+                                            mimicking(joint_xml("bar", four[1], "l3", "bar_link"), "j3")));
+    ASSERT_TRUE(palletiser) << palletiser.error().message;
+    EXPECT_EQ(made(*palletiser)->serial_robot()->joints().size(), 4u);
+}
+
+TEST(Urdf, AJointBeforeTheArmIsFrozen) {
+    std::vector<Joint> joints = six_axes;
+    joints.insert(joints.begin(), {"prismatic", {.5, 0, 0}, {0, 0, .3}, Y});
+    joints.insert(joints.begin(), {"revolute", {0, 0, .1}, O, Z});
+    EXPECT_NE(refusal(urdf_of(joints)).find("8 moving joints; an arm has at most 7"), std::string::npos)
+        << refusal(urdf_of(joints));
+    const auto imported = import_urdf(urdf_of(joints), {.frozen = {{"j1", 90.0}, {"j2", 250.0}}});
+    ASSERT_TRUE(imported) << imported.error().message;
+    EXPECT_TRUE(reports(*imported, "j1: frozen at 90°"));
+    EXPECT_TRUE(reports(*imported, "j2: frozen at 250 mm"));
+    const auto asset = made(*imported);
+    const SerialRobotSource& robot = *asset->serial_robot();
+    ASSERT_EQ(robot.joints().size(), 6u);
+    const std::vector<double> q{.3, -.5, 1.1, .2, -.9, .4};
+    std::vector<double> all{std::acos(0.0), .25};
+    all.insert(all.end(), q.begin(), q.end());
+    const Eigen::Isometry3d found = robot.X_WB() * link_frames(robot, q).back();
+    EXPECT_LT((found.matrix() - tip_of(joints, all).matrix()).norm(), 1e-9);
+    const auto unknown = import_urdf(urdf_of(joints), {.frozen = {{"j11", 0.0}}});
+    ASSERT_FALSE(unknown);
+    EXPECT_NE(unknown.error().message.find("j11"), std::string::npos) << unknown.error().message;
+    const auto beyond = import_urdf(urdf_of(joints), {.frozen = {{"j1", 170.0}}});
+    ASSERT_TRUE(beyond);
+    EXPECT_TRUE(reports(*beyond, "beyond its limits"));
+}
+
+TEST(Urdf, ThousandsOfJointsTakeNoTime) {
+    std::vector<Joint> joints = six_axes;
+    joints.insert(joints.begin(), 4000, {"fixed", {.001, 0, 0}, O, X});
+    std::string xml = urdf_of(joints);
+    std::string bush;
+    for (int k = 0; k < 4000; ++k)
+        bush += joint_xml("f" + std::to_string(k), {"fixed", O, O, X}, "l4005", "leaf" + std::to_string(k));
+    const auto start = std::chrono::steady_clock::now();
+    const auto imported = import_urdf(with(xml, bush));
+    ASSERT_TRUE(imported) << imported.error().message;
+    EXPECT_EQ(made(*imported)->serial_robot()->joints().size(), 6u);
+    EXPECT_NE(refusal(urdf_of(std::vector<Joint>(4000, {"revolute", {.1, 0, 0}, O, Z}))).find("at most 7"),
+              std::string::npos);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 }  // namespace

@@ -47,5 +47,19 @@ TEST(Symbol, SurvivesOddTexts) {
     EXPECT_EQ(symbol_to_html(""), "<i></i>");
 }
 
+TEST(Symbol, GreekLettersMayBeTyped) {
+    EXPECT_EQ(plain_symbol("α_7"), "alpha_7");
+    EXPECT_EQ(plain_symbol("θ₁"), "theta_1");
+    EXPECT_EQ(plain_symbol("ΔT"), "DeltaT");
+    EXPECT_EQ(plain_symbol("\u00B5_0"), "mu_0");
+    EXPECT_EQ(plain_symbol("b₁ₓ"), "b_1x");
+    EXPECT_EQ(plain_symbol("q_1,1"), "q_1,1");
+    EXPECT_EQ(plain_symbol(""), "");
+    EXPECT_EQ(symbol_to_unicode("theta1"), "θ1");
+    EXPECT_EQ(symbol_to_unicode("x1"), "x1");
+    for (const char* symbol : {"alpha_7", "theta_1", "b_1x", "x", "Omega_12", "phi_beta"})
+        EXPECT_EQ(plain_symbol(symbol_to_unicode(symbol)), symbol);
+}
+
 }  // namespace
 }  // namespace covaria::symbol_test

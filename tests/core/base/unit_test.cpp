@@ -124,7 +124,7 @@ TEST(Unit, NamesTheUnknownUnitAndSuggestsOthers) {
     EXPECT_TRUE(contains(message_of("MM"), "\"mm\""));
     EXPECT_TRUE(contains(message_of("um/Kelvin"), "\"Kelvin\""));
     EXPECT_TRUE(contains(message_of("pa"), "\"Pa\""));
-    EXPECT_TRUE(contains(message_of("furlong"), "Known units: 1 % ppm m"));
+    EXPECT_TRUE(contains(message_of("furlong"), ": 1 % ppm ppb m"));
 }
 
 TEST(Unit, RefusesWhatIsNoUnit) {

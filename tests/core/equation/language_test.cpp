@@ -89,6 +89,10 @@ TEST(Language, ChoosesByCondition) {
     EXPECT_EQ(value_of(text, {{"a", 2}}), 30.0);
     EXPECT_EQ(value_of(text, {{"a", 3}}), 20.0);
     EXPECT_EQ(value_of("y = if(a <= 0, 0, sqrt(a))", {{"a", -1}}), 0.0);
+    // What is not taken needs no value, even if none of it depends on a quantity.
+    EXPECT_EQ(value_of("y = if(a > 0, a, 2*sqrt(-1))", {{"a", 3}}), 3.0);
+    EXPECT_EQ(value_of("y = if(1 > 2, 1/0, a)", {{"a", 3}}), 3.0);
+    EXPECT_EQ(value_of("y = if(2 > 1, a, log(0)) + if(a > 0, 1, if(a > 0, 1/0, 2))", {{"a", 3}}), 4.0);
 }
 
 TEST(Language, DefinitionsMayStandInAnyOrderAndGoOnInTheNextLine) {
@@ -145,6 +149,7 @@ TEST(Language, RefusesWithThePlace) {
         {"y = if(a, 1, 2)", 1, 5, "not a condition"},
         {"y = 1 + (a > 2)", 1, 7, "is a condition"},
         {"y = 1/0", 1, 6, "no value"},
+        {"y = if(1/0 > a, 1, 2)", 1, 9, "no value"},
         {"solve y = 1: a = 3", 1, 16, "not depend on any unknown"},
         {"solve y = 1, z = 2: y + z = a", 1, 1, "2 unknowns"},
         {"solve y = 1 y = a", 1, 13, "colon"},
@@ -278,6 +283,56 @@ TEST(Typeset, WritesMathml) {
               "display=\"block\"><mrow><msub><mi>R</mi><mi>1</mi>"
               "</msub><mo>=</mo><mfrac><mi>V</mi><mi>I</mi></mfrac><mo>·</mo><msqrt><mn>2</mn></msqrt></"
               "mrow></math>");
+}
+
+/// What is wrong, first message; "" if nothing is. t, t_1, t_2 in degC, T in K, x a number.
+std::string objection(const std::string& text, std::optional<Unit> wanted = std::nullopt) {
+    TextProblems problems;
+    const ParsedText parsed = parse(text, problems);
+    std::vector<KnownSymbol> symbols{{"x", Unit{}}, {"T", Unit::of("K")}, {"R", Unit::of("J/K")}};
+    for (const char* name : {"t", "t_1", "t_2"}) symbols.push_back({name, Unit::of("degC")});
+    const std::vector<WantedOutput> outputs{{"y", wanted}};
+    if (problems.empty()) compile(parsed, symbols, outputs, problems);
+    return problems.empty() ? "" : problems[0].message;
+}
+
+TEST(Temperatures, DifferencesAreInKelvin) {
+    for (const char* text : {"y = t_1 - t_2", "y = t - 20 [degC]", "y = 2*(t_1 - t_2) + 3 [K]",
+                             "y = abs(t_1 - t_2)", "y = (t_1 + t_2)/2 - t", "d = t_1 - t_2\ny = d/2"}) {
+        EXPECT_EQ(objection(text), "") << text;
+        EXPECT_NE(objection(text, Unit::of("degC")).find("difference of temperatures"), std::string::npos)
+            << text;
+    }
+}
+
+TEST(Temperatures, MeansAndShiftedTemperaturesStayOnTheScale) {
+    for (const char* text :
+         {"y = t", "y = t + 3 [K]", "y = 3 [K] + t", "y = t - T", "y = (t_1 + t_2)/2",
+          "y = 0.25*t_1 + 0.75*t_2", "y = max(t_1, t_2)", "y = if(t > 20 [degC], t_1, t_2)",
+          "y = t_1 + (t_2 - t)*x", "y = (1 - x)*t_1 + x*t_2", "y = t + 0", "y = t_1 - t_2 + t"}) {
+        EXPECT_EQ(objection(text), "") << text;
+        EXPECT_EQ(objection(text, Unit::of("degC")), "") << text;
+    }
+    for (const char* text : {"y = R*t", "y = t/T", "y = exp(-t/T)", "y = sqrt(t/t_1)", "y = 1.5*t*R"})
+        EXPECT_EQ(objection(text), "") << text << ": a thermodynamic temperature";
+}
+
+TEST(Temperatures, SumsThatMeanNothingAreRefused) {
+    for (const char* text :
+         {"y = t_1 + t_2", "y = t + 20 [degC]", "y = R*(t_1 + t_2)", "y = t_1 + t_2 + t", "y = (t_1 + t_2)/T",
+          "y = ((t_1 + t_2)/T)^2", "y = (t_1 + t_2)^2", "y = sqrt((t_1 + t_2)/T)", "s = t_1 + t_2\ny = s*x"})
+        EXPECT_NE(objection(text).find("sum of temperatures in degC"), std::string::npos)
+            << text << ": " << objection(text);
+    for (const char* text : {"y = if(t_1 - t_2 > 1 [degC], x, 0)", "y = max(t_1 - t_2, 1 [degC])",
+                             "y = if(x > 0, t, t_1 - t_2)"})
+        EXPECT_NE(objection(text).find("a difference of temperatures: give differences in K"),
+                  std::string::npos)
+            << text << ": " << objection(text);
+    EXPECT_NE(objection("y = if(t > 0, x, 0)").find("write 0 [degC]"), std::string::npos);
+    EXPECT_EQ(objection("y = if(t > 0 [degC], x, 0)"), "");
+    EXPECT_EQ(objection("y = if(t_1 - t_2 > 0, x, 0)"), "");
+    EXPECT_NE(objection("solve y = 20 [degC]: y = t_1 - t_2").find("difference"), std::string::npos);
+    EXPECT_EQ(objection("solve y = 20 [degC]: y - t_1 = t_2 - y"), "");
 }
 
 }  // namespace

@@ -34,15 +34,61 @@ TEST(Rotation, ElementaryRotationsAreThoseOfEigen) {
     EXPECT_LT((rotation_from_zyz<double>({1.1, 0.7, 0.3}) - zyz).norm(), 1e-15);
 }
 
-TEST(Rotation, EveryConventionLeadsBackToTheSameRotation) {
-    for (const Matrix3<double>& R : rotations()) {
-        EXPECT_LT((rotation_from_zyx(zyx_from_rotation(R)) - R).norm(), 1e-14);
-        if (regularity(RotationConvention::zyz, R) > 1e-6) {
-            EXPECT_LT((rotation_from_zyz(zyz_from_rotation(R)) - R).norm(), 1e-14);
-        }
-        EXPECT_LT((rotation_from_quaternion(quaternion_from_rotation(R)) - R).norm(), 1e-14);
-        EXPECT_LT((rotation_from_vector(rotation_vector_from_rotation(R)) - R).norm(), 1e-14);
+Matrix3<double> rotation_of(RotationConvention convention, const std::array<double, 4>& v) {
+    switch (convention) {
+        case RotationConvention::zyx:
+            return rotation_from_zyx<double>({v[0], v[1], v[2]});
+        case RotationConvention::zyz:
+            return rotation_from_zyz<double>({v[0], v[1], v[2]});
+        case RotationConvention::rotation_vector:
+            return rotation_from_vector<double>({v[0], v[1], v[2]});
+        case RotationConvention::quaternion:
+            break;
     }
+    return rotation_from_quaternion(v);
+}
+
+// At the singularities of each convention, a little off them, and with what rounding leaves of them.
+std::vector<Matrix3<double>> singular_rotations() {
+    std::vector<Matrix3<double>> all;
+    for (double off : {0.0, 1e-17, 1e-16, 1e-15, 1e-12, 1e-9, 1e-8, 1e-6, 1e-3})
+        for (double sign : {-1.0, 1.0})
+            for (double a = -pi; a <= pi; a += pi / 6)
+                for (double c : {-3.0, -pi / 2, 0.0, 0.7, 2.2}) {
+                    all.push_back(rotation_from_zyx<double>({a, pi / 2 + sign * off, c}));
+                    all.push_back(rotation_from_zyx<double>({a, -pi / 2 + sign * off, c}));
+                    all.push_back(rotation_from_zyz<double>({a, sign * off, c}));
+                    all.push_back(rotation_from_zyz<double>({a, pi + sign * off, c}));
+                    all.push_back(Eigen::AngleAxisd(pi + sign * off,
+                                                    Eigen::Vector3d(std::cos(a), std::sin(a), c).normalized())
+                                      .toRotationMatrix());
+                    all.push_back(Eigen::AngleAxisd(sign * off,
+                                                    Eigen::Vector3d(std::cos(a), std::sin(a), c).normalized())
+                                      .toRotationMatrix());
+                }
+    for (int axis = 0; axis < 24; ++axis) {  // signed permutations: every entry -1, 0 or 1
+        Matrix3<double> R = Matrix3<double>::Zero();
+        const int i = axis % 3, j = (i + 1 + axis / 3 % 2) % 3;
+        R.col(0)[i] = axis / 6 % 2 ? -1.0 : 1.0;
+        R.col(1)[j] = axis / 12 ? -1.0 : 1.0;
+        R.col(2) = R.col(0).cross(R.col(1));
+        all.push_back(R);
+    }
+    return all;
+}
+
+TEST(Rotation, EveryConventionLeadsBackToTheSameRotationEverywhere) {
+    std::vector<Matrix3<double>> all = rotations();
+    for (const Matrix3<double>& R : singular_rotations()) all.push_back(R);
+    for (const Matrix3<double>& R : all)
+        for (const RotationConventionInfo& info : rotation_conventions()) {
+            const std::array<double, 4> v = rotation_coordinates(info.convention, R);
+            EXPECT_LT((rotation_of(info.convention, v) - R).norm(), 2e-15) << info.key << "\n" << R;
+            const std::array<Batch, 4> lanes = rotation_coordinates(info.convention, R.cast<Batch>().eval());
+            const std::array<double, 4> lane{lanes[0].get(1), lanes[1].get(1), lanes[2].get(1),
+                                             lanes[3].get(1)};
+            EXPECT_LT((rotation_of(info.convention, lane) - R).norm(), 2e-15) << info.key << "\n" << R;
+        }
 }
 
 TEST(Rotation, TheRotationVectorIsThatOfEigen) {

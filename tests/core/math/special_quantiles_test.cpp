@@ -42,6 +42,14 @@ TEST(SpecialQuantiles, FTendsToChiSquaredAndIsTSquared) {
     EXPECT_NEAR(f_quantile(0.95, 3, 1e7), chi_squared_quantile(0.95, 3) / 3.0, 1e-5);
 }
 
+TEST(SpecialQuantiles, TheUpperTailOfFInvertsItsQuantile) {
+    for (const double p : {0.001, 0.3, 0.95, 0.9999})
+        for (const double nu : {1.0, 2.5, 40.0})
+            EXPECT_NEAR(f_upper_tail(f_quantile(p, nu, 7.0), nu, 7.0), 1.0 - p, 1e-12);
+    EXPECT_EQ(f_upper_tail(0.0, 3, 4), 1.0);
+    EXPECT_TRUE(std::isnan(f_upper_tail(-1.0, 3, 4)));
+}
+
 TEST(SpecialQuantiles, BadArgumentsGiveNaN) {
     const double nan_value = std::numeric_limits<double>::quiet_NaN();
     for (const double p : {0.0, 1.0, -1.0, 2.0, nan_value}) {

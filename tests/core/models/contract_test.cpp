@@ -103,6 +103,7 @@ InputSet scaled(InputSet inputs, double factor) {
     for (UncertaintyComponent& c : inputs.components) {
         if (const auto* t = std::get_if<StudentT>(&c.distribution.parameters()))
             c.distribution = Distribution::of(Normal{t->mean, t->scale});
+        c.normal_draws = true;
         const double mean = c.distribution.mean();
         c.distribution = c.distribution.shifted(-mean).scaled(factor).shifted(mean);
     }

@@ -206,8 +206,8 @@ TEST(ForceSensor, ThreeReadingsAsATDistributionHaveNoStandardDeviation) {
     ASSERT_TRUE(prepared) << project.words();
     for (const UncertaintyComponent& c : prepared->inputs.components)
         if (c.type == EvaluationType::type_a) {
-            EXPECT_EQ(c.distribution.degrees_of_freedom(), 2.0);
-            EXPECT_TRUE(std::isinf(c.distribution.standard_deviation()));
+            EXPECT_EQ(drawn_distribution(c).degrees_of_freedom(), 2.0);
+            EXPECT_TRUE(std::isinf(drawn_distribution(c).standard_deviation()));
         }
 }
 

@@ -173,10 +173,17 @@ TEST(NetworkEdges, BehindTheCamera) {
     expect_error(network, {"target B is behind the camera C1"});
 }
 
-TEST(NetworkEdges, ZeroUncertaintyIsRefused) {
-    Network network;
-    network.asset("camera-2").values["angle_azimuth"] = Quantity{0.0, Unit::of("rad")};
-    expect_error(network, {"the azimuth of target A by C2", "no uncertainty"});
+TEST(NetworkEdges, AFigureOfZeroIsTheLimitOfASmallOne) {
+    for (const char* id : {"paper", "recommended"}) {
+        Network network;
+        const auto u = [&](double figure) {
+            network.asset("camera-2").values["angle_azimuth"] = Quantity{figure, Unit::of("rad")};
+            return u_of(network.run(id, 0), "B");
+        };
+        const Row zero = u(0.0), small = u(1e-8);
+        expect_relative(zero, small, 1e-3);
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(zero[i])) << id;
+    }
 }
 
 TEST(NetworkEdges, StraightAboveATracker) {
@@ -308,6 +315,27 @@ TEST(NetworkReadings, AnOutlierIsFound) {
     EXPECT_NEAR(redundancy, 27 - 9, 1e-6);
     EXPECT_NE(residuals.notes.front().find("18 degrees of freedom"), std::string::npos)
         << residuals.notes.front();
+}
+
+// Whatever the weights of the estimate, the stations count in the test of its residuals.
+TEST(NetworkReadings, ContradictionsAreWarnedOfWithTheirPlace) {
+    for (const char* id : {"paper", "recommended"}) {
+        Network network;
+        give_readings(network, id, 0.0);
+        ASSERT_NE(network.prepare(id), nullptr) << network.words();
+        EXPECT_EQ(network.words().find("Chi-square"), std::string::npos) << id << network.words();
+        std::get<double>(network.table("readings", id).rows[6][3]) += 0.1;  // azimuth of B by C3
+        ASSERT_NE(network.prepare(id), nullptr);
+        ASSERT_EQ(network.problems.items().size(), 1u) << network.words();
+        const Problem& problem = network.problems.items().front();
+        EXPECT_EQ(problem.severity, Severity::warning);
+        EXPECT_NE(problem.path.find("/setup/readings/rows/6"), std::string::npos) << problem.path;
+        for (const char* words : {"Chi-square", "larger than the uncertainties allow", "azimuth of B by C3"})
+            EXPECT_NE(problem.message.find(words), std::string::npos) << problem.message;
+        Problems of_project;
+        check_project(network.project, of_project);
+        EXPECT_FALSE(of_project.empty());
+    }
 }
 
 TEST(NetworkReadings, AReadingThatASensorDoesNotMake) {

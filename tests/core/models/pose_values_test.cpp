@@ -70,7 +70,7 @@ TEST(StewartPlatform, CorrectedUncertaintyOfY) {
 TEST(StewartPlatform, InferredTrianglesAndTiltedPoses) {
     const auto model = make(setup(base_678, platform_391));
     const UncertaintyResult r = run(*model, Method::first_order);
-    const std::array<Row, 3> A2{
+    const std::array<stewart::Row, 3> A2{
         {{.756, .768, .740, .718, .732, .740, .740, .740, .740, .740, .740, .739, .739},
          {.656, .656, .633, .615, .615, .633, .633, .633, .633, .634, .634, .633, .634},
          {.307, .307, .299, .308, .308, .299, .299, .299, .299, .298, .298, .301, .301}}};

@@ -188,6 +188,43 @@ TEST(TcpFromBallbars, AllUncertaintiesZeroGiveZero) {
     }
 }
 
+// Each point has the weights of its own lengths: (AᵀWA)⁻¹ with W = diag(1/u²) at that point, A by hand.
+TEST(TcpFromBallbars, MoreThanThreeLengthsAreWeighedByTheirUncertaintiesAtEachPoint) {
+    Procedure p;
+    p.set_figures(0.0);
+    auto& bars = p.asset("ballbars").values;
+    bars = {{"length_12", Quantity{2000, Unit::of("mm")}},
+            {"length_13", Quantity{std::sqrt(2.0) * 2000, Unit::of("mm")}},
+            {"length_23", Quantity{2000, Unit::of("mm")}},
+            {"reading_constant", Quantity{1, Unit::of("um")}},
+            {"reading_scale", Quantity{20, Unit::of("ppm")}}};
+    const std::vector<Eigen::Vector3d> supports{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0.3}, {1, 1, -0.5}};
+    SetupTable further;
+    for (int c = 0; c < 5; ++c) further.units.push_back(Unit::of("mm"));
+    for (std::size_t k = 3; k < supports.size(); ++k) {
+        const auto length = [&](std::size_t j) { return 1e3 * (supports[k] - supports[j]).norm(); };
+        further.rows.push_back({length(0), length(1), length(2), 1e3 * supports[k].z(), 0.0});
+    }
+    bars["further_supports"] = further;
+    const std::vector<std::array<double, 3>> points{{100, 150, 400}, {1700, 400, 900}, {5000, 4000, 1500}};
+    p.measure_points(points);
+    const UncertaintyResult r = p.run(0);
+    ASSERT_EQ(r.outputs.size(), 9u) << p.words();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector3d x = Eigen::Vector3d(points[i][0], points[i][1], points[i][2]) / 1e3;
+        Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
+        for (const Eigen::Vector3d& support : supports) {
+            const Eigen::Vector3d d = x - support;
+            N += d * d.transpose() / d.squaredNorm() / std::pow(1e-6 + 20e-6 * d.norm(), 2);
+        }
+        const Eigen::Matrix3d C = N.inverse();
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(r.outputs[3 * i + static_cast<std::size_t>(c)].standard_uncertainty,
+                        std::sqrt(C(c, c)), 1e-6 * std::sqrt(C(c, c)))
+                << i << "xyz"[c];
+    }
+}
+
 TEST(TcpFromBallbars, ShortArcsAreWarnedOf) {
     Procedure p;
     p.sequences().rows = {{"x", -90.0, 180.0, 11.0}, {"y", -90.0, 180.0, 11.0}};

@@ -99,7 +99,7 @@ const BadInput bad_inputs[] = {
     {"WrongType", "\"type\": \"A\"", "\"type\": \"C\"", "'type' must be 'A' or 'B'; it is 'C'", "/analyses/0/inputs/0/components/1/type", 60},
     {"WrongCombination", "\"arithmetic\"", "\"sum\"", "'combination' must be 'quadrature' or 'arithmetic'", "/analyses/0/inputs/1/combination", 65},
     {"ComponentEstimate", "{\"symbol\": \"b.calibration\"", "{\"combination\": \"quadrature\", \"symbol\": \"b.calibration\"", "is a component, not an input quantity", "/analyses/0/inputs/2/symbol", 66},
-    {"UnknownComponent", "\"second\": \"b.calibration\"", "\"second\": \"b.calibratoin\"", "there is no component 'b.calibratoin' (did you mean 'b.calibration'?)", "/analyses/0/correlations/0/second", 69},
+    {"UnknownComponent", "\"second\": \"b.calibration\"", "\"second\": \"b.calibratoin\"", "there is no component or quantity 'b.calibratoin' (did you mean 'b.calibration'?)", "/analyses/0/correlations/0/second", 69},
     {"SelfCorrelation", "\"second\": \"b.calibration\"", "\"second\": \"a.edit1\"", "cannot be correlated with itself", "/analyses/0/correlations/0/second", 69},
     {"CorrelationTooLarge", "\"coefficient\": 0.25", "\"coefficient\": 1.25", "must lie between -1 and 1; it is 1.25", "/analyses/0/correlations/0/coefficient", 69},
     {"UnknownMethod", "\"method\": \"adaptive\"", "\"method\": \"adaptiv\"", "'method' must be one of 'first-order', 'monte-carlo' and 'adaptive'", "/analyses/0/options/method", 72},

@@ -147,6 +147,37 @@ TEST(Workspace, CorrelationsAndCombination) {
     EXPECT_EQ(analysis->inputs.correlations[0].second, 3u);
 }
 
+// r of the total deviations, however many components they have and however these combine.
+TEST(Workspace, QuantitiesAreCorrelatedAsAWhole) {
+    for (const double r : {-1.0, -0.4, 0.7, 1.0})
+        for (const bool arithmetic : {false, true}) {
+            Project project = plain_project();
+            const auto component = [](const char* name, double u) {
+                return ComponentEdit{name, "normal", {0.0, u}, Unit::of("um")};
+            };
+            InputEdit b = with_components("b", {component("one", 3.0), component("two", 4.0)});
+            if (arithmetic) b.combination = Combination::arithmetic;
+            project.analyses[0].inputs = {
+                b, with_components("c",
+                                   {component("one", 2.0), component("two", 1.0), component("three", 1.0)})};
+            project.analyses[0].correlations = {{"b", "c", r}};
+            const auto analysis = prepared(project);
+            ASSERT_TRUE(analysis);
+            InputSet inputs = analysis->inputs;
+            InputQuantity sum{.symbol = "sum"};
+            double u[2];
+            for (std::size_t k = 0; k < 2; ++k) {
+                const std::size_t index = inputs.find(k == 0 ? "b" : "c");
+                u[k] = standard_uncertainty_of(inputs, index);
+                for (const Share& share : inputs.quantities[index].shares) sum.shares.push_back(share);
+            }
+            inputs.quantities.push_back(sum);
+            EXPECT_NEAR(standard_uncertainty_of(inputs, inputs.quantities.size() - 1),
+                        std::sqrt(u[0] * u[0] + u[1] * u[1] + 2.0 * r * u[0] * u[1]), 1e-6 * u[0])
+                << r << " " << arithmetic;
+        }
+}
+
 TEST(Workspace, RunHasItsProvenance) {
     Project project = plain_project();
     project.analyses[0].options.method = Method::monte_carlo;

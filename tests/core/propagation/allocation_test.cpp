@@ -29,6 +29,11 @@ TEST(HotLoop, DoesNotAllocate) {
     // Many outputs, correlated and independent inputs, an angle, trials without a value.
     InputSet inputs = normal_inputs(std::vector<std::pair<double, double>>(30, {1.0, 0.1}));
     inputs.correlations = {{0, 1, 0.5}, {1, 2, 0.2}};
+    for (std::size_t c : {1, 4, 5}) {
+        inputs.components[c].degrees_of_freedom = 5.0;
+        inputs.rest_on_estimate("s", c);
+    }
+    inputs.components[6].degrees_of_freedom = 3.0;
     std::vector<std::string> symbols;
     for (int j = 0; j < 60; ++j) symbols.push_back("y" + std::to_string(j));
     auto outputs = outputs_named(symbols);

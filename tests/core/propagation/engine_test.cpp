@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/propagation/evaluation.h"
+#include "core/result/representation.h"
 #include "test_models.h"
 
 namespace covaria::test::engine_test {
@@ -164,6 +165,8 @@ TEST(Engine, CountsTrialsWithoutAValue) {
     EXPECT_NEAR(static_cast<double>(result->failed_trials), 2500, 4 * std::sqrt(2500 * 0.975));
     ASSERT_FALSE(result->warnings.empty());
     EXPECT_NE(result->warnings[0].find("have no value"), std::string::npos);
+    EXPECT_FALSE(represents_measurand(*result));
+    EXPECT_NE(result->warnings[0].find(does_not_represent), std::string::npos);
     std::uint64_t counted =
         result->outputs[0].monte_carlo->histogram.below + result->outputs[0].monte_carlo->histogram.above;
     for (std::uint64_t c : result->outputs[0].monte_carlo->histogram.counts) counted += c;

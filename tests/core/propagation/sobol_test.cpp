@@ -70,6 +70,40 @@ TEST(Sobol, CorrelatedComponentsAreOneFactor) {
     expect_index(index_of(*result, inputs.components[2].id), 0.25, 0.25);
 }
 
+// Over many seeds the indices scatter as their standard errors say.
+TEST(Sobol, StandardErrorsAreTheScatter) {
+    InputSet inputs;
+    for (const char* name : {"a", "b", "c"})
+        add_quantity(inputs, name, Distribution::of(Rectangular{-1, 1}), infinity);
+    const FunctionModel model(inputs, outputs_named({"y"}),
+                              [](std::span<const double> x, std::span<double> y) {
+                                  y[0] = 5.0 + 3.0 * x[0] + x[1] + 2.0 * x[1] * x[2] + x[2] * x[2];
+                                  return true;
+                              });
+    constexpr int seeds = 400;
+    const auto names = std::vector<std::string>{"a", "b", "c"};
+    for (const std::string& name : names) {
+        double sums[2] = {}, squares[2] = {}, errors[2] = {};
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            EvaluationOptions options = sobol(2'000);
+            options.trials = 1'000;
+            options.seed = seed;
+            const auto result = evaluate(model, inputs, options);
+            ASSERT_TRUE(result);
+            const SobolIndex& s = index_of(*result, name);
+            const double value[2] = {s.first, s.total};
+            const double error[2] = {s.first_standard_error, s.total_standard_error};
+            for (int k = 0; k < 2; ++k)
+                sums[k] += value[k], squares[k] += value[k] * value[k], errors[k] += error[k] * error[k];
+        }
+        for (int k = 0; k < 2; ++k) {
+            const double scatter = std::sqrt(squares[k] / seeds - std::pow(sums[k] / seeds, 2));
+            const double stated = std::sqrt(errors[k] / seeds);
+            EXPECT_NEAR(stated / scatter, 1.0, 4.0 / std::sqrt(2.0 * seeds)) << name << " " << k;
+        }
+    }
+}
+
 TEST(Sobol, SameBitsForAnyNumberOfThreads) {
     InputSet inputs;
     for (const char* name : {"a", "b", "c"}) add_quantity(inputs, name, Distribution::normal(1), infinity);

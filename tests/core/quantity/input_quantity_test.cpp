@@ -87,10 +87,10 @@ TEST(InputQuantity, WelchSatterthwaite) {  // JCGM 100 H.1.3.2: u(d) = 9.7 nm
 }
 
 TEST(InputQuantity, DegreesOfFreedomOfFullyCorrelatedComponents) {
-    InputSet inputs;  // u = a + b: the relative uncertainties of the uncertainties average out to nu = 20
+    InputSet inputs;  // drawn as (u_a + u_b) t: what they share is one t distribution
     inputs.add(quantity("x", 0.0, Combination::arithmetic),
                {component("a", 1.0, 10), component("b", 1.0, 10)});
-    EXPECT_NEAR(degrees_of_freedom_of(inputs, 0), 20.0, 1e-12);
+    EXPECT_NEAR(degrees_of_freedom_of(inputs, 0), 10.0, 1e-12);
 }
 
 TEST(InputQuantity, AStudentTBringsItsDegreesOfFreedomAndScale) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "core/report/csv_text.h"
 #include "core/report/report.h"
 #include "tests/core/report/sample_report.h"
 
@@ -17,6 +18,12 @@ TEST(Csv, QuotesCommasQuotesAndLineBreaks) {
     table.rows = {{std::string("say \"no\""), std::string("two\nlines")},
                   {std::string("plain"), TableCell{}}};
     EXPECT_EQ(to_csv(table), "\"a,b\",c\r\n\"say \"\"no\"\"\",\"two\nlines\"\r\nplain,\r\n");
+}
+
+TEST(Csv, WhatASpreadsheetWouldComputeIsShownInstead) {
+    for (const char* formula : {"=1+1", "@SUM(A1)", "-2+3", "+cmd", "\t=1", " =1"})
+        EXPECT_EQ(csv_text(formula).find_first_of('\''), csv_text(formula)[0] == '"' ? 1u : 0u) << formula;
+    for (const char* text : {"-2.5", "+3", "-1e-9", "a=b", "b-2", "−4", ""}) EXPECT_EQ(csv_text(text), text);
 }
 
 TEST(Csv, NumbersHaveFullPrecisionInTheUnitOfTheHead) {

@@ -38,6 +38,12 @@ TEST(FormatSignificant, ZeroAndWhatIsNotFinite) {
     EXPECT_EQ(format_significant(0.0, 2), "0");
     EXPECT_EQ(format_significant(inf, 2), "∞");
     EXPECT_EQ(format_significant(-inf, 2), "-∞");
+    for (const double nu : {1e4, 6.09e7, inf}) EXPECT_EQ(format_degrees_of_freedom(nu), "∞") << nu;
+    EXPECT_EQ(format_degrees_of_freedom(9999.9), "9999");
+    EXPECT_EQ(format_degrees_of_freedom(18.97), "18");
+    EXPECT_EQ(format_degrees_of_freedom(9.26), "9.3");
+    EXPECT_EQ(format_degrees_of_freedom(3.0), "3");
+    EXPECT_EQ(format_degrees_of_freedom(0.25), "0.25");
     EXPECT_EQ(format_significant(std::nan(""), 2), "–");
 }
 

@@ -47,10 +47,10 @@ inline void add_contributions(UncertaintyResult& result) {
     constexpr int quantities = 16;
     for (int i = 0; i < quantities; ++i) {
         BudgetComponent component;
-        component.quantity = std::string(i % 2 ? "b_" : "p_") + std::to_string(i / 2 + 1) + "xyz"[i % 3];
-        component.id = component.quantity + ".calibration";
+        component.quantities = {std::string(i % 2 ? "b_" : "p_") + std::to_string(i / 2 + 1) + "xyz"[i % 3]};
+        component.id = component.quantities.front() + ".calibration";
         component.name = i == 1 ? "length standard" : "calibration of the artefact";
-        if (i == 1) component.quantity = "b_1x, b_2x, b_3x";
+        if (i == 1) component.quantities = {"b_1x", "b_2x", "b_3x"};
         result.budget.components.push_back(component);
     }
     for (const OutputResult& output : result.outputs) {

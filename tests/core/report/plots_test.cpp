@@ -110,7 +110,7 @@ TEST(ContributionPlot, SharesAddUpAndTheRestIsOneBar) {
 
 TEST(ContributionPlot, TellsComponentsOfOneQuantityApart) {
     UncertaintyResult result = test::plot_sample();
-    result.budget.components[2].quantity = result.budget.components[0].quantity;
+    result.budget.components[2].quantities = result.budget.components[0].quantities;
     result.budget.components[2].name = "temperature";
     const PlotSpecification plot = contribution_plot(result, 0, 6);
     EXPECT_EQ(plot.y.categories[0], "p₁ₓ, calibration of the artefact");

@@ -7,6 +7,7 @@
 
 #include "core/base/symbol.h"
 #include "core/report/table_text.h"
+#include "core/result/representation.h"
 #include "tests/core/report/sample_report.h"
 
 namespace covaria::report_test {
@@ -152,6 +153,33 @@ TEST(Report, SaysWhatWentWrongInTheRun) {
     EXPECT_TRUE(contains(text, "| 12 |")) << "the provenance counts them too";
     EXPECT_TRUE(contains(text, "not stabilised"));
     EXPECT_TRUE(contains(text, "gimbal lock"));
+}
+
+// Every output, up to one trial in a hundred and beyond.
+TEST(Report, TooManyLostTrialsMarkTheResultEverywhere) {
+    const auto texts = [](std::uint64_t failed) {
+        UncertaintyResult result = test::sample_result();
+        result.trials = 100'000;
+        result.failed_trials = failed;
+        const EvaluatedAnalysis analysis = test::sample_analysis(result);
+        const ReportDocument document = build_report(test::sample_project(), AssetLibrary{}, {analysis});
+        return std::vector<std::string>{to_markdown(document), to_html(document),
+                                        to_csv(result_tables(test::sample_project(), analysis).front())};
+    };
+    for (const std::string& text : texts(1000)) EXPECT_FALSE(contains(text, does_not_represent));
+    for (const std::string& text : texts(1001)) EXPECT_TRUE(contains(text, does_not_represent));
+    UncertaintyResult result = test::sample_result();
+    result.failed_trials = result.trials / 100 + 1;
+    EXPECT_FALSE(represents_measurand(result));
+    EXPECT_TRUE(contains(results_json(test::sample_project(), {test::sample_analysis(result)}),
+                         "\"representsMeasurand\": false"));
+    StudyResult study;
+    study.trials = 1000;
+    study.points.resize(2);
+    study.points[1].failed_trials = 11;
+    EXPECT_EQ(not_representing(study), std::vector<std::size_t>{1});
+    EXPECT_TRUE(contains(remark_on(study, 1), does_not_represent));
+    EXPECT_EQ(remark_on(study, 0), "");
 }
 
 TEST(Report, ShowsWhatRemainsWithAContributorHeld) {

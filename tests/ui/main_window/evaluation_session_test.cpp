@@ -19,8 +19,7 @@ namespace {
 class EvaluationSession : public WindowFixture {
 protected:
     void shoot(const QString& name) {
-        window_->scene().view().service().wait_until_idle();
-        for (int i = 0; i < 20; ++i) QTest::qWait(10);
+        settle();
         const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
         folder.mkpath(QStringLiteral("."));
         window_->grab().toImage().save(folder.filePath(name + QStringLiteral(".png")));

@@ -35,8 +35,7 @@ namespace {
 class Look : public WindowFixture {
 protected:
     void shoot(const QString& name) {
-        window_->scene().view().service().wait_until_idle();
-        for (int i = 0; i < 20; ++i) QTest::qWait(10);
+        settle();
         const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
         folder.mkpath(QStringLiteral("."));
         window_->grab().toImage().save(folder.filePath(name + QStringLiteral(".png")));
@@ -115,8 +114,7 @@ TEST_F(Look, ToolsAreEnabledWhereTheyCanDoSomething) {
         for (AnalysisEntry& analysis : project.analyses) analysis.options.trials = 500'000'000;
     });
     EXPECT_TRUE(tool(QStringLiteral("Undo"))->isEnabled());
-    for (int i = 0; i < 200 && !tool(QStringLiteral("Stop"))->isEnabled(); ++i) QTest::qWait(20);
-    EXPECT_TRUE(tool(QStringLiteral("Stop"))->isEnabled());
+    EXPECT_TRUE(QTest::qWaitFor([this] { return tool(QStringLiteral("Stop"))->isEnabled(); }, 30'000));
     auto* bar = window_->findChild<QToolBar*>(QStringLiteral("tools"));
     QTest::mouseClick(bar->widgetForAction(tool(QStringLiteral("Stop"))), Qt::LeftButton);
     wait_until_idle();
@@ -198,7 +196,7 @@ TEST_F(Look, ProblemsAreCountedOnTheirTab) {
     window_->document().apply(QStringLiteral("Break"), [](Project& project) {
         project.analyses.front().options.coverage_probability = 2.0;
     });
-    for (int i = 0; i < 200 && dock->windowTitle() == before; ++i) QTest::qWait(20);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dock->windowTitle() != before; }, 30'000));
     EXPECT_TRUE(dock->windowTitle().contains(QStringLiteral("(1"))) << dock->windowTitle().toStdString();
 }
 
@@ -243,7 +241,7 @@ TEST_F(Look, HelpAndAboutCanBeRead) {
         ASSERT_NE(page, nullptr);
         EXPECT_GT(page->toPlainText().size(), 500);
         EXPECT_FALSE(page->toPlainText().contains(QStringLiteral("z_b"))) << "symbols are typeset";
-        for (int i = 0; i < 10; ++i) QTest::qWait(10);
+        QCoreApplication::processEvents();
         page->window()->grab().save(
             QStringLiteral(COVARIA_BINARY_DIR "/screenshots/help-%1.png").arg(QString::fromLatin1(theme)));
         page->window()->close();

@@ -4,6 +4,8 @@
 #include <QTimer>
 
 #include "tests/ui/main_window/session_fixture.h"
+#include "ui/main_window/export_actions.h"
+#include "ui/pages/current_results.h"
 
 namespace covaria::ui::run_session_test {
 namespace {
@@ -48,7 +50,8 @@ TEST_F(RunSession, ALongRunIsStoppedAndTheWindowStaysResponsive) {
         [this] { return status().state == RunState::running && status().stage == ResultStage::preview; }));
     {
         const LoopWatch watch;
-        QTest::qWait(2000);
+        QSignalSpy progress(&window_->runner(), &AnalysisRunner::progress_changed);
+        ASSERT_TRUE(wait_for([&] { return progress.size() >= 5; })) << "the run goes on";
         EXPECT_GT(watch.ticks(), 10) << "the event loop turns";
         RecordProperty("longest_pause_ms", std::to_string(watch.longest_ms()));
         std::cout << "longest pause of the event loop during the run: " << watch.longest_ms() << " ms\n";
@@ -77,8 +80,13 @@ TEST_F(RunSession, ResultsAreMarkedOutOfDateWhileLiveIsOff) {
     EXPECT_EQ(expanded_uncertainty(2), before);
     EXPECT_TRUE(says(*window_, QStringLiteral("out of date")));
     EXPECT_EQ(answer_.messages.size(), 0);
+    answer_.file_to_save = folder_.filePath(QStringLiteral("report.pdf"));
+    QSignalSpy exported(&window_->exports(), &ExportActions::finished);
     trigger(QStringLiteral("Report as PDF"));
-    EXPECT_FALSE(QFile::exists(folder_.filePath(QStringLiteral("stale.pdf"))));
+    ASSERT_TRUE(wait_for([&] { return exported.size() == 1; }, 120'000)) << "of the other analysis";
+    const auto reported = current_results(window_->document().project(), window_->runner());
+    for (const EvaluatedAnalysis& one : reported)
+        EXPECT_NE(one.analysis->id, to_std(window_->selection().analysis())) << "what is stale stays here";
     trigger(QStringLiteral("Run This Analysis"));
     wait_until_idle();
     EXPECT_EQ(status().state, RunState::up_to_date);

@@ -17,8 +17,7 @@ namespace {
 class Screenshots : public WindowFixture {
 protected:
     QImage shoot(const QString& name) {
-        window_->scene().view().service().wait_until_idle();
-        for (int i = 0; i < 20; ++i) QTest::qWait(10);
+        settle();
         const QImage image = window_->grab().toImage();
         const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
         folder.mkpath(QStringLiteral("."));
@@ -78,7 +77,7 @@ TEST_F(Screenshots, EveryTabShowsSomething) {
             if (!tabs.isTabVisible(tab)) continue;
             tabs.setCurrentIndex(tab);
             if (auto* report = qobject_cast<ReportPreview*>(tabs.widget(tab)))
-                for (int i = 0; i < 600 && report->page_count() == 0; ++i) QTest::qWait(100);
+                EXPECT_TRUE(QTest::qWaitFor([&] { return report->page_count() > 0; }, 120'000));
             const QImage image =
                 shoot(QStringLiteral("%1-%2").arg(tabs.tabText(tab).toLower(), QString::fromLatin1(theme)));
             EXPECT_GT(busy_part(image, rect_of(*tabs.widget(tab))), 0.01)

@@ -11,6 +11,7 @@
 #include "core/project/project_file.h"
 #include "tests/ui/qt_application.h"
 #include "ui/main_window/main_window.h"
+#include "ui/scene_view/scene_panel.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -83,6 +84,13 @@ protected:
     }
 
     void wait_until_idle() { ASSERT_TRUE(window_->runner().wait_until_idle(60'000)); }
+
+    /// Everything that goes on by itself is over and has been painted.
+    void settle() {
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !window_->scene().is_building(); }, 30'000));
+        window_->scene().view().service().wait_until_idle();
+        for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
+    }
 
     std::string bytes() const { return project_text(window_->document().project()); }
 

@@ -43,7 +43,7 @@ std::shared_ptr<UncertaintyResult> sample_result() {
     scale.unit = Unit::of("um");
     scale.type = EvaluationType::type_b;
     scale.standard_uncertainty = 2e-6;
-    scale.quantity = "L_1";
+    scale.quantities = {"L_1"};
     BudgetComponent noise = scale;
     noise.id = "a.noise";
     noise.type = EvaluationType::type_a;

@@ -250,5 +250,29 @@ TEST(AnalysisRunnerInline, EverythingHappensAtOnce) {
     EXPECT_FALSE(runner.is_busy());
 }
 
+TEST_F(AnalysisRunnerTest, WhatIsHeldDoesNotRunAndHasNoCurrentResult) {
+    runner.set_project(project("1", {"x", "y"}));
+    ASSERT_TRUE(settle());
+    runner.run_all();
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(status().is_current());
+    const int runs = script.runs;
+    runner.set_held({{"x", "12 kg is no length"}});
+    EXPECT_EQ(status().state, RunState::failed);
+    EXPECT_EQ(status().message, "12 kg is no length");
+    EXPECT_FALSE(status().is_current());
+    EXPECT_TRUE(status("y").is_current());
+    runner.run("x");
+    runner.run_all();
+    runner.set_project(project("2", {"x", "y"}));
+    runner.set_live(true);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(script.runs, runs + 1) << "of the other one";
+    EXPECT_EQ(status().state, RunState::failed);
+    runner.set_held({});
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(status().is_current()) << "live again";
+}
+
 }  // namespace
 }  // namespace covaria::ui::analysis_runner_test

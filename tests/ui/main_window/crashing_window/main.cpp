@@ -33,7 +33,6 @@ int main(int argc, char** argv) {
     QSignalSpy opened(&window.document(), &Document::open_finished);
     window.begin(QString::fromLocal8Bit(argv[1]));
     if (!opened.wait(20'000) || !field(window, "base_u_x")) return 3;
-    QTest::qWait(200);
     QLineEdit* edit = field(window, "base_u_x");
     edit->setFocus();
     edit->selectAll();

@@ -1,0 +1,21 @@
+// The figures of a typed component of uncertainty: the one place where they are converted.
+//
+// A component is a deviation from the estimate of its quantity. So all its figures, also a mean or a limit,
+// are differences: they are converted without the zero of degC.
+#pragma once
+
+#include "core/project/project.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+/// Errors: those of `distribution_from`.
+Result<Distribution> distribution_of(const ComponentEdit& edit);
+/// Puts kind and parameters of `distribution` (SI) into the edit, in its unit.
+void set_distribution(ComponentEdit& edit, const Distribution& distribution);
+/// The same component with its parameters in another unit of the same dimension.
+ComponentEdit in_unit(ComponentEdit edit, const Unit& unit);
+/// What an edit would have to say to give this component.
+ComponentEdit to_edit(const UncertaintyComponent& component);
+
+}  // namespace covaria

@@ -1,0 +1,19 @@
+// The files that a run leaves: results.json, a table each as CSV, and what else is listed with them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/report/report.h"
+
+namespace covaria {
+
+/// results.json, which lists all other files, and the tables of analyses, studies and assets. `others` are
+/// written by the caller (pictures).
+Result<void> write_result_files(const std::filesystem::path& folder, const Project& project,
+                                const AssetLibrary& assets, const std::vector<EvaluatedAnalysis>& analyses,
+                                ResultListing listing = {});
+
+}  // namespace covaria

@@ -1,0 +1,21 @@
+#include "core/result/representation.h"
+
+namespace covaria {
+
+std::vector<std::size_t> not_representing(const StudyResult& study) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < study.points.size(); ++i)
+        if (study.points[i].has_values() &&
+            !represents_measurand(study.trials, study.points[i].failed_trials))
+            found.push_back(i);
+    return found;
+}
+
+std::string remark_on(const StudyResult& study, std::size_t point) {
+    const StudyPoint& at = study.points[point];
+    if (!at.has_values()) return study.reasons[at.reason];
+    if (represents_measurand(study.trials, at.failed_trials)) return {};
+    return std::string(does_not_represent) + ": more than 1 % of the trials have no value";
+}
+
+}  // namespace covaria

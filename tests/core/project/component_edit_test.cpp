@@ -1,0 +1,111 @@
+// Components of uncertainty keep their SI values whatever unit they are shown in: all units, all kinds.
+#include "core/project/component_edit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/unit_table.h"
+#include "core/project/project_file.h"
+#include "core/project/workspace.h"
+
+namespace covaria::component_edit_test {
+namespace {
+
+/// Some parameters that are possible for the kind, in its own unit.
+std::vector<double> parameters_of(const DistributionKindInfo& kind) {
+    if (kind.parameters.empty()) return {-1.5, 2.0, 0.25, 0.75};
+    std::vector<double> parameters;
+    for (const DistributionParameterInfo& info : kind.parameters)
+        parameters.push_back(info.key == "low"           ? -1.25
+                             : info.key == "mean"        ? 0.75
+                             : info.key == "beta"        ? 0.5
+                             : info.key == "high"        ? 2.5
+                             : info.key == "inexactness" ? 0.1
+                                                         : 1.5);
+    return parameters;
+}
+
+void expect_same(const ComponentEdit& before, const ComponentEdit& after) {
+    const auto a = distribution_of(before), b = distribution_of(after);
+    ASSERT_TRUE(a) << before.distribution << ": " << a.error().message;
+    ASSERT_TRUE(b) << before.distribution << " in " << after.unit.text() << ": " << b.error().message;
+    const double tolerance = 1e-13 * (std::abs(a->mean()) + a->standard_uncertainty());
+    EXPECT_NEAR(b->mean(), a->mean(), tolerance) << before.distribution << " in " << after.unit.text();
+    EXPECT_NEAR(b->standard_uncertainty(), a->standard_uncertainty(), tolerance) << after.unit.text();
+}
+
+TEST(ComponentEdit, NoUnitChangesTheQuantity) {
+    const std::vector<detail::KnownUnit> units = detail::all_units();
+    for (const auto& from : units)
+        for (const auto& to : units) {
+            if (!(from.dimension == to.dimension) || (&from - &to) % 5 != 0) continue;
+            const ComponentEdit edit{"", "normal", {0.75, 1.5}, Unit::of(from.name)};
+            expect_same(edit, in_unit(edit, Unit::of(to.name)));
+        }
+}
+
+TEST(ComponentEdit, NoScaleOfTemperatureMovesAnyKind) {
+    for (const DistributionKindInfo& kind : distribution_kinds())
+        for (const char* from : {"K", "mK", "degC"})
+            for (const char* to : {"K", "mK", "degC"}) {
+                const ComponentEdit edit{"", std::string(kind.key), parameters_of(kind), Unit::of(from)};
+                const ComponentEdit changed = in_unit(edit, Unit::of(to));
+                expect_same(edit, changed);
+                expect_same(edit, in_unit(changed, Unit::of(from)));
+                UncertaintyComponent component;
+                component.unit = Unit::of(to);
+                component.distribution = *distribution_of(edit);
+                expect_same(edit, to_edit(component));
+            }
+}
+
+constexpr const char* expansion = R"({"format": "covaria", "schemaVersion": 1, "title": "", "assets": [],
+ "analyses": [{"id": "a", "model": "measurement-equation", "setup": {
+  "equations": ["y = alpha*(t - 20 [degC])"],
+  "quantities": {
+    "columns" : [ "symbol", "value", "unit", "statement", "a" ],
+                "rows" : [ [ "α", 1.15e-5, "1/K", "standard", 1e-6 ], [ "t", 20.5, "degC", "standard", 0.1 ] ]
+}
+}
+}]
+})";
+
+std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
+    Problems problems;
+    const AssetLibrary assets = make_assets(project, problems);
+    auto analysis = prepare_analysis(project, "a", assets, problems);
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+    return analysis;
+}
+
+// What the window does: the model's components are copied into the project, changed and added to.
+TEST(ComponentEdit, AComponentOfATemperatureLeavesItsEstimate) {
+    const LoadedProject loaded = parse_project(expansion, {}, "expansion");
+    for (const Problem& p : loaded.problems.items()) FAIL() << p.path << ": " << p.message;
+    const auto plain = prepared(loaded.project);
+    ASSERT_TRUE(plain);
+    const std::size_t t = plain->inputs.find("t");
+    ASSERT_NE(t, InputSet::npos);
+    ASSERT_NE(plain->inputs.find("alpha"), InputSet::npos) << "typed as a Greek letter";
+    EXPECT_NEAR(estimate_of(plain->inputs, t), 293.65, 1e-12);
+    for (const char* unit : {"K", "mK", "degC"}) {
+        Project project = loaded.project;
+        InputEdit edit{.symbol = "t"};
+        edit.components.emplace();
+        for (const Share& share : plain->inputs.quantities[t].shares)
+            edit.components->push_back(
+                in_unit(to_edit(plain->inputs.components[share.component]), Unit::of(unit)));
+        ComponentEdit added{.name = "drift", .distribution = "", .parameters = {}, .unit = Unit::of(unit)};
+        set_distribution(added, Distribution::normal(0.0));
+        edit.components->push_back(added);
+        project.analyses[0].inputs = {edit};
+        const auto edited = prepared(project);
+        ASSERT_TRUE(edited);
+        EXPECT_NEAR(estimate_of(edited->inputs, t), 293.65, 1e-12) << unit;
+        EXPECT_NEAR(standard_uncertainty_of(edited->inputs, t), 0.1, 1e-13) << unit;
+    }
+}
+
+}  // namespace
+}  // namespace covaria::component_edit_test

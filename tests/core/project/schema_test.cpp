@@ -1,0 +1,121 @@
+// The JSON schema of the project file, from which `covaria describe` is made, against what is written and
+// read.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+#include "core/base/resource_path.h"
+#include "core/project/options_json.h"
+#include "core/project/project_file.h"
+#include "core/project/study_json.h"
+
+namespace covaria::schema_test {
+namespace {
+
+const Json& definitions() {
+    static const Json schema = [] {
+        std::ifstream in(data_directory() / "resources/schema/covaria-project.schema.json");
+        return Json::parse(in);
+    }();
+    return schema["$defs"];
+}
+
+std::set<std::string> keys_of(const Json& object) {
+    std::set<std::string> keys;
+    for (const auto& [key, value] : object.items()) keys.insert(key);
+    return keys;
+}
+
+/// Nothing is as it is by default: every key is written.
+AnalysisEntry full_analysis() {
+    const Quantity q{1.5, Unit::of("mm")};
+    AnalysisEntry a{.id = "a", .model = "measurement-equation"};
+    ComponentEdit component{"c", "student-t", {0.0, 1.0, 5.0}, Unit::of("mm"), EvaluationType::type_a,
+                            7.0, "x"};
+    a.inputs.push_back({"x", q, std::vector<ComponentEdit>{component}, Combination::arithmetic, true});
+    a.correlations.push_back({"x.1", "y.1", 0.5});
+    EvaluationOptions& o = a.options;
+    o = {Method::adaptive, 20, 2, 0.9, 2.0, true, 5, 6, 7, 3, q, 11, 1000};
+    a.requirements.push_back({"g", "y", q, q, q, 0.5, q, q});
+    StudyAxis axis{"plate",        "/setup/k", StudyChange::added,       1.0, 2.0,
+                   Unit::of("mm"), 5,          StudySpacing::logarithmic};
+    a.studies.push_back({"s", "study", {axis}, {{"g", "y"}}, Method::monte_carlo, 10});
+    return a;
+}
+
+TEST(JsonSchema, HasTheKeysThatAreWritten) {
+    Project project;
+    project.analyses.push_back(full_analysis());
+    const Json written = Json::parse(project_text(project))["analyses"][0];
+    const std::pair<const char*, Json> objects[] = {{"inputEdit", written["inputs"][0]},
+                                                    {"component", written["inputs"][0]["components"][0]},
+                                                    {"correlation", written["correlations"][0]},
+                                                    {"options", written["options"]},
+                                                    {"requirement", written["requirements"][0]},
+                                                    {"study", written["studies"][0]},
+                                                    {"studyAxis", written["studies"][0]["axes"][0]}};
+    for (const auto& [name, object] : objects) {
+        EXPECT_EQ(keys_of(definitions()[name]["properties"]), keys_of(object)) << name;
+        for (const auto& [key, field] : definitions()[name]["properties"].items())
+            EXPECT_TRUE(field.contains("description") || field.contains("$ref")) << name << "/" << key;
+    }
+    // What is read is what was written: a key that the reader does not know is a problem.
+    const LoadedProject again = parse_project(project_text(project), {}, "full");
+    for (const Problem& p : again.problems.items())
+        EXPECT_EQ(p.message.find("there is no '"), std::string::npos) << p.path << ": " << p.message;
+    ASSERT_EQ(again.project.analyses.size(), 1u);
+    EXPECT_EQ(again.project.analyses[0].inputs, project.analyses[0].inputs);
+    EXPECT_EQ(again.project.analyses[0].options, project.analyses[0].options);
+    EXPECT_EQ(again.project.analyses[0].studies, project.analyses[0].studies);
+}
+
+/// An object in which every key that has a default has it.
+Json with_defaults(const char* definition) {
+    Json object = Json::object();
+    for (const auto& [key, field] : definitions()[definition]["properties"].items())
+        if (field.contains("default")) object[key] = field["default"];
+    return object;
+}
+
+TEST(JsonSchema, StatesTheDefaults) {
+    Problems problems;
+    const Json options = with_defaults("options");
+    EXPECT_EQ(options.size(), 11u);
+    EXPECT_EQ(options_from_json(options, "", problems), EvaluationOptions{});
+    Json study = with_defaults("study");
+    study["id"] = "s";
+    Json axis = with_defaults("studyAxis");
+    axis.update(Json{{"target", "/setup/k"}, {"from", 0}, {"to", 1}});
+    study["axes"] = Json::array({axis});
+    Study plain{.id = "s"};
+    plain.axes.push_back({.target = "/setup/k"});
+    EXPECT_EQ(study_from_json(study, "", problems), plain);
+    EXPECT_EQ(with_defaults("requirement")["guardFactor"].get<double>(), Requirement{}.guard_factor);
+    EXPECT_EQ(with_defaults("component")["type"], "B");
+    EXPECT_EQ(with_defaults("inputEdit")["held"], false);
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+}
+
+TEST(JsonSchema, NamesTheChoicesThatAreRead) {
+    std::set<std::string> kinds, stated;
+    for (const DistributionKindInfo& kind : distribution_kinds()) kinds.emplace(kind.key);
+    for (const Json& kind : definitions()["component"]["properties"]["distribution"]["enum"])
+        stated.insert(kind.get<std::string>());
+    EXPECT_EQ(kinds, stated);
+    for (const Json& method : definitions()["options"]["properties"]["method"]["enum"]) {
+        Problems problems;
+        options_from_json(Json{{"method", method}}, "", problems);
+        EXPECT_TRUE(problems.items().empty()) << method;
+    }
+    for (const char* key : {"change", "spacing"})
+        for (const Json& choice : definitions()["studyAxis"]["properties"][key]["enum"]) {
+            Problems problems;
+            const Json axis{{"target", "/setup/k"}, {"from", 1}, {"to", 2}, {key, choice}};
+            study_from_json(Json{{"id", "s"}, {"axes", Json::array({axis})}}, "", problems);
+            EXPECT_TRUE(problems.items().empty()) << choice;
+        }
+}
+
+}  // namespace
+}  // namespace covaria::schema_test

@@ -1,0 +1,171 @@
+// Projects and typed equations: read, checked and, where nothing is wrong, evaluated to first order.
+#include <algorithm>
+#include <utility>
+
+#include "core/project/project_file.h"
+#include "core/project/workspace.h"
+#include "tests/fuzz/fuzz.h"
+
+namespace covaria::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string shown(const Problem& problem) {
+    return problem.file + ":" + std::to_string(problem.line) + ": " + problem.path + ": " + problem.message;
+}
+
+/// What must never be said, whatever is put in.
+bool is_defect(const std::string& message) {
+    return message.find("a defect of the program") != std::string::npos;
+}
+
+Outcome evaluated(const LoadedProject& loaded) {
+    Outcome outcome{true, false, {}};
+    Problems problems;
+    const AssetLibrary assets = make_assets(loaded.project, problems);
+    for (const AnalysisEntry& analysis : loaded.project.analyses) {
+        const auto prepared = prepare_analysis(loaded.project, analysis.id, assets, problems);
+        if (!prepared) return {true, false, "checked without errors, but not made: " + analysis.id};
+        PreparedAnalysis quick = *prepared;
+        quick.options.method = Method::first_order;
+        const auto result = run_analysis(quick);
+        outcome.evaluated = outcome.evaluated || result;
+        if (!result && (result.error().message.empty() || is_defect(result.error().message)))
+            return {true, false, "evaluation: " + result.error().message};
+    }
+    return outcome;
+}
+
+Outcome of_project(const std::string& text, const fs::path& folder) {
+    const LoadedProject loaded = parse_project(text, folder, "input.covaria");
+    for (const Problem& problem : loaded.problems.items()) {
+        const bool placed = !problem.file.empty() && problem.line > 0 && !problem.message.empty();
+        if (!placed || is_defect(problem.message)) return {false, false, "problem: " + shown(problem)};
+    }
+    if (loaded.problems.has_errors()) return {};
+    return evaluated(loaded);
+}
+
+class Projects : public Kind {
+public:
+    Projects() {
+        for (const char* folder : {"projects", "projects/gum", "tests/fuzz/corpus"})
+            for (const auto& entry : fs::directory_iterator(fs::path(COVARIA_SOURCE_DIR) / folder))
+                if (entry.path().extension() == ".covaria") files_.push_back(entry.path());
+        std::sort(files_.begin(), files_.end());
+        for (const fs::path& file : files_) texts_.push_back(file_text(file));
+        for (const std::string& text : texts_) documents_.push_back(part_of(Json::parse(text)));
+    }
+
+    std::string make(Noise& noise) override {
+        const std::size_t i = noise.below(texts_.size());
+        if (noise.chance(10)) return damaged_text(texts_[i], words_, noise);
+        Json document = documents_[i];
+        Json& analyses = document["analyses"];
+        if (analyses.size() > 1) analyses = Json::array({analyses[noise.below(analyses.size())]});
+        damage(document, noise);
+        return document.dump(noise.chance(2) ? 1 : -1);
+    }
+
+    Outcome run(const std::string& input) override {
+        return of_project(input, fs::path(COVARIA_SOURCE_DIR) / "projects");
+    }
+
+private:
+    /// Long tables are cut: inputs are to be many.
+    static Json part_of(Json value) {
+        if (value.is_array() && value.size() > 24) value.erase(value.begin() + 24, value.end());
+        if (value.is_structured())
+            for (auto& inner : value) inner = part_of(inner);
+        return value;
+    }
+
+    std::vector<fs::path> files_;
+    std::vector<std::string> texts_;
+    std::vector<Json> documents_;
+    std::vector<std::string> words_{"{",    "}",     "[",   "]", ",",       ":", "\"",
+                                    "null", "1e400", "NaN", "-", "\\u0000", "\n"};
+};
+
+class Equations : public Kind {
+public:
+    std::string make(Noise& noise) override {
+        if (noise.chance(3)) return damaged_text(noise.pick(known_), words_, noise);
+        std::string text;
+        for (std::size_t i = 1 + noise.below(3); i > 0; --i)
+            text += (text.empty() ? "" : "\n") + std::string(i == 1 ? "y" : "w" + std::to_string(i)) + " = " +
+                    expression(noise, 5);
+        return text;
+    }
+
+    Outcome run(const std::string& input) override { return of_project(project_of(input), {}); }
+
+private:
+    std::string expression(Noise& noise, int depth) {
+        if (depth == 0 || noise.chance(4)) return noise.pick(leaves_);
+        const auto inner = [&] { return expression(noise, depth - 1); };
+        switch (noise.below(7)) {
+            case 0:
+                return noise.pick(functions_) + "(" + inner() + ")";
+            case 1:
+                return noise.pick(pairs_) + "(" + inner() + ", " + inner() + ")";
+            case 2:
+                return "if(" + inner() + noise.pick(comparisons_) + inner() + ", " + inner() + ", " +
+                       inner() + ")";
+            case 3:
+                return "(" + inner() + ")^" + noise.pick(leaves_);
+            case 4:
+                return "-" + inner();
+            default:
+                return "(" + inner() + noise.pick(signs_) + inner() + ")";
+        }
+    }
+
+    static std::string project_of(const std::string& text) {
+        Json lines = Json::array();
+        std::string line;
+        for (const char c : text + "\n") {
+            if (c != '\n')
+                line += c;
+            else
+                lines.push_back(std::exchange(line, {}));
+        }
+        Json project = Json::parse(R"({
+            "format": "covaria", "schemaVersion": 1, "title": "t", "assets": [],
+            "analyses": [{"id": "a", "model": "measurement-equation", "setup": {
+                "equations": [],
+                "outputs": {"columns": ["symbol", "name", "unit"], "rows": [["y", "y", null]]},
+                "quantities": {"columns": ["symbol", "name", "unit", "value", "statement", "a"], "rows": [
+                    ["x", "x", "1", 0.5, "standard", 0.01], ["l", "l", "mm", 12.0, "rectangular", 0.1],
+                    ["t", "t", "s", 3.0, "standard", 1.0]]}}}]})");
+        project["analyses"][0]["setup"]["equations"] = lines;
+        return project.dump(1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    const std::vector<std::string> leaves_{"x",    "l",    "t",     "0",  "1",         "2",      "-1", "0.5",
+                                           "1e-9", "1e99", "1e308", "pi", "20 [degC]", "3 [mm]", "w2", "w3"};
+    const std::vector<std::string> functions_{"sqrt", "sin",  "cos", "tan",  "exp",  "ln",   "log10", "asin",
+                                              "acos", "atan", "abs", "sinh", "cosh", "tanh", "cbrt"};
+    const std::vector<std::string> pairs_{"atan2", "hypot", "min", "max"};
+    const std::vector<std::string> comparisons_{" > ", " < ", " >= ", " <= ", " == "};
+    const std::vector<std::string> signs_{" + ", " - ", "*", "/"};
+    const std::vector<std::string> known_{
+        "y = x*l/t + sqrt(x)", "y = if(x > 0, ln(x), 0)", "solve y = 1: y^2 - x = 0",
+        "solve y = 1, w = 2: y + w = x; y*w = 0.1", "w = x^2 # square\ny = w*(l + 3 [mm])"};
+    const std::vector<std::string> words_{"(", ")",  "+", "-", "*",      "/",   "^",
+                                          ",", "=",  ":", ";", "solve ", "if(", "[mm]",
+                                          "#", "\n", "x", "y", "e",      ".",   "\xCE\xB1"};
+};
+
+}  // namespace
+
+std::unique_ptr<Kind> project_kind() {
+    return std::make_unique<Projects>();
+}
+std::unique_ptr<Kind> equation_kind() {
+    return std::make_unique<Equations>();
+}
+
+}  // namespace covaria::fuzz

@@ -1,0 +1,135 @@
+// CSV tables read by the schemas of all kinds, and robots from URDF.
+#include "core/assets/registry.h"
+#include "core/assets/urdf.h"
+#include "core/base/guarded.h"
+#include "core/models/registry.h"
+#include "core/project/csv_table.h"
+#include "tests/fuzz/fuzz.h"
+
+namespace covaria::fuzz {
+
+namespace {
+
+class Csv : public Kind {
+public:
+    Csv() {
+        for (const AssetDescriptor& kind : asset_registry()) add(kind.schema);
+        for (const ModelDescriptor& model : model_registry()) add(model.schema);
+    }
+
+    std::string make(Noise& noise) override {
+        const std::size_t table = noise.below(tables_.size());
+        const char separator = noise.pick(std::string_view(",;\t"));
+        std::string text;
+        for (std::size_t row = noise.below(5) + 1; row > 0; --row)
+            text += line(table, separator, text.empty(), noise);
+        if (noise.chance(2)) text = damaged_text(text, words_, noise);
+        return std::string(1, static_cast<char>(table)) + text;  // the first byte chooses the schema
+    }
+
+    Outcome run(const std::string& input) override {
+        if (input.empty()) return {};
+        const FieldSpec& field = tables_[static_cast<unsigned char>(input[0]) % tables_.size()];
+        const std::string_view text = std::string_view(input).substr(1);
+        const auto csv = read_csv(text);
+        if (!csv) return {false, false, csv.error().line > 0 ? "" : "no line: " + csv.error().message};
+        const CsvTable table = table_from_csv(*csv, field);
+        for (const Problem& problem : table.problems.items())
+            if (problem.line <= 0 || problem.message.empty())
+                return {false, false, "no line: " + problem.message};
+        if (table.lines.size() != table.table.rows.size()) return {false, false, "rows without lines"};
+        for (const auto& row : table.table.rows)
+            if (row.size() != field.columns.size()) return {false, false, "a row of another length"};
+        return {!table.problems.has_errors(), false, {}};
+    }
+
+private:
+    void add(const SetupSchema& schema) {
+        for (const FieldSpec& field : schema.fields())
+            if (field.kind == FieldKind::table && tables_.size() < 250) tables_.push_back(field);
+    }
+
+    std::string line(std::size_t table, char separator, bool head, Noise& noise) {
+        std::string text;
+        for (const ColumnSpec& column : tables_[table].columns) {
+            if (!text.empty()) text += separator;
+            if (head)
+                text += column.key + (column.unit == Unit{} ? "" : " [" + column.unit.text() + "]");
+            else
+                text += noise.pick(cells_);
+        }
+        return text + "\n";
+    }
+
+    std::vector<FieldSpec> tables_;
+    const std::vector<std::string> cells_{"1",
+                                          "-2.5",
+                                          "1e3",
+                                          "1,5",
+                                          "",
+                                          "abc",
+                                          "\"q\"\"q\"",
+                                          "true",
+                                          "no",
+                                          "\xE2\x88\x92"
+                                          "3",
+                                          "1e400",
+                                          "nan",
+                                          " 7 ",
+                                          "=1+1"};
+    const std::vector<std::string> words_{
+        "\"", ",", ";", "\t", "\n", "\r\n", "#", "\xEF\xBB\xBF", "\xFF\xFE", "[mm]", std::string(1, '\0')};
+};
+
+class Urdf : public Kind {
+public:
+    std::string make(Noise& noise) override {
+        std::string text = "<robot name=\"r\">\n";
+        const std::size_t joints = noise.below(9);
+        for (std::size_t i = 0; i <= joints; ++i) text += "<link name=\"" + link(i, noise) + "\"/>\n";
+        for (std::size_t i = 0; i < joints; ++i) text += joint(i, noise);
+        text += "</robot>\n";
+        return noise.chance(2) ? damaged_text(text, words_, noise) : text;
+    }
+
+    Outcome run(const std::string& input) override {
+        const auto imported = guarded([&] { return import_urdf(input); });
+        if (!imported) return {false, false, "thrown: " + imported.error().message};
+        if (!*imported && (*imported).error().message.empty())
+            return {false, false, "an error without a message"};
+        return {imported->has_value(), false, {}};
+    }
+
+private:
+    std::string link(std::size_t i, Noise& noise) {
+        return "l" + std::to_string(noise.chance(20) ? noise.below(9) : i);
+    }
+    std::string triple(Noise& noise) {
+        return noise.pick(figures_) + " " + noise.pick(figures_) + " " + noise.pick(figures_);
+    }
+    std::string joint(std::size_t i, Noise& noise) {
+        return "<joint name=\"j" + std::to_string(i) + "\" type=\"" + noise.pick(types_) +
+               "\">\n<parent link=\"" + link(i, noise) + "\"/><child link=\"" + link(i + 1, noise) +
+               "\"/>\n<origin xyz=\"" + triple(noise) + "\" rpy=\"" + triple(noise) + "\"/><axis xyz=\"" +
+               (noise.chance(10) ? triple(noise) : noise.pick(axes_)) + "\"/>\n</joint>\n";
+    }
+
+    const std::vector<std::string> figures_{
+        "0", "0", "0.1", "-0.3", "1.5707963267948966", "3.141592653589793", "1e-12", "1e200", "nan", "x", ""};
+    const std::vector<std::string> types_{
+        "revolute", "revolute", "revolute", "continuous", "fixed", "prismatic", "floating", "planar", ""};
+    const std::vector<std::string> axes_{"0 0 1", "0 1 0", "1 0 0", "0 0 -1", "0 0 0", "1 1 0", "1e-200 0 0"};
+    const std::vector<std::string> words_{"<",     ">",    "/",   "\"",  "<joint", "<mimic joint=\"j0\"/>",
+                                          "&amp;", "<!--", "]]>", "nan", "1e999",  "\n"};
+};
+
+}  // namespace
+
+std::unique_ptr<Kind> csv_kind() {
+    return std::make_unique<Csv>();
+}
+std::unique_ptr<Kind> urdf_kind() {
+    return std::make_unique<Urdf>();
+}
+
+}  // namespace covaria::fuzz

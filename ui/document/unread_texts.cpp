@@ -1,0 +1,71 @@
+#include "ui/document/unread_texts.h"
+
+#include "core/project/workspace.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+const UnreadText* UnreadTexts::find(const TextPlace& place) const {
+    const auto found = texts_.find(place);
+    return found == texts_.end() ? nullptr : &found->second;
+}
+
+void UnreadTexts::set(const TextPlace& place, UnreadText text) {
+    const auto [at, is_new] = texts_.try_emplace(place);
+    if (!is_new && at->second == text) return;
+    at->second = std::move(text);
+    emit changed();
+}
+
+void UnreadTexts::remove(const TextPlace& place) {
+    if (texts_.erase(place) > 0) emit changed();
+}
+
+void UnreadTexts::clear() {
+    if (texts_.empty()) return;
+    texts_.clear();
+    emit changed();
+}
+
+UnreadTexts::Texts UnreadTexts::under(const SetupAddress& entry, const std::string& part) const {
+    Texts found;
+    for (const auto& [place, text] : texts_)
+        if (place.entry == entry && place.part.starts_with(part)) found[place] = text;
+    return found;
+}
+
+void UnreadTexts::replace_under(const SetupAddress& entry, const std::string& part, Texts texts) {
+    if (under(entry, part) == texts) return;
+    std::erase_if(texts_, [&](const auto& known) {
+        return known.first.entry == entry && known.first.part.starts_with(part);
+    });
+    texts_.merge(texts);
+    emit changed();
+}
+
+Problems UnreadTexts::problems(const Project& project) const {
+    Problems problems;
+    for (const auto& [place, text] : texts_)
+        if (const std::string path = entry_path(project, place.entry); !path.empty())
+            problems.error(path + place.part, to_std(text.reason));
+    return problems;
+}
+
+UnreadTexts::Held UnreadTexts::held(const Project& project) const {
+    Held held;
+    for (const auto& [place, text] : texts_) {
+        if (entry_path(project, place.entry).empty()) continue;
+        const bool of_study = place.part.starts_with("/studies/");
+        const std::vector<std::string> users = place.entry.owner == SetupOwner::analysis
+                                                   ? std::vector<std::string>{place.entry.id}
+                                                   : analyses_using(project, place.entry.id);
+        for (const std::string& id : users) {
+            const QString reason = tr("What is typed in a field cannot be read. %1").arg(text.reason);
+            held.studies.try_emplace(id, reason);
+            if (!of_study) held.analyses.try_emplace(id, reason);
+        }
+    }
+    return held;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,64 @@
+// Texts that were typed and cannot be read ("12 kg" for a length). The project has no place for them; they
+// are kept here, count as problems and hold the runs they would have changed, until they are mended.
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "ui/document/setup_address.h"
+
+namespace covaria::ui {
+
+/// A field or cell, by the id of its entry, so that it stays right when entries come and go.
+struct TextPlace {
+    SetupAddress entry = {};
+    std::string part = {};  ///< JSON pointer relative to the entry: "/setup/poses/rows/3/1"
+    bool operator==(const TextPlace&) const = default;
+    bool operator<(const TextPlace& other) const {
+        return std::tie(entry.owner, entry.id, part) <
+               std::tie(other.entry.owner, other.entry.id, other.part);
+    }
+};
+
+struct UnreadText {
+    QString text;
+    QString reason;
+    std::string instead_of = {};  ///< what the project has there; the text is forgotten when that changes
+    bool operator==(const UnreadText&) const = default;
+};
+
+class UnreadTexts : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+    using Texts = std::map<TextPlace, UnreadText>;
+
+    /// Null when what stands there was read.
+    const UnreadText* find(const TextPlace& place) const;
+    void set(const TextPlace& place, UnreadText text);
+    void remove(const TextPlace& place);
+    void clear();
+    /// Those at places of the entry that begin with `part`.
+    Texts under(const SetupAddress& entry, const std::string& part) const;
+    void replace_under(const SetupAddress& entry, const std::string& part, Texts texts);
+    const Texts& all() const { return texts_; }
+
+    /// As problems of the project; those of entries that are gone are left out.
+    Problems problems(const Project& project) const;
+    /// The analyses that must not run, by id, with the reason; those whose studies must not.
+    struct Held {
+        std::map<std::string, QString> analyses, studies;
+    };
+    Held held(const Project& project) const;
+
+signals:
+    void changed();
+
+private:
+    Texts texts_;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,15 @@
+// How a shown result came about, and whether it is the result.
+#pragma once
+
+#include <QString>
+
+#include "ui/run/run_state.h"
+
+namespace covaria::ui {
+
+/// "Monte Carlo, 20 000 trials"; of a preview, what it is a preview of.
+QString result_words(const AnalysisStatus& status);
+/// What must be said wherever a part of the result goes that is no report; empty for a current result.
+QString reservation(const AnalysisStatus& status);
+
+}  // namespace covaria::ui
