@@ -41,7 +41,7 @@ struct UncertaintyRule {
     std::string asset_id, asset_name;
     std::array<double, 3> u{};
     std::array<bool, 3> common{};
-    bool along_base = false;  ///< typed ones of the moving points lie along the axes of the base frame
+    bool along_base = false;        ///< typed ones of the moving points lie along the axes of the base frame
     std::string distribution = {};  ///< shape of typed deviations
 };
 
