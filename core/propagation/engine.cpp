@@ -189,13 +189,13 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
     result_.intervals_exact = run.exact;
     result_.convergence = run.convergence;
     result_.covariance = run.moments.covariance();
+    const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
     for (std::size_t j = 0; j < outputs.size(); ++j) {
         OutputResult& output = result_.outputs[j];
         output.first_order.validation =
             validation_of(output.first_order, outputs[j].symmetric, options_.coverage_probability,
                           output.quantity.unit, options_.significant_digits);
-        const double nu = smallest_degrees_of_freedom(inputs_, law_, j, output.quantity);
-        take_trials(output, std::move(outputs[j]), nu, result_);
+        take_trials(output, std::move(outputs[j]), least[j], result_);
     }
 }
 
@@ -244,7 +244,7 @@ void Evaluation::warn_about_tails() {
     const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
     std::vector<std::string> without_u, unsettled;
     for (std::size_t j = 0; j < least.size(); ++j) {
-        if (!(least[j] <= 4.0)) continue;
+        if (!(least[j] <= 4.0) || result_.outputs[j].quantity.periodic) continue;
         std::vector<std::string>& list = least[j] <= 2.0 ? without_u : unsettled;
         const std::string& symbol = result_.outputs[j].quantity.symbol;
         if (std::find(list.begin(), list.end(), symbol) == list.end()) list.push_back(symbol);
@@ -253,7 +253,8 @@ void Evaluation::warn_about_tails() {
         result_.warnings.push_back(
             "The standard uncertainty by Monte Carlo of " + in_a_row(without_u) +
             " does not exist, because a Student t distribution with two degrees of freedom or fewer has no "
-            "finite standard deviation: use the coverage intervals.");
+            "finite standard deviation: it is shown as infinite, and U is half the width of the coverage "
+            "interval.");
     if (!unsettled.empty() && result_.adaptive)
         result_.warnings.push_back(
             "The standard uncertainty by Monte Carlo of " + in_a_row(unsettled) +

@@ -42,6 +42,9 @@ public:
             row_.push_back({inputs_.quantities.size(), row.sensitivity});
             inputs_.quantities.push_back({.symbol = {}, .name = {}, .shares = {{place[row.component], 1.0}}});
         }
+        for (const VarianceEstimate& estimate : result.inputs.variance_estimates)
+            for (const std::size_t c : estimate.components)
+                if (place[c] != InputSet::npos) inputs_.rest_on_estimate(estimate.id, place[c]);
         for (const ComponentCorrelation& r : correlations)
             if (place[r.first] != InputSet::npos && place[r.second] != InputSet::npos)
                 inputs_.correlations.push_back({place[r.first], place[r.second], r.coefficient});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/propagation/adaptive.h"
 #include "core/propagation/draw_plan.h"
 #include "core/propagation/evaluation.h"
 #include "core/propagation/interval_collector.h"
@@ -56,14 +57,14 @@ public:
         failed_trials_ = options_.trials - moments.count();
         covariance_ = moments.covariance();
         line_.trials = options_.trials;
+        const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
         for (std::size_t k = 0; k < outputs_.size(); ++k) {
             MonteCarloOutput trials;
             trials.mean = moments.mean(static_cast<Eigen::Index>(k));
             trials.standard_uncertainty = std::sqrt(moments.variance(static_cast<Eigen::Index>(k)));
             trials.symmetric = *intervals[k];
             OutputResult& output = line_.outputs[k];
-            take_trials(output, std::move(trials),
-                        smallest_degrees_of_freedom(inputs_, law_, outputs_[k], output.quantity), line_);
+            take_trials(output, std::move(trials), least[outputs_[k]], line_);
         }
         return true;
     }

@@ -55,6 +55,11 @@ bool is_typed(double value) {
     return std::abs(kept - value) <= conversion_error * std::abs(value);
 }
 
+std::size_t decimals_in(const std::string& text) {
+    const std::size_t point = text.find('.');
+    return point == std::string::npos ? 0 : std::min(text.find('e'), text.size()) - point - 1;
+}
+
 std::string without_trailing_zeros(std::string text) {
     const std::size_t end = std::min(text.find('e'), text.size());
     if (text.find('.') >= end) return text;
@@ -109,9 +114,12 @@ std::string format_typed(double value) {
 }
 
 std::string format_estimate(double value, double uncertainty) {
-    if (is_typed(value) || !(uncertainty > 0.0) || !std::isfinite(uncertainty)) return format_typed(value);
-    const std::string plain = format_typed(value), matched = format_to_match(value, uncertainty, 3);
-    return matched.size() > plain.size() ? matched : plain;
+    const std::string typed = format_typed(value);
+    if (!(uncertainty > 0.0) || !std::isfinite(uncertainty)) return typed;
+    const std::string matched = format_to_match(value, uncertainty);
+    if (!is_typed(value)) return matched;
+    const bool plain = typed.find('e') == std::string::npos && matched.find('e') != std::string::npos;
+    return plain || decimals_in(typed) > decimals_in(matched) ? typed : matched;
 }
 
 double shown_degrees_of_freedom(double nu) {

@@ -19,7 +19,7 @@ std::string format_to_match(double value, double uncertainty, int digits = 2);
 /// Every digit of a value that was typed ("10.000172"): all of them where there are at most 13, else (a
 /// computed value) seven.
 std::string format_typed(double value);
-/// As `format_typed`; a computed value is rounded to match its uncertainty where that shows more.
+/// Of an input quantity: rounded to match its uncertainty, but a typed one keeps every digit.
 std::string format_estimate(double value, double uncertainty);
 /// Degrees of freedom as they are shown, everywhere alike: whole ones, cut off, from 10; infinite from 10
 /// 000, where k of a t distribution differs from the normal one by less than 0.03 %.

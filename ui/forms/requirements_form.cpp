@@ -267,7 +267,7 @@ void RequirementsForm::refresh_verdict() {
     AnalysisEntry judged;
     if (given) judged.requirements = {*given};
     QStringList words;
-    if (status.is_current())
+    if (status.is_of_present())
         for (const RequirementResult& r : judge(*status.result, judged)) {
             if (r.target_uncertainty) words << target_words(*status.result, r) + reductions(status, r);
             if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r);

@@ -78,7 +78,7 @@ void expect_whole_budgets(const Evaluated& all) {
                     EXPECT_NE(result.inputs.find(symbol), InputSet::npos) << symbol;
                 EXPECT_EQ(c.estimate, estimate_of(result.inputs, result.inputs.find(c.quantities.front())));
             }
-        for (const DataTable& table : result_tables(analysis)) {
+        for (const DataTable& table : result_tables(Project{}, analysis)) {
             const auto csv = read_csv(to_csv(table), ',');
             ASSERT_TRUE(csv) << table.id << ": " << csv.error().message;
             ASSERT_EQ(csv->rows.size(), table.rows.size() + 1) << table.id;

@@ -59,8 +59,9 @@ TEST(ResultTables, HoldEverythingOfTheResult) {
     const UncertaintyResult result = test::sample_result();
     const std::vector<DataTable> tables =
         result_tables(test::sample_project(), test::sample_analysis(result));
-    EXPECT_EQ(ids_of(tables), (std::vector<std::string>{"results", "budget", "covariance", "correlation",
-                                                        "inputs", "regions", "histograms", "convergence"}));
+    EXPECT_EQ(ids_of(tables),
+              (std::vector<std::string>{"results", "budget", "covariance", "correlation", "inputs", "regions",
+                                        "histograms", "convergence", "requirements"}));
     EXPECT_EQ(tables[0].rows.size(), 78U);
     EXPECT_EQ(tables[1].rows.size(), 78U * 18U);
     EXPECT_EQ(tables[2].rows.size(), 78U);
@@ -85,7 +86,7 @@ TEST(ResultTables, WithoutMonteCarloItsCellsAreEmpty) {
     const UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
     const std::vector<DataTable> tables =
         result_tables(test::sample_project(), test::sample_analysis(result));
-    EXPECT_EQ(tables.size(), 6U);
+    EXPECT_EQ(tables.size(), 7U);
     const auto& columns = tables[0].columns;
     const auto shortest = std::find_if(columns.begin(), columns.end(),
                                        [](const TableColumn& c) { return c.header == "shortest low"; });

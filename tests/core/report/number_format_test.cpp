@@ -114,8 +114,9 @@ TEST(FormatTyped, KeepsEveryDigitThatWasTyped) {
         }
     EXPECT_EQ(format_typed(1.0 / 3.0), "0.3333333");
     EXPECT_EQ(format_estimate(10.000172, 0.01), "10.000172");
-    EXPECT_EQ(format_estimate(10.0 / 3.0, 1e-9), "3.33333333333");
-    EXPECT_EQ(format_estimate(10.0 / 3.0, 0.01), "3.333333");
+    EXPECT_EQ(format_estimate(344.0, 0.066), "344.000");
+    EXPECT_EQ(format_estimate(10.0 / 3.0, 0.01), "3.333");
+    EXPECT_EQ(format_estimate(10.000172, 1e-6), "10.000172");
 }
 
 TEST(FormatExact, ReadsBackToTheSameNumber) {

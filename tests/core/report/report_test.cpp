@@ -164,7 +164,7 @@ TEST(Report, TooManyLostTrialsMarkTheResultEverywhere) {
         const EvaluatedAnalysis analysis = test::sample_analysis(result);
         const ReportDocument document = build_report(test::sample_project(), AssetLibrary{}, {analysis});
         return std::vector<std::string>{to_markdown(document), to_html(document),
-                                        to_csv(result_tables(analysis).front())};
+                                        to_csv(result_tables(test::sample_project(), analysis).front())};
     };
     for (const std::string& text : texts(1000)) EXPECT_FALSE(contains(text, does_not_represent));
     for (const std::string& text : texts(1001)) EXPECT_TRUE(contains(text, does_not_represent));

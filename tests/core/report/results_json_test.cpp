@@ -30,7 +30,7 @@ TEST(ResultsJson, HasTheKeysOfTheContractInOrder) {
     EXPECT_EQ(json["schemaVersion"], 1);
     const Json& analysis = json["analyses"][0];
     EXPECT_EQ(keys_of(analysis), (Keys{"id", "model", "trials", "failedTrials", "representsMeasurand",
-                                       "stabilised", "seed", "outputs", "covariance"}));
+                                       "stabilised", "seed", "outputs", "covariance", "requirements"}));
     const Json& output = analysis["outputs"][0];
     EXPECT_EQ(keys_of(output),
               (Keys{"symbol", "group", "unit", "role", "estimate", "mean", "standardUncertainty",
