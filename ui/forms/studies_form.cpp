@@ -186,7 +186,10 @@ void StudiesForm::refresh_list() {
         const Study& each = entry->studies[i];
         list_->addItem(to_qt(each.name.empty() ? each.id : each.name), to_qt(each.id));
     }
-    if (entry && !entry->studies.empty() && !study())
+    // Only of the analysis being looked at: while another one is selected, its study is not this form's to
+    // choose (the tab of results would choose back, for ever).
+    const bool looked_at = selection_.analysis() == to_qt(analysis_);
+    if (entry && looked_at && !entry->studies.empty() && !study())
         selection_.select_study(to_qt(entry->studies.front().id));
     list_->setCurrentIndex(list_->findData(selection_.study()));
     list_->setVisible(list_->count() > 0);

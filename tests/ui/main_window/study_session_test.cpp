@@ -92,5 +92,20 @@ TEST_F(StudySession, AProblemOfAStudyIsListedAndTheAnalysisStillRuns) {
     EXPECT_NE(status().prepared, nullptr);
 }
 
+TEST_F(StudySession, TwoAnalysesWithStudiesOfTheirOwnAreLookedAtInTurn) {
+    open_network();
+    select(SetupOwner::analysis, "paper");
+    ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
+    show_tab(QStringLiteral("Studies"));
+    press("add_study");
+    const QString added = window_->selection().study();
+    for (int i = 0; i < 2; ++i) {
+        select(SetupOwner::analysis, "recommended");
+        EXPECT_EQ(window_->selection().study().toStdString(), studies().front().id);
+        select(SetupOwner::analysis, "paper");
+        EXPECT_EQ(window_->selection().study(), added);
+    }
+}
+
 }  // namespace
 }  // namespace covaria::ui::study_session_test
