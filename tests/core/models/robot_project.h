@@ -86,7 +86,7 @@ inline Row covariance(const UncertaintyResult& r) {
 inline const BudgetRow* budget_row(const UncertaintyResult& r, std::size_t output,
                                    const std::string& quantity) {
     for (const BudgetRow& row : r.budget.rows[output])
-        if (r.budget.components[row.component].quantity == quantity) return &row;
+        if (r.budget.components[row.component].quantities == std::vector<std::string>{quantity}) return &row;
     return nullptr;
 }
 
