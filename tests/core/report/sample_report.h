@@ -168,8 +168,8 @@ inline void add_budget(UncertaintyResult& result) {
                                             c.distribution.standard_uncertainty(),
                                             infinity,
                                             false,
+                                            {c.id.substr(0, c.id.find('.'))},
                                             "base",
-                                            c.id.substr(0, c.id.find('.')),
                                             {},
                                             0.344});
     const std::size_t rows = std::min<std::size_t>(18, result.budget.components.size());

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/document/input_edits.h"
+#include "core/project/component_edit.h"
 #include "ui/document/setup_address.h"
 
 namespace covaria::ui::setup_cells_test {
