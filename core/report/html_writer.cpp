@@ -15,7 +15,7 @@ std::string element(const std::string& name, const std::string& inner, const std
 }
 
 /// Digits after the decimal point; -1: no point.
-int decimals_in(const std::string& text) {
+int aligned_decimals(const std::string& text) {
     const auto point = text.find('.');
     if (point == std::string::npos) return -1;
     return static_cast<int>(
@@ -74,7 +74,7 @@ std::vector<int> widest_decimals(const TableBlock& block) {
     std::vector<int> widest(block.table.columns.size(), -1);
     for (std::size_t c = 0; c < widest.size(); ++c)
         for (std::size_t r = 0; r < block.table.rows.size(); ++r)
-            if (!is_subhead(block, r)) widest[c] = std::max(widest[c], decimals_in(cell_text(block, r, c)));
+            if (!is_subhead(block, r)) widest[c] = std::max(widest[c], aligned_decimals(cell_text(block, r, c)));
     return widest;
 }
 
@@ -133,7 +133,7 @@ struct HtmlWriter {
         } else {
             for (std::size_t c = 0; c < widest.size(); ++c) {
                 const bool number = is_numeric_column(block, c);
-                const std::string pad = number ? padding(decimals_in(cell_text(block, r, c)), widest[c]) : "";
+                const std::string pad = number ? padding(aligned_decimals(cell_text(block, r, c)), widest[c]) : "";
                 out += element("td", cell_html(block, r, c) + pad, number ? "number" : "");
             }
         }
