@@ -47,6 +47,13 @@ private:
                             "the groups from that between them");
     }
 
+    /// A value of the table, SI, less that of the first row.
+    double relative(double value, std::size_t row) {
+        const double si = setup_.unit.to_si(value);
+        if (row == 0) setup_.reference = si;
+        return si - setup_.reference;
+    }
+
     void read_summary() {
         const int per_group = reader_.integer("per_group");
         for (std::size_t row = 0; row < reader_.rows("groups"); ++row) {
@@ -54,7 +61,7 @@ private:
                                                                     : reader_.cell_number("groups", row, "n");
             const double s = setup_.unit.interval_to_si(reader_.cell_number("groups", row, "s"));
             setup_.groups.push_back({reader_.cell_text("groups", row, "group"), n,
-                                     setup_.unit.to_si(reader_.cell_number("groups", row, "mean")),
+                                     relative(reader_.cell_number("groups", row, "mean"), row),
                                      (n - 1.0) * s * s});
         }
     }
@@ -65,7 +72,7 @@ private:
         for (std::size_t row = 0; row < reader_.rows("observations"); ++row) {
             const std::string group = reader_.cell_text("observations", row, "group");
             if (!values.contains(group)) order.push_back(group);
-            values[group].push_back(setup_.unit.to_si(reader_.cell_number("observations", row, "value")));
+            values[group].push_back(relative(reader_.cell_number("observations", row, "value"), row));
         }
         for (const std::string& group : order) {
             const std::vector<double>& of_group = values[group];

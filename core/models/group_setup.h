@@ -14,7 +14,7 @@ namespace covaria::group_observations {
 struct Group {
     std::string name;
     double count = 0.0;
-    double mean = 0.0;
+    double mean = 0.0;            ///< less the reference: metres that differ by micrometres keep their digits
     double sum_of_squares = 0.0;  ///< of the deviations from the mean
 };
 
@@ -27,6 +27,7 @@ enum class Between {
 
 struct GroupSetup {
     std::vector<Group> groups;  ///< J
+    double reference = 0.0;     ///< the first value; all means are relative to it
     Between between = Between::included;
     std::string symbol, name;
     Unit unit;

@@ -111,7 +111,7 @@ DataTable groups_table(const GroupSetup& setup) {
     DataTable table{
         "groups", "Groups", {{"group"}, {"n"}, {"mean", setup.unit}, {"s", unit, true, 3}}, {}, {}};
     for (const Group& group : setup.groups) {
-        table.rows.push_back({group.name, group.count, group.mean, {}});
+        table.rows.push_back({group.name, group.count, setup.reference + group.mean, {}});
         if (group.count > 1.0) table.rows.back()[3] = std::sqrt(group.sum_of_squares / (group.count - 1.0));
     }
     return table;
@@ -120,7 +120,9 @@ DataTable groups_table(const GroupSetup& setup) {
 }  // namespace
 
 Variances variances_of(const GroupSetup& setup) {
-    return Analysis(setup).run(setup.between);
+    Variances v = Analysis(setup).run(setup.between);
+    v.mean += setup.reference;
+    return v;
 }
 
 std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v) {
