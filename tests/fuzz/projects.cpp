@@ -30,6 +30,10 @@ Outcome evaluated(const LoadedProject& loaded) {
         if (!prepared) return {true, false, "checked without errors, but not made: " + analysis.id};
         PreparedAnalysis quick = *prepared;
         quick.options.method = Method::first_order;
+        // Trials asked for are a matter of patience, not of hanging.
+        for (std::uint64_t* trials : {&quick.options.sobol_trials, &quick.options.one_at_a_time_trials,
+                                      &quick.options.contributor_trials})
+            *trials = std::min<std::uint64_t>(*trials, 1000);
         const auto result = run_analysis(quick);
         outcome.evaluated = outcome.evaluated || result;
         if (!result && (result.error().message.empty() || is_defect(result.error().message)))
