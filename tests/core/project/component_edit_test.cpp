@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "core/base/unit_table.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 
 namespace covaria::component_edit_test {
 namespace {
@@ -60,6 +58,7 @@ TEST(ComponentEdit, NoScaleOfTemperatureMovesAnyKind) {
             }
 }
 
+<<<<<<< HEAD
 constexpr const char* expansion = R"json({"format": "covaria", "schemaVersion": 1, "title": "", "assets": [],
  "analyses": [{"id": "a", "model": "measurement-equation", "setup": {
   "equations": ["y = alpha*(t - 20 [degC])"],
@@ -103,5 +102,7 @@ TEST(ComponentEdit, AComponentOfATemperatureLeavesItsEstimate) {
     }
 }
 
+=======
+>>>>>>> words
 }  // namespace
 }  // namespace covaria::component_edit_test

@@ -7,6 +7,7 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
+#include "core/project/component_edit.h"
 #include "tests/ui/qt_application.h"
 #include "tests/ui/sample_schema.h"
 #include "ui/document/input_edits.h"
