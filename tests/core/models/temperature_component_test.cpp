@@ -8,16 +8,12 @@
 namespace covaria::temperature_component_test {
 namespace {
 
-constexpr const char* expansion = R"({"format": "covaria", "schemaVersion": 1, "title": "", "assets": [],
+constexpr const char* expansion = R"json({"format": "covaria", "schemaVersion": 1, "title": "", "assets": [],
  "analyses": [{"id": "a", "model": "measurement-equation", "setup": {
   "equations": ["y = alpha*(t - 20 [degC])"],
   "quantities": {
-    "columns" : [ "symbol", "value", "unit", "statement", "a" ],
-                "rows" : [ [ "α", 1.15e-5, "1/K", "standard", 1e-6 ], [ "t", 20.5, "degC", "standard", 0.1 ] ]
-}
-}
-}]
-})";
+   "columns": ["symbol", "value", "unit", "statement", "a"],
+   "rows": [["α", 1.15e-5, "1/K", "standard", 1e-6], ["t", 20.5, "degC", "standard", 0.1]]}}}]})json";
 
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
     Problems problems;
