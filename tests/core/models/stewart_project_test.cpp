@@ -67,7 +67,17 @@ TEST(StewartProject, TheChainFromTheArtefacts) {
         {.751, .777, .741, .714, .742}, {.673, .673, .648, .634, .634}, {.307, .307, .299, .307, .307}};
     for (std::size_t k = 0; k < 5; ++k)
         for (std::size_t j = 0; j < 3; ++j) {
-            EXPECT_NEAR(stewart::expanded(r, k, j), U[j][k], 4 * U[j][k] / std::sqrt(2e6) + .0015);
+            const OutputResult& output = r.outputs[6 * k + j];
+            EXPECT_NEAR(2e3 * output.first_order.standard_uncertainty, U[j][k],
+                        4 * U[j][k] / std::sqrt(2e6) + .0015);
+            // Monte Carlo draws Student t distributions, whose variance is nu/(nu - 2) times as large.
+            double variance = 0.0;
+            for (const BudgetRow& row : r.budget.rows[6 * k + j]) {
+                const double nu = r.budget.components[row.component].degrees_of_freedom;
+                variance += row.contribution * row.contribution * (std::isfinite(nu) ? nu / (nu - 2.0) : 1.0);
+            }
+            EXPECT_NEAR(stewart::expanded(r, k, j), 2e3 * std::sqrt(variance),
+                        2e3 * 4 * output.monte_carlo->standard_error_of_uncertainty);
             EXPECT_NEAR(r.outputs[6 * k + j].coverage_factor, 2.0, 1e-15);
         }
 }

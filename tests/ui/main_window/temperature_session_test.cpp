@@ -12,20 +12,13 @@
 namespace covaria::ui::temperature_session_test {
 namespace {
 
-constexpr const char* expansion = R"({"format": "covaria", "schemaVersion": 1, "title": "", "assets": [],
+constexpr const char* expansion = R"json({"format": "covaria", "schemaVersion": 1, "title": "", "assets": [],
  "analyses": [{"id": "a", "model": "measurement-equation", "setup": {
   "equations": ["y = alpha*(t - 20 [degC])"],
   "quantities": {
-    "columns" : [ "symbol", "value", "unit", "statement", "a" ],
-                "rows"
-        : [ [ "alpha", 1.15e-5, "1/K", "standard", 1e-6 ], [ "t", 20.5, "degC", "standard", 0.1 ] ]
-}
-}
-, "options" : {
-    "method" : "first-order"
-}
-}]
-})";
+   "columns": ["symbol", "value", "unit", "statement", "a"],
+   "rows": [["alpha", 1.15e-5, "1/K", "standard", 1e-6], ["t", 20.5, "degC", "standard", 0.1]]}},
+  "options": {"method": "first-order"}}]})json";
 
 class TemperatureSession : public Session {
 protected:

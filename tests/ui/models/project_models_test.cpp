@@ -169,7 +169,11 @@ TEST_F(ProjectModelsTest, CorrelationsAreCheckedWhileTheyAreTyped) {
     EXPECT_TRUE(model.setData(model.index(2, 0), "0.8"));
     EXPECT_TRUE(model.complaint().isEmpty()) << model.complaint().toStdString();
     EXPECT_EQ(changed.count(), 1);
-    EXPECT_FALSE(model.setData(model.index(0, 1), "1.5"));
+    EXPECT_TRUE(model.setData(model.index(0, 1), "1.5"));
+    EXPECT_EQ(document.unread().all().size(), 1u) << "a text that is kept and holds the run, and no correlation";
+    EXPECT_EQ(document.project().analyses[0].correlations.size(), 3u);
+    EXPECT_TRUE(model.setData(model.index(0, 1), "0.9"));
+    EXPECT_TRUE(document.unread().all().empty());
     EXPECT_FALSE(model.setData(model.index(1, 1), "0.5"));
     EXPECT_EQ(document.project().analyses[0].correlations.size(), 3u);
     model.remove_component(0);
