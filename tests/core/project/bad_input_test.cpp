@@ -38,10 +38,10 @@ const BadInput bad_inputs[] = {
     {"TextAfterTheEnd", "    }\n  ]\n}\n", "    }\n  ]\n}\n}", "nothing may follow its closing '}'", "", 91},
     // document
     {"OtherFormat", "\"format\": \"covaria\"", "\"format\": \"other\"", "not a project of Covaria", "/format", 2},
-    {"NoVersion", "  \"schemaVersion\": 1,\n", "", "'schemaVersion' is missing", "", 0},
+    {"NoVersion", "  \"schemaVersion\": 1,\n", "", "'schemaVersion' is missing", "", 1},
     {"TextVersion", "\"schemaVersion\": 1", "\"schemaVersion\": \"1\"", "must be a whole number", "/schemaVersion", 3},
     {"UnknownTopKey", "\"title\"", "\"titel\"", "there is no 'titel' in the project (did you mean 'title'?)", "/titel", 4},
-    {"MissingTitle", "\"title\"", "\"titel\"", "'title' is missing in the project", "/title", 0},
+    {"MissingTitle", "\"title\"", "\"titel\"", "'title' is missing in the project", "/title", 1},
     {"AssetsNotAList", "\"notes\": \"first line\\nsecond line\"", "\"notes\": 7", "'notes' must be a text in quotes, not the number 7", "/notes", 5},
     // assets
     {"UnknownKind", "\"kind\": \"block\"", "\"kind\": \"blok\"", "there is no kind of asset 'blok' (did you mean 'block'?); known are 'block' and 'clamp'", "/assets/0/kind", 9},
