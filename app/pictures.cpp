@@ -72,11 +72,11 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
 
 Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
                            const std::filesystem::path& file) {
-    constexpr std::int64_t most_pixels = 36'000'000;  // some 2 GB while a picture is drawn
+    constexpr std::int64_t most_pixels = 9'000'000;  // some 3 GB while a picture is drawn
     if (std::int64_t{request.width} * request.height > most_pixels)
         return fail(ErrorCode::usage, "a picture of " + std::to_string(request.width) + " x " +
                                           std::to_string(request.height) +
-                                          " pixels is too large: at most 36 million, such as 6000 x 6000");
+                                          " pixels is too large: at most 9 million, such as 4000 x 2250");
     if (!standard_view_from(request.view))
         return fail(ErrorCode::bad_input,
                     "there is no view \"" + request.view + "\"; there are: " + joined(views));
