@@ -9,6 +9,10 @@ target_compile_options(covaria_options INTERFACE
 # that it has just seen allocated: false alarms.
 target_compile_options(covaria_options INTERFACE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow>)
+# Joined sources shadow each other's names and share "anonymous" bases; the dev preset reads each by itself.
+if(CMAKE_UNITY_BUILD AND COVARIA_WERROR)
+    target_compile_options(covaria_options INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 target_compile_definitions(covaria_options INTERFACE EIGEN_DONT_PARALLELIZE COVARIA_VERSION="${PROJECT_VERSION}")
 if(COVARIA_WERROR)
     target_compile_options(covaria_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)

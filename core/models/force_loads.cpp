@@ -89,7 +89,7 @@ private:
     void add_vector(std::size_t k, VectorKind kind, const std::vector<double>& y, Layout& layout) const {
         const std::size_t n = setup_.size();
         const bool moment = kind == VectorKind::moment;
-        LayoutVector vector{.group = setup_.cases[k].name, .kind = kind};
+        LayoutVector vector{.name = {}, .group = setup_.cases[k].name, .kind = kind};
         std::array<std::size_t, 3> outputs{};
         std::size_t found = 0;
         Eigen::Vector3d value = Eigen::Vector3d::Zero();

@@ -74,7 +74,8 @@ std::vector<int> widest_decimals(const TableBlock& block) {
     std::vector<int> widest(block.table.columns.size(), -1);
     for (std::size_t c = 0; c < widest.size(); ++c)
         for (std::size_t r = 0; r < block.table.rows.size(); ++r)
-            if (!is_subhead(block, r)) widest[c] = std::max(widest[c], aligned_decimals(cell_text(block, r, c)));
+            if (!is_subhead(block, r))
+                widest[c] = std::max(widest[c], aligned_decimals(cell_text(block, r, c)));
     return widest;
 }
 
@@ -133,7 +134,8 @@ struct HtmlWriter {
         } else {
             for (std::size_t c = 0; c < widest.size(); ++c) {
                 const bool number = is_numeric_column(block, c);
-                const std::string pad = number ? padding(aligned_decimals(cell_text(block, r, c)), widest[c]) : "";
+                const std::string pad =
+                    number ? padding(aligned_decimals(cell_text(block, r, c)), widest[c]) : "";
                 out += element("td", cell_html(block, r, c) + pad, number ? "number" : "");
             }
         }

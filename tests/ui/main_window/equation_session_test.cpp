@@ -74,7 +74,7 @@ TEST_F(EquationSession, ARequirementIsJudged) {
     trigger(QStringLiteral("Run This Analysis"));
     ASSERT_TRUE(wait_for([&] { return form->verdict()->text().contains(QStringLiteral("not met")); }))
         << form->verdict()->text().toStdString();
-    EXPECT_TRUE(form->verdict()->text().contains(QStringLiteral("reduced from")));
+    EXPECT_TRUE(wait_for([&] { return form->verdict()->text().contains(QStringLiteral("reduced from")); }));
     EXPECT_TRUE(form->verdict()->text().contains(QStringLiteral("accepted")));
     keep_picture(QStringLiteral("requirements.png"));
     for (const char* name : {"targetUncertainty", "upperLimit"}) {
@@ -100,6 +100,10 @@ TEST_F(EquationSession, AChangedLimitIsJudgedAtOnce) {
     ASSERT_TRUE(wait_for([&] { return form->verdict()->text().contains(QStringLiteral("accepted")); }));
     ASSERT_TRUE(wait_for([&] { return status().state == RunState::up_to_date; }));
     const auto result = status().result;
+    const auto is_same_run = [&] {  // names may be taken over from the project of now
+        return status().result->trials == result->trials &&
+               status().result->outputs[0].expanded_uncertainty == result->outputs[0].expanded_uncertainty;
+    };
     const auto report = [&] {
         const Project& project = window_->document().project();
         return to_markdown(build_report(project, {}, current_results(project, window_->runner())));
@@ -109,7 +113,7 @@ TEST_F(EquationSession, AChangedLimitIsJudgedAtOnce) {
     EXPECT_TRUE(form->verdict()->text().contains(QStringLiteral("rejected")))
         << form->verdict()->text().toStdString();
     EXPECT_EQ(status().state, RunState::up_to_date);
-    EXPECT_EQ(status().result, result) << "a requirement does not change the result";
+    EXPECT_TRUE(is_same_run()) << "a requirement does not change the result";
     EXPECT_EQ(report().find("accepted"), std::string::npos);
     EXPECT_NE(report().find("rejected"), std::string::npos);
     type_into("targetUncertainty", QStringLiteral("80 nm"));
@@ -117,7 +121,7 @@ TEST_F(EquationSession, AChangedLimitIsJudgedAtOnce) {
     EXPECT_TRUE(wait_for([&] { return form->verdict()->text().contains(QStringLiteral("reduced from")); }));
     type_into("targetUncertainty", QStringLiteral("200 nm"));
     EXPECT_FALSE(form->verdict()->text().contains(QStringLiteral("not met")));
-    EXPECT_EQ(status().result, result);
+    EXPECT_TRUE(is_same_run());
 }
 
 // 17.4: live mode judges as well, first by the law of propagation, then by the trials.

@@ -183,7 +183,7 @@ TEST_F(ReportSession, ResultsCarryTheNamesOfNow) {
     std::string asset;
     for (const AssetEntry& entry : project.assets)
         for (const auto& component : before->inputs.components)
-            if (asset.empty() && !entry.name.empty() && component.contributor == entry.name) asset = entry.id;
+            if (asset.empty() && !entry.name.empty() && component.contributor == entry.id) asset = entry.id;
     ASSERT_FALSE(asset.empty()) << "the example has a contributor";
     window_->document().apply(QStringLiteral("Rename"), [&](Project& changed) {
         for (AssetEntry& entry : changed.assets)
@@ -194,7 +194,7 @@ TEST_F(ReportSession, ResultsCarryTheNamesOfNow) {
     EXPECT_EQ(status().result->trials, before->trials);
     const auto has = [this](const std::string& name) {
         const auto& all = status().result->inputs.components;
-        return std::any_of(all.begin(), all.end(), [&](const auto& c) { return c.contributor == name; });
+        return std::any_of(all.begin(), all.end(), [&](const auto& c) { return c.contributor_name == name; });
     };
     EXPECT_TRUE(has("Quite another name"));
     for (const ContributorResult& one : status().result->contributors) EXPECT_TRUE(has(one.contributor));

@@ -170,7 +170,8 @@ TEST_F(ProjectModelsTest, CorrelationsAreCheckedWhileTheyAreTyped) {
     EXPECT_TRUE(model.complaint().isEmpty()) << model.complaint().toStdString();
     EXPECT_EQ(changed.count(), 1);
     EXPECT_TRUE(model.setData(model.index(0, 1), "1.5"));
-    EXPECT_EQ(document.unread().all().size(), 1u) << "a text that is kept and holds the run, and no correlation";
+    EXPECT_EQ(document.unread().all().size(), 1u)
+        << "a text that is kept and holds the run, and no correlation";
     EXPECT_EQ(document.project().analyses[0].correlations.size(), 3u);
     EXPECT_TRUE(model.setData(model.index(0, 1), "0.9"));
     EXPECT_TRUE(document.unread().all().empty());
