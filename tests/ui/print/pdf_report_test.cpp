@@ -72,7 +72,7 @@ TEST_F(PdfReport, TitleTextAndNumbersReadBack) {
     const std::string text = text_of(document, options());
     for (const char* part : {"Stewart platform <test & trial>", "Table 1. Expanded uncertainty U", "−119.00",
                              "Author, Eq. 5, corrected", "18446744073709551615", "0123456789abcdef",
-                             "1.1 Pose from points", "(2020), Eqs 1-6", "Figure 1. ", "normal within"})
+                             "1.1 Pose from points", "(2020), Eqs 1-6", "Figure 1. ", "within 1 %"})
         EXPECT_TRUE(contains(text, part)) << part;
 }
 
