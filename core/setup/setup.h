@@ -59,6 +59,8 @@ struct Setup {
 class SetupReader {
 public:
     SetupReader(const SetupSchema& schema, const Setup& setup) : schema_(&schema), setup_(&setup) {}
+    const SetupSchema& schema() const { return *schema_; }
+    const Setup& setup() const { return *setup_; }
 
     bool has(const std::string& key) const;       ///< given, or the schema has a default
     double number(const std::string& key) const;  ///< SI

@@ -6,6 +6,7 @@
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/points/stated_figure.h"
 #include "core/quantity/input_quantity.h"
+#include "core/setup/fields.h"
 
 namespace covaria {
 
@@ -13,41 +14,83 @@ namespace {
 
 const Unit mm = Unit::of("mm");
 
-FieldSpec length_field(const char* key, const char* title, const char* help) {
-    return {.key = key,
-            .title = title,
-            .help = help,
-            .unit = mm,
-            .range = {.low = 0.0, .low_open = true},
-            .section = "Supports"};
-}
+struct FurtherSupport {
+    double L_1 = 0.0, L_2 = 0.0, L_3 = 0.0;  ///< to the first three supports, m
+    double z = 0.0, u_z = 0.0;               ///< m
+};
 
-FieldSpec further_supports_table() {
-    FieldSpec table{.key = "further_supports",
-                    .title = "Further supports",
-                    .kind = FieldKind::table,
-                    .help =
-                        "Supports 4, 5 ...: their lengths to the first three, and their height above the "
-                        "plane of these. More than three lengths are adjusted by least squares.",
-                    .optional = true,
-                    .section = "Supports"};
-    const auto length = [](const char* key, const char* title) {
+struct StatedBallbars {
+    double length_12 = 0.0, length_13 = 0.0, length_23 = 0.0;  ///< m
+    std::vector<FurtherSupport> further;
+    double side = 1.0;
+    Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
+    double reading_constant = 0.0, reading_scale = 0.0;  ///< m, relative
+    double support_constant = 0.0, support_scale = 0.0;
+    std::string meaning;  ///< of these four
+    double u_scale = 0.0, u_zero = 0.0;
+    std::string distribution;  ///< of these two
+};
+
+Columns<FurtherSupport> further_columns() {
+    const auto length = [](const char* key) {
         return ColumnSpec{.key = key,
-                          .title = title,
+                          .title = key,
                           .unit = mm,
                           .range = {.low = 0.0, .low_open = true},
                           .help = "Length to this support."};
     };
-    table.columns = {length("L_1", "L_1"),
-                     length("L_2", "L_2"),
-                     length("L_3", "L_3"),
-                     {.key = "z", .title = "z", .unit = mm, .help = "Height above the first three supports."},
-                     {.key = "u_z",
-                      .title = "u_z",
-                      .unit = mm,
-                      .range = {.low = 0.0},
-                      .help = "Standard uncertainty of the height."}};
-    return table;
+    return Columns<FurtherSupport>()
+        .add(&FurtherSupport::L_1, length("L_1"))
+        .add(&FurtherSupport::L_2, length("L_2"))
+        .add(&FurtherSupport::L_3, length("L_3"))
+        .add(&FurtherSupport::z,
+             {.key = "z", .title = "z", .unit = mm, .help = "Height above the first three supports."})
+        .add(&FurtherSupport::u_z, {.key = "u_z",
+                                    .title = "u_z",
+                                    .unit = mm,
+                                    .range = {.low = 0.0},
+                                    .help = "Standard uncertainty of the height."});
+}
+
+void add_supports(Fields<StatedBallbars>& fields) {
+    const auto length = [](const char* key, const char* title, const char* help) {
+        return FieldSpec{.key = key,
+                         .title = title,
+                         .help = help,
+                         .unit = mm,
+                         .range = {.low = 0.0, .low_open = true},
+                         .section = "Supports"};
+    };
+    fields
+        .add(&StatedBallbars::length_12,
+             length("length_12", "Support 1 to support 2", "Measured length between supports 1 and 2."))
+        .add(&StatedBallbars::length_13,
+             length("length_13", "Support 1 to support 3", "Measured length between supports 1 and 3."))
+        .add(&StatedBallbars::length_23,
+             length("length_23", "Support 2 to support 3", "Measured length between supports 2 and 3."))
+        .table(&StatedBallbars::further,
+               {.key = "further_supports",
+                .title = "Further supports",
+                .help = "Supports 4, 5 ...: their lengths to the first three, and their height above the "
+                        "plane of these. More than three lengths are adjusted by least squares.",
+                .optional = true,
+                .section = "Supports"},
+               further_columns())
+        .choice(&StatedBallbars::side,
+                {.key = "side",
+                 .title = "The ball is",
+                 .help = "Three lengths meet in two points, mirror images in the plane of the supports: on "
+                         "which side of it the ball is (sign of the root of Eq 3).",
+                 .section = "Supports"},
+                {{1.0, "positive", "on the side of +z"}, {-1.0, "negative", "on the side of −z"}}, 1.0)
+        .add(&StatedBallbars::placement,
+             {.key = "placement",
+              .title = "Place in the robot's frame",
+              .help =
+                  "Where the instrument's frame is in the robot's: origin in support 1, x towards support 2, "
+                  "z normal to the plane of the first three supports, on the left of the way 1-2-3.",
+              .default_value = PoseValue{},
+              .section = "Placement"});
 }
 
 FieldSpec figure(const char* key, const char* title, const char* unit, const char* help,
@@ -62,50 +105,50 @@ FieldSpec figure(const char* key, const char* title, const char* unit, const cha
             .section = section};
 }
 
-SetupSchema ballbar_schema() {
+void add_uncertainties(Fields<StatedBallbars>& fields) {
     const char* const specification = "Uncertainty of a length";
     const char* const shared = "Shared by all lengths";
-    return SetupSchema(
-        {length_field("length_12", "Support 1 to support 2", "Measured length between supports 1 and 2."),
-         length_field("length_13", "Support 1 to support 3", "Measured length between supports 1 and 3."),
-         length_field("length_23", "Support 2 to support 3", "Measured length between supports 2 and 3."),
-         further_supports_table(),
-         {.key = "side",
-          .title = "The ball is",
-          .kind = FieldKind::choice,
-          .help = "Three lengths meet in two points, mirror images in the plane of the supports: on which "
-                  "side of it the ball is (sign of the root of Eq 3).",
-          .default_value = std::string("positive"),
-          .choices = {{"positive", "on the side of +z"}, {"negative", "on the side of −z"}},
-          .section = "Supports"},
-         {.key = "placement",
-          .title = "Place in the robot's frame",
-          .kind = FieldKind::pose,
-          .help = "Where the instrument's frame is in the robot's: origin in support 1, x towards support 2, "
-                  "z normal to the plane of the first three supports, on the left of the way 1-2-3.",
-          .default_value = PoseValue{},
-          .section = "Placement"},
-         figure("reading_constant", "To the ball: constant part a", "mm",
-                "Figure for one reading of a bar to the ball, the part that does not depend on the length.",
-                specification),
-         figure("reading_scale", "To the ball: part b per length", "ppm",
-                "Figure for one reading of a bar to the ball, the part in proportion to the length.",
-                specification),
-         figure("support_constant", "Between supports: constant part a", "mm",
-                "Figure for a length between two supports, which one measurement gives for all points: the "
-                "part that does not depend on the length.",
-                specification),
-         figure("support_scale", "Between supports: part b per length", "ppm",
-                "Figure for a length between two supports, the part in proportion to the length.",
-                specification),
-         meaning_field(specification),
-         figure("u_scale", "Scale of all lengths", "ppm",
-                "Standard uncertainty of the scale that all lengths share: wavelength, refractive index.",
-                shared),
-         figure("u_zero", "Constant of each bar", "mm",
-                "Standard uncertainty of the constant of a bar, the same in all its readings to the ball.",
-                shared),
-         distribution_field("distribution", "scale and constants", shared)});
+    fields
+        .add(&StatedBallbars::reading_constant,
+             figure("reading_constant", "To the ball: constant part a", "mm",
+                    "Figure for one reading of a bar to the ball, the part that does not depend on the "
+                    "length.",
+                    specification))
+        .add(&StatedBallbars::reading_scale,
+             figure("reading_scale", "To the ball: part b per length", "ppm",
+                    "Figure for one reading of a bar to the ball, the part in proportion to the length.",
+                    specification))
+        .add(&StatedBallbars::support_constant,
+             figure("support_constant", "Between supports: constant part a", "mm",
+                    "Figure for a length between two supports, which one measurement gives for all points: "
+                    "the part that does not depend on the length.",
+                    specification))
+        .add(&StatedBallbars::support_scale,
+             figure("support_scale", "Between supports: part b per length", "ppm",
+                    "Figure for a length between two supports, the part in proportion to the length.",
+                    specification))
+        .add(&StatedBallbars::meaning, meaning_field(specification))
+        .add(&StatedBallbars::u_scale,
+             figure("u_scale", "Scale of all lengths", "ppm",
+                    "Standard uncertainty of the scale that all lengths share: wavelength, refractive index.",
+                    shared))
+        .add(&StatedBallbars::u_zero,
+             figure("u_zero", "Constant of each bar", "mm",
+                    "Standard uncertainty of the constant of a bar, the same in all its readings to the "
+                    "ball.",
+                    shared))
+        .add(&StatedBallbars::distribution,
+             distribution_field("distribution", "scale and constants", shared));
+}
+
+const Fields<StatedBallbars>& ballbar_fields() {
+    static const Fields<StatedBallbars> fields = [] {
+        Fields<StatedBallbars> made;
+        add_supports(made);
+        add_uncertainties(made);
+        return made;
+    }();
+    return fields;
 }
 
 /// a + b L with its meaning.
@@ -123,16 +166,16 @@ std::string support_pair(std::size_t from, std::size_t to) {
 
 class BallbarSet : public Asset, public BallbarSource {
 public:
-    explicit BallbarSet(const SetupReader& setup)
-        : reading_{setup.number("reading_constant"), setup.number("reading_scale"), setup.text("meaning")},
-          between_{setup.number("support_constant"), setup.number("support_scale"), setup.text("meaning")},
-          placement_(setup.pose("placement")),
-          side_(setup.text("side") == "negative" ? -1.0 : 1.0) {
-        add_length(0, 1, setup.number("length_12"));
-        add_length(0, 2, setup.number("length_13"));
-        add_length(1, 2, setup.number("length_23"));
-        for (std::size_t row = 0; row < setup.rows("further_supports"); ++row) add_support(setup, row);
-        add_shared(setup);
+    explicit BallbarSet(const StatedBallbars& stated)
+        : reading_{stated.reading_constant, stated.reading_scale, stated.meaning},
+          between_{stated.support_constant, stated.support_scale, stated.meaning},
+          placement_(stated.placement),
+          side_(stated.side) {
+        add_length(0, 1, stated.length_12);
+        add_length(0, 2, stated.length_13);
+        add_length(1, 2, stated.length_23);
+        for (const FurtherSupport& support : stated.further) add_support(support);
+        add_shared(stated);
         offer(*this);
     }
 
@@ -164,7 +207,9 @@ public:
         }
         layout.bodies.push_back(std::move(plate));
         layout.frames.push_back(
-            {.name = "instrument", .X_WF = placement_, .source = {.path = "/placement", .draggable = true}});
+            {.name = "instrument",
+             .X_WF = placement_,
+             .source = {.path = ballbar_fields().place(&StatedBallbars::placement), .draggable = true}});
         return layout;
     }
 
@@ -181,27 +226,27 @@ private:
                              .origin = "ballbars: " + meaning_words(between_.meaning)}});
     }
 
-    void add_support(const SetupReader& setup, std::size_t row) {
-        static const char* const columns[] = {"L_1", "L_2", "L_3"};
-        for (std::size_t i = 0; i < 3; ++i)
-            add_length(i, 3 + row, setup.cell_number("further_supports", row, columns[i]));
-        const std::string number = std::to_string(4 + row);
-        heights_.push_back(
-            {setup.cell_number("further_supports", row, "z"),
-             {.id = "z_" + number,
-              .name = "height of support " + number,
-              .unit = Unit::of("um"),
-              .distribution = Distribution::normal(setup.cell_number("further_supports", row, "u_z")),
-              .origin = "ballbars: standard uncertainty"}});
+    void add_support(const FurtherSupport& support) {
+        const std::size_t index = supports();
+        add_length(0, index, support.L_1);
+        add_length(1, index, support.L_2);
+        add_length(2, index, support.L_3);
+        const std::string number = std::to_string(index + 1);
+        heights_.push_back({support.z,
+                            {.id = "z_" + number,
+                             .name = "height of support " + number,
+                             .unit = Unit::of("um"),
+                             .distribution = Distribution::normal(support.u_z),
+                             .origin = "ballbars: standard uncertainty"}});
     }
 
-    void add_shared(const SetupReader& setup) {
-        const double u_scale = setup.number("u_scale"), u_zero = setup.number("u_zero");
+    void add_shared(const StatedBallbars& stated) {
+        const double u_scale = stated.u_scale, u_zero = stated.u_zero;
         const auto component = [&](std::string id, std::string name, const char* unit, double u) {
             return UncertaintyComponent{.id = std::move(id),
                                         .name = std::move(name),
                                         .unit = Unit::of(unit),
-                                        .distribution = distribution_of_shape(setup.text("distribution"), u),
+                                        .distribution = distribution_of_shape(stated.distribution, u),
                                         .origin = "ballbars: standard uncertainty"};
         };
         if (u_scale > 0.0)
@@ -248,12 +293,12 @@ void check_triangle(const BallbarSource& ballbars, Problems& problems) {
     const double longest = std::max({a, b, c}), others = a + b + c - longest;
     const std::string lengths = in_mm(a) + ", " + in_mm(b) + " and " + in_mm(c);
     if (longest > others * (1.0 + 1e-9))
-        return problems.error("/length_12",
+        return problems.error(ballbar_fields().place(&StatedBallbars::length_12),
                               "the lengths between the supports make no triangle: the longest of " + lengths +
                                   " exceeds the sum of the others");
     const double height = std::abs(support_positions(ballbars)[2].y());
     if (!(height > 1e-3 * longest))
-        problems.error("/length_12",
+        problems.error(ballbar_fields().place(&StatedBallbars::length_12),
                        "the three supports lie on a line (" + lengths +
                            "): they leave the place of the ball undetermined; move one of them aside");
 }
@@ -266,20 +311,22 @@ void check_further(const BallbarSource& ballbars, Problems& problems) {
             const double length = ballbars.support_lengths()[3 * (k - 2) + i].length;
             worst = std::max(worst, std::abs((positions[k] - positions[i]).norm() - length));
         }
-        const std::string path = "/further_supports/rows/" + std::to_string(k - 3);
+        const std::string path = ballbar_fields().place(&StatedBallbars::further, k - 3);
         if (!positions[k].allFinite() || !(worst < 1e-3))
             problems.error(path, "the lengths of support " + std::to_string(k + 1) +
                                      " do not meet at its height: they miss by " + in_mm(worst));
     }
 }
 
-std::unique_ptr<Asset> create_ballbars(const SetupReader& setup, const AssetLibrary&, Problems& problems) {
-    if (setup.rows("further_supports") + 3 > most_supports) {
-        problems.error("/further_supports",
+std::unique_ptr<Asset> create_ballbars(const SetupReader& setup, const AssetLibrary& assets,
+                                       Problems& problems) {
+    const StatedBallbars stated = ballbar_fields().read(setup, assets, problems);
+    if (stated.further.size() + 3 > most_supports) {
+        problems.error(ballbar_fields().place(&StatedBallbars::further),
                        "a set has at most " + std::to_string(most_supports) + " supports");
         return nullptr;
     }
-    auto set = std::make_unique<BallbarSet>(setup);
+    auto set = std::make_unique<BallbarSet>(stated);
     check_triangle(*set, problems);
     if (!problems.has_errors()) check_further(*set, problems);
     if (problems.has_errors()) return nullptr;
@@ -309,7 +356,7 @@ AssetDescriptor ballbar_set_kind() {
         "that is "
         "an input of its own: lengths say nothing about a height above the plane in which all supports lie."};
     d.capabilities = {BallbarSource::capability};
-    d.schema = ballbar_schema();
+    d.schema = ballbar_fields().schema();
     d.create = create_ballbars;
     return d;
 }

@@ -59,14 +59,14 @@ double height_uncertainty(const TcpSetup& setup, const Point& point) {
                               area(s[0], s[1], p) / whole};
     double variance = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double u = setup.ballbars().reading(i, point.length[i]).distribution.standard_uncertainty();
+        const double u = setup.ballbars->reading(i, point.length[i]).distribution.standard_uncertainty();
         variance += std::pow(weights[i] * point.length[i] / p.z() * u, 2);
     }
     return std::sqrt(variance);
 }
 
 void check_points(const TcpSetup& setup, Problems& problems) {
-    const double side = setup.ballbars().side();
+    const double side = setup.ballbars->side();
     for (const Point& point : setup.points) {
         const double height = side * point.p_B.z();
         if (!(height > 0.0)) {
@@ -127,7 +127,7 @@ void fit_measured_points(TcpSetup& setup, Problems& problems) {
     const Flange<double> flange = fit_flange<double>(setup, q);
     if (!flange.tool.allFinite() || !flange.axes.allFinite())
         return problems.error(
-            "/measured_points",
+            tcp_fields().place(&StatedTcp::measured),
             "the measured points determine no sphere and no axes: they lie on one circle, or "
             "coincide; check their axes and angles");
     setup.X_BF.linear() = flange.axes;

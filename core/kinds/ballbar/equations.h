@@ -220,24 +220,25 @@ void read_supports(const TcpSetup& setup, const In& x, Vector3<Real>* supports) 
 
 /// What the bars read of one point: the length to where the robot has really gone.
 template <class Real, class In>
-void read_lengths(const TcpSetup& setup, const Point& point, const In& x, Real* lengths) {
+void read_lengths(const TcpSetup& setup, const Point& point, const PointInputs& inputs, const In& x,
+                  Real* lengths) {
     using namespace real_functions;
     const std::size_t n = setup.supports.size();
     if (!setup.robot) {
-        for (std::size_t j = 0; j < n; ++j) lengths[j] = x[point.reading + j];
+        for (std::size_t j = 0; j < n; ++j) lengths[j] = x[inputs.reading + j];
         return;
     }
-    const std::size_t first = point.position;
+    const std::size_t first = inputs.position;
     Vector3<Real> e(Real(x[first]), Real(x[first + 1]), Real(x[first + 2]));
     if (setup.turns) {
-        const std::size_t turn = point.orientation;
+        const std::size_t turn = inputs.orientation;
         const Vector3<Real> w(Real(x[turn]), Real(x[turn + 1]), Real(x[turn + 2]));
         e += point.lever.cast<Real>() * w;
     }
     const Vector3<Real> p = e + point.p_B.cast<Real>();
     for (std::size_t j = 0; j < n; ++j) {
         const Vector3<Real> d = p - setup.supports[j].cast<Real>();
-        lengths[j] = x[point.reading + j] + (sqrt(Real(d.dot(d))) - Real(point.length[j]));
+        lengths[j] = x[inputs.reading + j] + (sqrt(Real(d.dot(d))) - Real(point.length[j]));
     }
 }
 
@@ -255,13 +256,13 @@ void adjust_by_all(const Point& point, std::span<const Vector3<Real>> supports, 
 /// One trial. Inputs: lengths between supports, heights of further supports, then for every point its
 /// readings, the robot's deviation and rotation. Outputs: see OutputPlaces.
 template <class Real, class In, class Out>
-mask_of<Real> procedure(const TcpSetup& setup, const In& x, Out& y) {
+mask_of<Real> procedure(const TcpSetup& setup, std::span<const PointInputs> inputs, const In& x, Out& y) {
     using namespace real_functions;
     const std::size_t n = setup.supports.size();
     std::array<Vector3<Real>, most_supports> supports;
     read_supports<Real>(setup, x, supports.data());
     const Trilateration<Real> by_three(SupportTriangle<Real>{supports[1][0], supports[2][0], supports[2][1]});
-    const double side = setup.ballbars().side();
+    const double side = setup.ballbars->side();
     const Vector3<Real> centre = setup.X_BF.translation().cast<Real>();
     const OutputPlaces places(setup);
 
@@ -269,7 +270,7 @@ mask_of<Real> procedure(const TcpSetup& setup, const In& x, Out& y) {
     std::array<Vector3<Real>, most_points> q;
     std::array<Real, most_supports> lengths;
     for (std::size_t i = 0; i < setup.points.size(); ++i) {
-        read_lengths<Real>(setup, setup.points[i], x, lengths.data());
+        read_lengths<Real>(setup, setup.points[i], inputs[i], x, lengths.data());
         Vector3<Real> p;
         const mask_of<Real> meets = by_three.locate(lengths.data(), side, p);
         if (n > 3)

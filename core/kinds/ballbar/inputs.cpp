@@ -10,24 +10,26 @@ namespace {
 
 class InputBuilder {
 public:
-    explicit InputBuilder(TcpSetup& setup) : setup_(setup) {}
+    explicit InputBuilder(const TcpSetup& setup) : setup_(setup) {}
 
-    InputSet build() {
-        for (const SupportLength& length : setup_.ballbars().support_lengths()) add_support_length(length);
-        for (std::size_t k = 0; k < setup_.ballbars().heights().size(); ++k) add_height(k);
-        for (Point& point : setup_.points) {
-            point.reading = inputs_.quantities.size();
+    TcpInputs build() {
+        for (const SupportLength& length : setup_.ballbars->support_lengths()) add_support_length(length);
+        for (std::size_t k = 0; k < setup_.ballbars->heights().size(); ++k) add_height(k);
+        std::vector<PointInputs> of_points;
+        for (const Point& point : setup_.points) {
+            PointInputs& places = of_points.emplace_back();
+            places.reading = inputs_.quantities.size();
             for (std::size_t bar = 0; bar < setup_.supports.size(); ++bar) add_reading(point, bar);
-            if (setup_.robot) add_robot(point);
+            if (setup_.robot) add_robot(point, places);
         }
-        return std::move(inputs_);
+        return {std::move(inputs_), std::move(of_points)};
     }
 
 private:
     struct Owner {
         std::string id, name;
     };
-    Owner instrument() const { return {setup_.instrument_id, setup_.instrument_name}; }
+    Owner instrument() const { return {setup_.ballbars.id, setup_.ballbars.name}; }
 
     std::size_t add_component(UncertaintyComponent component, const std::string& id, const Owner& owner) {
         component.id = id;
@@ -48,9 +50,9 @@ private:
     /// Shares of what other lengths share with this one; `bar` is one past the last for a support length.
     std::vector<Share> shared_of(std::size_t bar, double length) {
         std::vector<Share> shares;
-        for (const SharedLengthDeviation& deviation : setup_.ballbars().shared()) {
+        for (const SharedLengthDeviation& deviation : setup_.ballbars->shared()) {
             if (!deviation.is_scale && deviation.bar != bar) continue;
-            const std::string id = setup_.instrument_id + "." + deviation.component.id;
+            const std::string id = setup_.ballbars.id + "." + deviation.component.id;
             const auto known = shared_.find(id);
             const std::size_t component =
                 known != shared_.end() ? known->second : add_component(deviation.component, id, instrument());
@@ -67,26 +69,26 @@ private:
         quantity.offset = length.length;
         quantity.group = "supports";
         quantity.shares = shared_of(setup_.supports.size(), length.length);
-        add_quantity(std::move(quantity), length.component, setup_.instrument_id + "." + length.component.id,
+        add_quantity(std::move(quantity), length.component, setup_.ballbars.id + "." + length.component.id,
                      instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
     }
 
     void add_height(std::size_t k) {
-        const SupportHeight& height = setup_.ballbars().heights()[k];
+        const SupportHeight& height = setup_.ballbars->heights()[k];
         InputQuantity quantity;
         quantity.symbol = height.component.id;
         quantity.name = height.component.name;
         quantity.offset = height.z;
         quantity.group = "supports";
-        add_quantity(std::move(quantity), height.component, setup_.instrument_id + "." + height.component.id,
+        add_quantity(std::move(quantity), height.component, setup_.ballbars.id + "." + height.component.id,
                      instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
     }
 
     void add_reading(const Point& point, std::size_t bar) {
         const double length = point.length[bar];
-        const UncertaintyComponent component = setup_.ballbars().reading(bar, length);
+        const UncertaintyComponent component = setup_.ballbars->reading(bar, length);
         InputQuantity quantity;
         quantity.symbol = component.id + "_" + point.label;
         quantity.name = component.name + ", point " + point.name;
@@ -98,15 +100,14 @@ private:
         inputs_.quantities.back().unit = Unit::of("mm");
     }
 
-    void add_robot(Point& point) {
+    void add_robot(const Point& point, PointInputs& places) {
         static const char* const position_symbols[] = {"e_x", "e_y", "e_z"};
         static const char* const rotation_symbols[] = {"omega_x", "omega_y", "omega_z"};
-        point.position = add_deviations(point, setup_.repeatability()->position(), position_symbols);
+        places.position = add_deviations(point, setup_.robot->position(), position_symbols);
         const std::size_t first = inputs_.components.size() - 3;
         inputs_.vectors.push_back({{first, first + 1, first + 2}});
         if (setup_.turns)
-            point.orientation =
-                add_deviations(point, *setup_.repeatability()->orientation(), rotation_symbols);
+            places.orientation = add_deviations(point, *setup_.robot->orientation(), rotation_symbols);
     }
 
     std::size_t add_deviations(const Point& point, const std::array<UncertaintyComponent, 3>& components,
@@ -119,19 +120,19 @@ private:
             quantity.group = point.name;
             quantity.source = point.source;
             add_quantity(std::move(quantity), components[c], point.label + "." + components[c].id,
-                         {setup_.robot_id, setup_.robot_name});
+                         {setup_.robot.id, setup_.robot.name});
         }
         return first;
     }
 
-    TcpSetup& setup_;
+    const TcpSetup& setup_;
     InputSet inputs_;
     std::map<std::string, std::size_t> shared_;
 };
 
 }  // namespace
 
-InputSet tcp_inputs(TcpSetup& setup) {
+TcpInputs tcp_inputs(const TcpSetup& setup) {
     return InputBuilder(setup).build();
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 class LayoutBuilder {
 public:
-    explicit LayoutBuilder(const TcpSetup& setup) : setup_(setup), X_RB_(setup.ballbars().placement()) {}
+    explicit LayoutBuilder(const TcpSetup& setup) : setup_(setup), X_RB_(setup.ballbars->placement()) {}
 
     Layout build() {
         add_supports();
@@ -25,7 +25,7 @@ public:
 
 private:
     void add_supports() {
-        LayoutBody plate{.name = setup_.instrument_name, .kind = BodyKind::plate};
+        LayoutBody plate{.name = setup_.ballbars.name, .kind = BodyKind::plate};
         for (std::size_t k = 0; k < setup_.supports.size(); ++k) {
             const Eigen::Vector3d p_R = X_RB_ * setup_.supports[k];
             layout_.points.push_back(
@@ -36,11 +36,12 @@ private:
         layout_.frames.push_back(
             {.name = "ballbars",
              .X_WF = X_RB_,
-             .source = {.path = "/placement", .draggable = true, .asset = setup_.instrument_id}});
+             .source = {.path = "/placement", .draggable = true, .asset = setup_.ballbars.id}});
     }
 
     LayoutSource flange_source() const {
-        return setup_.task == Task::plan ? LayoutSource{"/flange", true} : LayoutSource{};
+        return setup_.task == Task::plan ? LayoutSource{tcp_fields().place(&StatedTcp::flange), true}
+                                         : LayoutSource{};
     }
 
     void add_flange() {

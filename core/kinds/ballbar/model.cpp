@@ -13,7 +13,7 @@ using tcp::axis_letters;
 
 class TcpFromBallbars : public EquationModel<TcpFromBallbars> {
 public:
-    TcpFromBallbars(tcp::TcpSetup setup, InputSet inputs)
+    TcpFromBallbars(tcp::TcpSetup setup, tcp::TcpInputs inputs)
         : setup_(std::move(setup)), inputs_(std::move(inputs)) {
         if (setup_.finds_tool()) add_tool();
         const OutputRole role = setup_.finds_tool() ? OutputRole::intermediate : OutputRole::measurand;
@@ -21,14 +21,14 @@ public:
             add_position(point.name, "point " + point.name + ", coordinate ", role);
     }
 
-    const InputSet& inputs() const override { return inputs_; }
+    const InputSet& inputs() const override { return inputs_.set; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double>) const override { return tcp::tcp_layout(setup_); }
     std::vector<DataTable> evaluation() const override { return tcp::tcp_evaluation(setup_); }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
-        return tcp::procedure<Real>(setup_, x, y);
+        return tcp::procedure<Real>(setup_, inputs_.of_points, x, y);
     }
 
 private:
@@ -54,7 +54,7 @@ private:
     }
 
     tcp::TcpSetup setup_;
-    InputSet inputs_;
+    tcp::TcpInputs inputs_;
     std::vector<OutputQuantity> outputs_;
 };
 
@@ -64,7 +64,7 @@ std::unique_ptr<MeasurementModel> create_tcp_model(const SetupReader& reader, co
     if (!setup) return nullptr;
     tcp::check_tcp_setup(*setup, problems);
     if (problems.has_errors()) return nullptr;
-    InputSet inputs = tcp::tcp_inputs(*setup);
+    tcp::TcpInputs inputs = tcp::tcp_inputs(*setup);
     return std::make_unique<TcpFromBallbars>(std::move(*setup), std::move(inputs));
 }
 
@@ -134,7 +134,7 @@ ModelDescriptor tcp_from_ballbars_model() {
     d.notes = tcp_notes();
     d.help_page = "tcp-from-ballbars.md";
     d.example = "ballbar-tcp.covaria";
-    d.schema = tcp::tcp_schema();
+    d.schema = tcp::tcp_fields().schema();
     d.create = create_tcp_model;
     return d;
 }

@@ -6,6 +6,7 @@
 #include "core/kinds/ballbar/repeatability.h"
 #include "core/quantity/input_quantity.h"
 #include "core/quantity/isotropic_vector.h"
+#include "core/setup/fields.h"
 
 namespace covaria {
 
@@ -18,91 +19,118 @@ const double maxwell_deviation = std::sqrt(3.0 - 8.0 / std::numbers::pi);
 
 constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 
-std::vector<Choice> laws() {
-    return {{"uniform-radius", "rectangular in [0, r] in a random direction"},
-            {"ball", "anywhere in a ball of radius r"},
-            {"sphere", "always r, in a random direction"},
-            {"normal", "normal along each axis"}};
+enum class PositionFigure { largest, iso_9283 };
+enum class Law { uniform_radius, ball, sphere, normal };
+enum class AngleFigure { standard, iso_9283, limit };
+
+struct StatedRepeatability {
+    double position = 0.0;  ///< m
+    PositionFigure figure = PositionFigure::largest;
+    Law law = Law::uniform_radius;
+    double orientation = 0.0;  ///< rad
+    AngleFigure angle_figure = AngleFigure::iso_9283;
+};
+
+const std::vector<ChoiceOf<Law>>& laws() {
+    static const std::vector<ChoiceOf<Law>> choices{
+        {Law::uniform_radius, "uniform-radius", "rectangular in [0, r] in a random direction"},
+        {Law::ball, "ball", "anywhere in a ball of radius r"},
+        {Law::sphere, "sphere", "always r, in a random direction"},
+        {Law::normal, "normal", "normal along each axis"}};
+    return choices;
 }
 
-SetupSchema repeatability_schema() {
-    const char* const position = "Positioning";
-    return SetupSchema(
-        {{.key = "repeatability",
-          .title = "Repeatability",
-          .help = "The robot's figure for the scatter of a position that it is sent to again and again.",
-          .unit = Unit::of("mm"),
-          .range = {.low = 0.0},
-          .section = position},
-         {.key = "figure",
-          .title = "The figure is",
-          .kind = FieldKind::choice,
-          .help = "A largest distance from the mean position, or RP of ISO 9283: the mean distance plus "
-                  "three times its standard deviation. A normal law has no largest distance, so its figure "
-                  "is always RP.",
-          .default_value = std::string("largest"),
-          .choices = {{"largest", "the largest distance r"}, {"iso-9283", "RP of ISO 9283: mean + 3 s"}},
-          .shown_if = Condition{"law", {"uniform-radius", "ball", "sphere"}},
-          .section = position},
-         {.key = "law",
-          .title = "Deviation of a position",
-          .kind = FieldKind::choice,
-          .help = "How the distance from the mean position is distributed; all directions are equally "
-                  "probable.",
-          .default_value = std::string("uniform-radius"),
-          .choices = laws(),
-          .section = position},
-         {.key = "orientation_repeatability",
-          .title = "Orientation",
-          .help = "Figure for the scatter of the orientation about each axis of the flange; 0: none.",
-          .unit = Unit::of("deg"),
-          .range = {.low = 0.0},
-          .default_value = Quantity{0.0, Unit::of("deg")},
-          .section = "Orientation"},
-         {.key = "orientation_figure",
-          .title = "The angle is",
-          .kind = FieldKind::choice,
-          .help = "A standard uncertainty, RP of ISO 9283 for an angle (three times its standard "
-                  "deviation), or a limit that is not exceeded.",
-          .default_value = std::string("iso-9283"),
-          .choices = {{"standard", "standard uncertainty (normal)"},
-                      {"iso-9283", "RP of ISO 9283: ± 3 s (normal)"},
-                      {"limit", "limit, rectangular: divided by √3"}},
-          .section = "Orientation"}});
+void add_position(Fields<StatedRepeatability>& fields) {
+    const char* const section = "Positioning";
+    fields
+        .add(&StatedRepeatability::position,
+             {.key = "repeatability",
+              .title = "Repeatability",
+              .help = "The robot's figure for the scatter of a position that it is sent to again and again.",
+              .unit = Unit::of("mm"),
+              .range = {.low = 0.0},
+              .section = section})
+        .choice(
+            &StatedRepeatability::figure,
+            {.key = "figure",
+             .title = "The figure is",
+             .help = "A largest distance from the mean position, or RP of ISO 9283: the mean distance plus "
+                     "three times its standard deviation. A normal law has no largest distance, so its "
+                     "figure is always RP.",
+             .section = section},
+            {{PositionFigure::largest, "largest", "the largest distance r"},
+             {PositionFigure::iso_9283, "iso-9283", "RP of ISO 9283: mean + 3 s"}},
+            PositionFigure::largest)
+        .choice(&StatedRepeatability::law,
+                {.key = "law",
+                 .title = "Deviation of a position",
+                 .help = "How the distance from the mean position is distributed; all directions are equally "
+                         "probable.",
+                 .section = section},
+                laws(), Law::uniform_radius)
+        .shown_where(&StatedRepeatability::law, {Law::uniform_radius, Law::ball, Law::sphere},
+                     &StatedRepeatability::figure);
+}
+
+const Fields<StatedRepeatability>& repeatability_fields() {
+    static const Fields<StatedRepeatability> fields = [] {
+        Fields<StatedRepeatability> made;
+        add_position(made);
+        made.add(&StatedRepeatability::orientation,
+                 {.key = "orientation_repeatability",
+                  .title = "Orientation",
+                  .help = "Figure for the scatter of the orientation about each axis of the flange; 0: none.",
+                  .unit = Unit::of("deg"),
+                  .range = {.low = 0.0},
+                  .default_value = Quantity{0.0, Unit::of("deg")},
+                  .section = "Orientation"});
+        made.choice(&StatedRepeatability::angle_figure,
+                    {.key = "orientation_figure",
+                     .title = "The angle is",
+                     .help = "A standard uncertainty, RP of ISO 9283 for an angle (three times its standard "
+                             "deviation), or a limit that is not exceeded.",
+                     .section = "Orientation"},
+                    {{AngleFigure::standard, "standard", "standard uncertainty (normal)"},
+                     {AngleFigure::iso_9283, "iso-9283", "RP of ISO 9283: ± 3 s (normal)"},
+                     {AngleFigure::limit, "limit", "limit, rectangular: divided by √3"}},
+                    AngleFigure::iso_9283);
+        return made;
+    }();
+    return fields;
 }
 
 /// The distribution of one coordinate of the position's deviation.
-Distribution position_distribution(const std::string& law, const std::string& figure, double value) {
+Distribution position_distribution(const StatedRepeatability& stated) {
+    const double value = stated.position;
     if (value == 0.0) return Distribution::normal(0.0);
-    if (law == "normal") return Distribution::normal(value / (maxwell_mean + 3.0 * maxwell_deviation));
-    VectorLength length{law == "ball"     ? RadialLaw::ball
-                        : law == "sphere" ? RadialLaw::sphere
-                                          : RadialLaw::uniform_length,
+    if (stated.law == Law::normal)
+        return Distribution::normal(value / (maxwell_mean + 3.0 * maxwell_deviation));
+    VectorLength length{stated.law == Law::ball     ? RadialLaw::ball
+                        : stated.law == Law::sphere ? RadialLaw::sphere
+                                                    : RadialLaw::uniform_length,
                         1.0};
     const double rp_of_one = length.mean() + 3.0 * length.standard_deviation();
-    length.largest = figure == "iso-9283" ? value / rp_of_one : value;
+    length.largest = stated.figure == PositionFigure::iso_9283 ? value / rp_of_one : value;
     return coordinate_distribution(length);
 }
 
-Distribution orientation_distribution(const std::string& figure, double value) {
-    if (figure == "limit") return Distribution::of(Rectangular{-value, value});
-    return Distribution::normal(figure == "iso-9283" ? value / 3.0 : value);
+Distribution orientation_distribution(AngleFigure figure, double value) {
+    if (figure == AngleFigure::limit) return Distribution::of(Rectangular{-value, value});
+    return Distribution::normal(figure == AngleFigure::iso_9283 ? value / 3.0 : value);
 }
 
 class RobotRepeatability : public Asset, public RepeatabilitySource {
 public:
-    explicit RobotRepeatability(const SetupReader& setup) : law_(setup.text("law")) {
-        const double figure = setup.number("repeatability");
-        const Distribution along =
-            position_distribution(law_, law_ == "normal" ? "iso-9283" : setup.text("figure"), figure);
+    explicit RobotRepeatability(const StatedRepeatability& stated) : law_(stated.law) {
+        const Distribution along = position_distribution(stated);
         for (std::size_t i = 0; i < 3; ++i)
             position_[i] = {.id = axes[i],
                             .name = std::string("repeatability along ") + axes[i],
                             .unit = Unit::of("um"),
                             .distribution = along,
                             .origin = "repeatability: " + law_title()};
-        const double angle = setup.number("orientation_repeatability");
-        if (angle > 0.0) add_orientation(orientation_distribution(setup.text("orientation_figure"), angle));
+        if (stated.orientation > 0.0)
+            add_orientation(orientation_distribution(stated.angle_figure, stated.orientation));
         offer(*this);
     }
 
@@ -136,9 +164,9 @@ public:
 
 private:
     std::string law_title() const {
-        for (const Choice& choice : laws())
-            if (choice.key == law_) return choice.title;
-        return law_;
+        for (const ChoiceOf<Law>& choice : laws())
+            if (choice.value == law_) return choice.title;
+        return {};
     }
 
     void add_orientation(const Distribution& about) {
@@ -151,7 +179,7 @@ private:
                                   .origin = "repeatability of the orientation"};
     }
 
-    std::string law_;
+    Law law_;
     std::array<UncertaintyComponent, 3> position_;
     std::optional<std::array<UncertaintyComponent, 3>> orientation_;
 };
@@ -178,9 +206,10 @@ AssetDescriptor robot_repeatability_kind() {
         "coordinates.",
         "The paper leaves the orientation out. A rotation by e moves the tool by about e times its length."};
     d.capabilities = {RepeatabilitySource::capability};
-    d.schema = repeatability_schema();
-    d.create = [](const SetupReader& setup, const AssetLibrary&, Problems&) -> std::unique_ptr<Asset> {
-        return std::make_unique<RobotRepeatability>(setup);
+    d.schema = repeatability_fields().schema();
+    d.create = [](const SetupReader& setup, const AssetLibrary& assets,
+                  Problems& problems) -> std::unique_ptr<Asset> {
+        return std::make_unique<RobotRepeatability>(repeatability_fields().read(setup, assets, problems));
     };
     return d;
 }

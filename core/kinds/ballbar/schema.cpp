@@ -1,6 +1,4 @@
 // The fields of "TCP from ballbars".
-#include "core/kinds/ballbar/ballbar.h"
-#include "core/kinds/ballbar/repeatability.h"
 #include "core/kinds/ballbar/setup.h"
 
 namespace covaria::tcp {
@@ -9,48 +7,51 @@ namespace {
 
 const Unit mm = Unit::of("mm");
 const Unit deg = Unit::of("deg");
-const Condition when_planned{"evaluation", {"plan"}};
-const Condition when_tool{"evaluation", {"plan", "measured"}};
+using Rotation = StatedTcp::Rotation;
+using Measured = StatedTcp::Measured;
+using Place = StatedTcp::Place;
+
+const std::vector<ChoiceOf<int>> axes{{0, "x", "x"}, {1, "y", "y"}, {2, "z", "z"}};
 
 ColumnSpec axis_column() {
-    return {.key = "axis",
-            .title = "axis",
-            .kind = FieldKind::choice,
-            .choices = {{"x", "x"}, {"y", "y"}, {"z", "z"}},
-            .help = "Axis of the flange about which the robot turns."};
+    return {.key = "axis", .title = "axis", .help = "Axis of the flange about which the robot turns."};
 }
 
-ColumnSpec coordinate(const char* key) {
-    return {.key = key,
-            .title = key,
-            .unit = mm,
-            .help = std::string("Coordinate ") + key + " in the frame of the ballbars."};
+std::array<ColumnSpec, 3> coordinates() {
+    std::array<ColumnSpec, 3> columns;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::string key(1, axis_letters[i]);
+        columns[i] = {.key = key,
+                      .title = key,
+                      .unit = mm,
+                      .help = "Coordinate " + key + " in the frame of the ballbars."};
+    }
+    return columns;
 }
 
-std::vector<FieldSpec> measurement_fields() {
-    return {{.key = "ballbars",
-             .title = "Ballbars",
-             .kind = FieldKind::reference,
-             .help = "The set of telescopic ballbars that measures the points.",
-             .capabilities = {BallbarSource::capability},
-             .section = "Measurement"},
+void add_measurement(Fields<StatedTcp>& fields) {
+    fields
+        .add(&StatedTcp::ballbars, {.key = "ballbars",
+                                    .title = "Ballbars",
+                                    .help = "The set of telescopic ballbars that measures the points.",
+                                    .section = "Measurement"})
+        .add(
+            &StatedTcp::robot,
             {.key = "robot",
              .title = "Robot",
-             .kind = FieldKind::reference,
              .help = "Gives the repeatability with which the robot goes to the points; none: an ideal robot.",
              .optional = true,
-             .capabilities = {RepeatabilitySource::capability},
-             .section = "Measurement"},
-            {.key = "evaluation",
-             .title = "Evaluation",
-             .kind = FieldKind::choice,
-             .help = "The tool centre point from a planned procedure or from measured points; or only the "
-                     "points as the ballbars measure them.",
-             .default_value = std::string("plan"),
-             .choices = {{"plan", "tool centre point, planned procedure"},
-                         {"measured", "tool centre point, measured points"},
-                         {"points", "points alone"}},
-             .section = "Measurement"}};
+             .section = "Measurement"})
+        .choice(&StatedTcp::task,
+                {.key = "evaluation",
+                 .title = "Evaluation",
+                 .help = "The tool centre point from a planned procedure or from measured points; or only "
+                         "the points as the ballbars measure them.",
+                 .section = "Measurement"},
+                {{Task::plan, "plan", "tool centre point, planned procedure"},
+                 {Task::measured, "measured", "tool centre point, measured points"},
+                 {Task::points, "points", "points alone"}},
+                Task::plan);
 }
 
 FieldSpec tool_field(const char* key, const char* axis) {
@@ -60,111 +61,127 @@ FieldSpec tool_field(const char* key, const char* axis) {
                     " of the tool centre point in the flange's frame.",
             .unit = mm,
             .default_value = Quantity{0.0, mm},
-            .shown_if = when_planned,
             .section = "Procedure"};
 }
 
-FieldSpec sequences_table() {
-    FieldSpec table{.key = "sequences",
-                    .title = "Rotations",
-                    .kind = FieldKind::table,
-                    .help =
-                        "Two or three rotations of the flange about its own axes, its origin held in place: "
-                        "the ball traces an arc in each.",
-                    .min_rows = 2,
-                    .shown_if = when_planned,
-                    .section = "Procedure"};
-    table.columns = {axis_column(),
-                     {.key = "start", .title = "start", .unit = deg, .help = "Angle at the first point."},
-                     {.key = "span",
-                      .title = "span",
-                      .unit = deg,
-                      .help = "Angle from the first point to the last; negative: turned the other way."},
-                     {.key = "points",
-                      .title = "points",
-                      .kind = FieldKind::integer,
-                      .range = {.low = 3.0, .high = 200.0},
-                      .help = "Number of points, equally spaced from the first to the last."}};
-    return table;
+void add_flange(Fields<StatedTcp>& fields) {
+    fields
+        .add(&StatedTcp::flange,
+             {.key = "flange",
+              .title = "Flange",
+              .help = "Pose of the flange in the robot's frame before it turns; its origin is the centre "
+                      "of the sphere on which the ball moves.",
+              .default_value = PoseValue{},
+              .section = "Procedure"})
+        .add(&StatedTcp::tool_x, tool_field("tool_x", "x"))
+        .add(&StatedTcp::tool_y, tool_field("tool_y", "y"))
+        .add(&StatedTcp::tool_z, tool_field("tool_z", "z"));
 }
 
-FieldSpec measured_table() {
-    FieldSpec table{.key = "measured_points",
-                    .title = "Measured points",
-                    .kind = FieldKind::table,
-                    .help =
-                        "Points as measured, each with the axis of its rotation and the commanded angle, "
+Columns<Rotation> rotation_columns() {
+    return Columns<Rotation>()
+        .choice(&Rotation::axis, axis_column(), axes)
+        .add(&Rotation::start,
+             {.key = "start", .title = "start", .unit = deg, .help = "Angle at the first point."})
+        .add(&Rotation::span,
+             {.key = "span",
+              .title = "span",
+              .unit = deg,
+              .help = "Angle from the first point to the last; negative: turned the other way."})
+        .add(&Rotation::points, {.key = "points",
+                                 .title = "points",
+                                 .range = {.low = 3.0, .high = 200.0},
+                                 .help = "Number of points, equally spaced from the first to the last."});
+}
+
+Columns<Measured> measured_columns() {
+    return Columns<Measured>()
+        .choice(&Measured::axis, axis_column(), axes)
+        .add(&Measured::angle,
+             {.key = "angle", .title = "angle", .unit = deg, .help = "Commanded angle of rotation."})
+        .vector(&Measured::p_B, coordinates());
+}
+
+Columns<Place> place_columns() {
+    return Columns<Place>()
+        .add(&Place::name, {.key = "name", .title = "name", .help = "Name of the point, unique."})
+        .vector(&Place::p_B, coordinates());
+}
+
+void add_points(Fields<StatedTcp>& fields) {
+    fields
+        .table(
+            &StatedTcp::rotations,
+            {.key = "sequences",
+             .title = "Rotations",
+             .help = "Two or three rotations of the flange about its own axes, its origin held in place: the "
+                     "ball traces an arc in each.",
+             .min_rows = 2,
+             .section = "Procedure"},
+            rotation_columns())
+        .table(&StatedTcp::measured,
+               {.key = "measured_points",
+                .title = "Measured points",
+                .help = "Points as measured, each with the axis of its rotation and the commanded angle, "
                         "typed or from a CSV file.",
-                    .shown_if = Condition{"evaluation", {"measured"}},
-                    .section = "Procedure"};
-    table.columns = {axis_column(),
-                     {.key = "angle", .title = "angle", .unit = deg, .help = "Commanded angle of rotation."},
-                     coordinate("x"),
-                     coordinate("y"),
-                     coordinate("z")};
-    return table;
+                .section = "Procedure"},
+               measured_columns())
+        .table(&StatedTcp::places,
+               {.key = "points",
+                .title = "Points",
+                .help = "Places of the ball that are measured, typed or from a CSV file.",
+                .min_rows = 1,
+                .section = "Procedure"},
+               place_columns());
 }
 
-FieldSpec points_table() {
-    FieldSpec table{.key = "points",
-                    .title = "Points",
-                    .kind = FieldKind::table,
-                    .help = "Places of the ball that are measured, typed or from a CSV file.",
-                    .min_rows = 1,
-                    .shown_if = Condition{"evaluation", {"points"}},
-                    .section = "Procedure"};
-    table.columns = {
-        {.key = "name", .title = "name", .kind = FieldKind::text, .help = "Name of the point, unique."},
-        coordinate("x"),
-        coordinate("y"),
-        coordinate("z")};
-    return table;
+std::vector<ChoiceOf<FrameRule>> frame_choices() {
+    std::vector<ChoiceOf<FrameRule>> choices;
+    for (const FrameRule& rule : frame_rules) choices.push_back({rule, rule.key, rule.title});
+    return choices;
 }
 
-std::vector<FieldSpec> fit_fields() {
-    FieldSpec frame{.key = "frame",
-                    .title = "Axes of the flange",
-                    .kind = FieldKind::choice,
-                    .help =
-                        "Measured axes are not exactly perpendicular: which one is kept as measured. A third "
-                        "measured axis then only helps the sphere and the mean.",
-                    .default_value = std::string("y-first"),
-                    .shown_if = when_tool,
-                    .section = "Fit"};
-    for (const FrameRule& rule : frame_rules) frame.choices.push_back({rule.key, rule.title});
-    return {
-        frame,
-        {.key = "sphere",
-         .title = "Centre of the flange",
-         .kind = FieldKind::choice,
-         .help = "Sphere through all points by linear least squares, or refined to least distances from it.",
-         .default_value = std::string("geometric"),
-         .choices = {{"geometric", "sphere, geometric fit from the linear one"},
-                     {"linear", "sphere, linear fit"}},
-         .shown_if = when_tool,
-         .section = "Fit"}};
+void add_fit(Fields<StatedTcp>& fields) {
+    fields
+        .choice(&StatedTcp::frame,
+                {.key = "frame",
+                 .title = "Axes of the flange",
+                 .help = "Measured axes are not exactly perpendicular: which one is kept as measured. A "
+                         "third measured axis then only helps the sphere and the mean.",
+                 .section = "Fit"},
+                frame_choices(), frame_rules[0])
+        .choice(&StatedTcp::geometric_sphere,
+                {.key = "sphere",
+                 .title = "Centre of the flange",
+                 .help = "Sphere through all points by linear least squares, or refined to least distances "
+                         "from it.",
+                 .section = "Fit"},
+                {{true, "geometric", "sphere, geometric fit from the linear one"},
+                 {false, "linear", "sphere, linear fit"}},
+                true);
+}
+
+Fields<StatedTcp> declared() {
+    Fields<StatedTcp> fields;
+    add_measurement(fields);
+    add_flange(fields);
+    add_points(fields);
+    add_fit(fields);
+    fields
+        .shown_where(&StatedTcp::task, {Task::plan}, &StatedTcp::flange, &StatedTcp::tool_x,
+                     &StatedTcp::tool_y, &StatedTcp::tool_z, &StatedTcp::rotations)
+        .shown_where(&StatedTcp::task, {Task::measured}, &StatedTcp::measured)
+        .shown_where(&StatedTcp::task, {Task::points}, &StatedTcp::places)
+        .shown_where(&StatedTcp::task, {Task::plan, Task::measured}, &StatedTcp::frame,
+                     &StatedTcp::geometric_sphere);
+    return fields;
 }
 
 }  // namespace
 
-SetupSchema tcp_schema() {
-    std::vector<FieldSpec> fields = measurement_fields();
-    fields.push_back({.key = "flange",
-                      .title = "Flange",
-                      .kind = FieldKind::pose,
-                      .help =
-                          "Pose of the flange in the robot's frame before it turns; its origin is the centre "
-                          "of the sphere on which the ball moves.",
-                      .default_value = PoseValue{},
-                      .shown_if = when_planned,
-                      .section = "Procedure"});
-    fields.push_back(tool_field("tool_x", "x"));
-    fields.push_back(tool_field("tool_y", "y"));
-    fields.push_back(tool_field("tool_z", "z"));
-    for (FieldSpec& field : std::vector<FieldSpec>{sequences_table(), measured_table(), points_table()})
-        fields.push_back(std::move(field));
-    for (FieldSpec& field : fit_fields()) fields.push_back(std::move(field));
-    return SetupSchema(std::move(fields));
+const Fields<StatedTcp>& tcp_fields() {
+    static const Fields<StatedTcp> fields = declared();
+    return fields;
 }
 
 }  // namespace covaria::tcp

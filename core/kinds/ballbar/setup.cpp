@@ -1,9 +1,7 @@
-// Reads the set-up of "TCP from ballbars".
+// What follows from the fields of "TCP from ballbars".
 #include "core/kinds/ballbar/setup.h"
-#include "core/kinds/ballbar/ballbar.h"
 #include "core/quantity/distribution.h"
 
-#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -17,25 +15,20 @@ Eigen::Vector3d axis_of(int axis) {
 
 class SetupReading {
 public:
-    SetupReading(const SetupReader& setup, const AssetLibrary& assets, Problems& problems)
-        : setup_(setup), assets_(assets), problems_(problems) {}
+    SetupReading(StatedTcp stated, Problems& problems) : problems_(problems), tcp_(std::move(stated)) {}
 
     std::optional<TcpSetup> read() {
-        const std::string task = setup_.text("evaluation");
-        tcp_.task = task == "points" ? Task::points : task == "measured" ? Task::measured : Task::plan;
-        read_assets();
-        if (problems_.has_errors()) return {};
-        tcp_.supports = support_positions(tcp_.ballbars());
+        if (tcp_.robot) tcp_.turns = tcp_.robot->orientation().has_value();
+        tcp_.supports = support_positions(*tcp_.ballbars);
         if (tcp_.task == Task::points)
-            read_points();
+            take_places();
         else if (tcp_.task == Task::measured)
-            read_measured();
+            take_measured();
         else
-            read_plan();
+            take_plan();
         if (tcp_.points.size() > most_points)
-            problems_.error("/" + table(),
-                            "a procedure has at most " + std::to_string(most_points) + " points");
-        if (tcp_.finds_tool()) read_fit();
+            problems_.error(table(), "a procedure has at most " + std::to_string(most_points) + " points");
+        if (tcp_.finds_tool()) choose_axes();
         if (problems_.has_errors()) return {};
         if (tcp_.task == Task::measured) fit_measured_points(tcp_, problems_);
         finish();
@@ -44,76 +37,49 @@ public:
 
 private:
     std::string table() const {
-        return tcp_.task == Task::points     ? "points"
-               : tcp_.task == Task::measured ? "measured_points"
-                                             : "sequences";
+        return tcp_.task == Task::points     ? tcp_fields().place(&StatedTcp::places)
+               : tcp_.task == Task::measured ? tcp_fields().place(&StatedTcp::measured)
+                                             : tcp_fields().place(&StatedTcp::rotations);
     }
-    std::string row_path(std::size_t row) const { return "/" + table() + "/rows/" + std::to_string(row); }
+    std::string row_path(std::size_t row) const { return table() + "/rows/" + std::to_string(row); }
 
-    void read_assets() {
-        const auto take = [&](const char* key, std::shared_ptr<const Asset>& asset, std::string& id,
-                              std::string& name) {
-            id = setup_.text(key);
-            const AssetLibrary::Entry* entry = assets_.find(id);
-            if (!entry || !entry->asset) return;
-            asset = entry->asset;
-            name = entry->name.empty() ? id : entry->name;
-        };
-        take("ballbars", tcp_.instrument, tcp_.instrument_id, tcp_.instrument_name);
-        if (!tcp_.instrument || !offers<BallbarSource>(tcp_.instrument))
-            problems_.error("/ballbars", "'" + tcp_.instrument_id + "' is no set of ballbars");
-        if (!setup_.has("robot")) return;
-        take("robot", tcp_.robot, tcp_.robot_id, tcp_.robot_name);
-        if (!tcp_.robot || !tcp_.repeatability())
-            problems_.error("/robot", "'" + tcp_.robot_id + "' has no repeatability");
-        else
-            tcp_.turns = tcp_.repeatability()->orientation().has_value();
-    }
-
-    void read_points() {
+    void take_places() {
         std::set<std::string> names;
-        for (std::size_t row = 0; row < setup_.rows("points"); ++row) {
+        for (std::size_t row = 0; row < tcp_.places.size(); ++row) {
             Point point;
-            point.name = setup_.cell_text("points", row, "name");
+            point.name = tcp_.places[row].name;
             point.label = "p" + std::to_string(row + 1);
             point.source = row_path(row);
-            point.p_B = setup_.cell_vector("points", row, "x");
+            point.p_B = tcp_.places[row].p_B;
             if (!names.insert(point.name).second)
                 problems_.error(point.source, "two points are called " + point.name);
             tcp_.points.push_back(std::move(point));
         }
     }
 
-    void read_plan() {
-        tcp_.X_BF = tcp_.ballbars().placement().inverse() * setup_.pose("flange");
-        tcp_.tool_F = {setup_.number("tool_x"), setup_.number("tool_y"), setup_.number("tool_z")};
-        for (std::size_t row = 0; row < setup_.rows("sequences"); ++row) {
-            const double start = setup_.cell_number("sequences", row, "start"),
-                         span = setup_.cell_number("sequences", row, "span");
-            const auto count =
-                static_cast<std::size_t>(std::lround(setup_.cell_number("sequences", row, "points")));
-            begin_sequence(axis_in("sequences", row), row);
-            for (std::size_t i = 0; i < count; ++i) {
-                const double angle = start + span * static_cast<double>(i) / static_cast<double>(count - 1);
-                const int axis = tcp_.sequences.back().axis;
-                const Eigen::Vector3d turned = Eigen::AngleAxisd(angle, axis_of(axis)) * tcp_.tool_F;
+    void take_plan() {
+        tcp_.X_BF = tcp_.ballbars->placement().inverse() * tcp_.flange;
+        tcp_.tool_F = {tcp_.tool_x, tcp_.tool_y, tcp_.tool_z};
+        for (std::size_t row = 0; row < tcp_.rotations.size(); ++row) {
+            const StatedTcp::Rotation& rotation = tcp_.rotations[row];
+            begin_sequence(rotation.axis, row);
+            for (int i = 0; i < rotation.points; ++i) {
+                const double angle = rotation.start + rotation.span * static_cast<double>(i) /
+                                                          static_cast<double>(rotation.points - 1);
+                const Eigen::Vector3d turned = Eigen::AngleAxisd(angle, axis_of(rotation.axis)) * tcp_.tool_F;
                 add_to_sequence(angle, tcp_.X_BF * turned, row_path(row));
             }
         }
     }
 
-    void read_measured() {
+    void take_measured() {
         for (int axis = 0; axis < 3; ++axis)
-            for (std::size_t row = 0; row < setup_.rows("measured_points"); ++row) {
-                if (axis_in("measured_points", row) != axis) continue;
+            for (std::size_t row = 0; row < tcp_.measured.size(); ++row) {
+                const StatedTcp::Measured& point = tcp_.measured[row];
+                if (point.axis != axis) continue;
                 if (!tcp_.measures(axis)) begin_sequence(axis, row);
-                add_to_sequence(setup_.cell_number("measured_points", row, "angle"),
-                                setup_.cell_vector("measured_points", row, "x"), row_path(row));
+                add_to_sequence(point.angle, point.p_B, row_path(row));
             }
-    }
-
-    int axis_in(const char* table, std::size_t row) const {
-        return setup_.cell_text(table, row, "axis")[0] - 'x';
     }
 
     void begin_sequence(int axis, std::size_t row) {
@@ -144,20 +110,16 @@ private:
         tcp_.points.push_back(std::move(point));
     }
 
-    void read_fit() {
-        const std::string frame = setup_.text("frame");
-        for (const FrameRule& rule : frame_rules)
-            if (frame == rule.key) tcp_.frame = rule;
-        tcp_.geometric_sphere = setup_.text("sphere") == "geometric";
+    void choose_axes() {
         if (tcp_.sequences.size() < 2)
             return problems_.error(
-                "/" + table(),
+                table(),
                 "one rotation traces one circle, which leaves the centre of the flange and its "
                 "axes undetermined: add a rotation about another axis");
         tcp_.first_axis = tcp_.frame.first;
         if (tcp_.first_axis < 0) tcp_.first_axis = tcp_.sequences[0].axis;
         if (!tcp_.measures(tcp_.first_axis))
-            return problems_.error("/frame",
+            return problems_.error(tcp_fields().place(&StatedTcp::frame),
                                    std::string("no rotation measures axis ") + axis_letters[tcp_.first_axis] +
                                        ": choose another way to make the axes, or add the rotation");
         tcp_.second_axis = tcp_.frame.second;
@@ -179,7 +141,7 @@ private:
         double largest = 0.0;
         for (std::size_t j = 0; j < tcp_.supports.size(); ++j) {
             point.length[j] = (point.p_B - tcp_.supports[j]).norm();
-            u[j] = tcp_.ballbars().reading(j, point.length[j]).distribution.standard_uncertainty();
+            u[j] = tcp_.ballbars->reading(j, point.length[j]).distribution.standard_uncertainty();
             largest = std::max(largest, u[j]);
         }
         for (std::size_t j = 0; j < tcp_.supports.size(); ++j)
@@ -204,8 +166,6 @@ private:
         sequence.span = most - least;
     }
 
-    const SetupReader& setup_;
-    const AssetLibrary& assets_;
     Problems& problems_;
     TcpSetup tcp_;
 };
@@ -220,7 +180,9 @@ bool TcpSetup::measures(int axis) const {
 
 std::optional<TcpSetup> read_tcp_setup(const SetupReader& setup, const AssetLibrary& assets,
                                        Problems& problems) {
-    return SetupReading(setup, assets, problems).read();
+    StatedTcp stated = tcp_fields().read(setup, assets, problems);
+    if (problems.has_errors()) return {};
+    return SetupReading(std::move(stated), problems).read();
 }
 
 }  // namespace covaria::tcp

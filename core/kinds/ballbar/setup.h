@@ -4,16 +4,15 @@
 // Frames: R the robot's, B the ballbars', F the flange's at zero rotation. Points are in B.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/ballbar/repeatability.h"
-#include "core/model/asset.h"
+#include "core/model/offered.h"
 #include "core/quantity/input_quantity.h"
-#include "core/setup/setup_schema.h"
+#include "core/setup/fields.h"
 
 namespace covaria::tcp {
 
@@ -32,6 +31,7 @@ struct FrameRule {
     const char* title;
     int first;   ///< axis taken as measured, -1: all alike (nearest orthogonal axes)
     int second;  ///< preferred axis that, with it, spans a plane of the frame
+    bool operator==(const FrameRule& other) const { return key == other.key; }
 };
 inline constexpr FrameRule frame_rules[] = {{"y-first", "y as measured, x nearest to measured", 1, 0},
                                             {"x-first", "x as measured, y nearest to measured", 0, 1},
@@ -48,7 +48,6 @@ struct Point {
     std::array<double, most_supports> length{};       ///< to the supports, at the estimates
     std::array<double, most_supports> weights{};      ///< of them, when there are more than three
     Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();  ///< displacement by small rotations of the flange
-    std::size_t reading = 0, position = 0, orientation = 0;  ///< first input quantity of each
 };
 
 /// Points of one rotation about an axis of the flange (0, 1, 2 = x, y, z).
@@ -61,29 +60,48 @@ struct Sequence {
     std::string source;
 };
 
-struct TcpSetup {
+/// The set-up as typed, SI. Axes 0, 1, 2 are x, y, z of the flange.
+struct StatedTcp {
+    struct Rotation {
+        int axis = 0;
+        double start = 0.0, span = 0.0;
+        int points = 0;
+    };
+    struct Measured {
+        int axis = 0;
+        double angle = 0.0;
+        Eigen::Vector3d p_B = Eigen::Vector3d::Zero();
+    };
+    struct Place {
+        std::string name;
+        Eigen::Vector3d p_B = Eigen::Vector3d::Zero();
+    };
+    Offered<BallbarSource> ballbars;
+    Offered<RepeatabilitySource> robot;  ///< may be empty
     Task task = Task::plan;
-    std::shared_ptr<const Asset> instrument, robot;  ///< robot may be null
-    std::string instrument_id, instrument_name, robot_id, robot_name;
+    Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();
+    double tool_x = 0.0, tool_y = 0.0, tool_z = 0.0;
+    std::vector<Rotation> rotations;
+    std::vector<Measured> measured;
+    std::vector<Place> places;
+    FrameRule frame = frame_rules[0];
+    bool geometric_sphere = true;
+};
+const Fields<StatedTcp>& tcp_fields();
+
+struct TcpSetup : StatedTcp {
+    explicit TcpSetup(StatedTcp stated) : StatedTcp(std::move(stated)) {}
     std::vector<Point> points;
     std::vector<Sequence> sequences;
-    std::vector<Eigen::Vector3d> supports;  ///< in B
-    FrameRule frame = frame_rules[0];
-    int first_axis = 1, second_axis = 0;  ///< of the frame rule, among the measured ones
-    bool geometric_sphere = true;
+    std::vector<Eigen::Vector3d> supports;                   ///< in B
+    int first_axis = 1, second_axis = 0;                     ///< of the frame rule, among the measured ones
     Eigen::Isometry3d X_BF = Eigen::Isometry3d::Identity();  ///< flange at zero rotation
     Eigen::Vector3d tool_F = Eigen::Vector3d::Zero();
     bool turns = false;  ///< the robot's orientation scatters too
 
-    const BallbarSource& ballbars() const { return *offers<BallbarSource>(instrument); }
-    const RepeatabilitySource* repeatability() const {
-        return robot ? offers<RepeatabilitySource>(robot) : nullptr;
-    }
     bool finds_tool() const { return task != Task::points; }
     bool measures(int axis) const;
 };
-
-SetupSchema tcp_schema();
 
 /// Empty if `problems` got an error.
 std::optional<TcpSetup> read_tcp_setup(const SetupReader& setup, const AssetLibrary& assets,
@@ -94,8 +112,15 @@ void check_tcp_setup(const TcpSetup& setup, Problems& problems);
 /// Flange, tool and circles from given points.
 void fit_measured_points(TcpSetup& setup, Problems& problems);
 
-/// Gives every point the places of its input quantities.
-InputSet tcp_inputs(TcpSetup& setup);
+/// First input quantity of each kind that a point has.
+struct PointInputs {
+    std::size_t reading = 0, position = 0, orientation = 0;
+};
+struct TcpInputs {
+    InputSet set;
+    std::vector<PointInputs> of_points;
+};
+TcpInputs tcp_inputs(const TcpSetup& setup);
 
 std::vector<DataTable> tcp_evaluation(const TcpSetup& setup);
 Layout tcp_layout(const TcpSetup& setup);

@@ -156,7 +156,7 @@ private:
                      .unit = unit,
                      .offset = value,
                      .group = std::string("points, ") + axis,
-                     .source = "/points/rows/" + std::to_string(i)},
+                     .source = curve::curve_fields().place(&CurveSetup::stated_points, i)},
                     {stated(symbol + ".stated", std::string("stated uncertainty of ") + axis, unit, u,
                             "table of points")});
     }
@@ -175,17 +175,18 @@ private:
         if (i == 0) first_observation_ = inputs_.quantities.size();
         const curve::Observation& o = setup_.observations[i];
         const std::string symbol = "Y_" + std::to_string(i + 1);
-        InputQuantity quantity{.symbol = symbol,
-                               .name = o.name.empty() ? "observed y" : o.name + ", observed y",
-                               .unit = setup_.y_unit,
-                               .offset = o.y,
-                               .group = "inverse use",
-                               .source = "/inverse/rows/" + std::to_string(i) + "/y"};
+        InputQuantity quantity{
+            .symbol = symbol,
+            .name = o.name.empty() ? "observed y" : o.name + ", observed y",
+            .unit = setup_.y_unit,
+            .offset = o.y,
+            .group = "inverse use",
+            .source = curve::curve_fields().place(&CurveSetup::observations, i, &curve::Observation::y)};
         if (o.u_y > 0.0)
             quantity.shares.push_back({inputs_.add(stated(symbol + ".stated", "stated uncertainty of y",
                                                           setup_.y_unit, o.u_y, "table of the inverse use")),
                                        1.0});
-        if (o.readings > 0.0)
+        if (o.readings > 0)
             share_of_scatter(quantity, symbol + ".readings", fit_.standard_deviation / std::sqrt(o.readings));
         inputs_.quantities.push_back(std::move(quantity));
     }
@@ -218,13 +219,13 @@ private:
     std::size_t first_observation_ = 0;
 };
 
-std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, const AssetLibrary&,
+std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, const AssetLibrary& assets,
                                                      Problems& problems) {
-    auto setup = curve::read_curve_setup(reader, problems);
+    auto setup = curve::read_curve_setup(reader, assets, problems);
     if (!setup) return nullptr;
     auto fit = curve::fit_of(*setup);
     if (!fit) {
-        problems.error("/points",
+        problems.error(curve::curve_fields().place(&CurveSetup::stated_points),
                        setup->has_u_x()
                            ? "no curve of this degree was found: the iteration for the uncertainties of "
                              "x does not settle on these points"
@@ -233,7 +234,8 @@ std::unique_ptr<MeasurementModel> create_curve_model(const SetupReader& reader, 
     }
     std::vector<InversePlace> inverse;
     for (std::size_t i = 0; i < setup->observations.size(); ++i) {
-        const std::string place = "/inverse/rows/" + std::to_string(i) + "/y";
+        const std::string place =
+            curve::curve_fields().place(&CurveSetup::observations, i, &curve::Observation::y);
         const auto found = curve::inverse_place(*setup, *fit, setup->observations[i]);
         if (!found) {
             problems.error(place, found.error().message);
@@ -278,7 +280,7 @@ ModelDescriptor calibration_curve_model() {
         "it."};
     d.help_page = "calibration-curve.md";
     d.example = "gum/h3-thermometer.covaria";
-    d.schema = curve::curve_schema();
+    d.schema = curve::curve_fields().schema();
     d.create = create_curve_model;
     return d;
 }

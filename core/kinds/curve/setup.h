@@ -7,13 +7,19 @@
 
 #include "core/kinds/curve/polynomials.h"
 #include "core/model/measurement_model.h"
-#include "core/setup/setup_schema.h"
+#include "core/setup/fields.h"
 
 namespace covaria::curve {
 
 struct Point {
     double x = 0.0, y = 0.0;  ///< SI
     double u_x = 0.0, u_y = 0.0;
+};
+
+/// A row of the table of points, in the units of x and y.
+struct StatedPoint {
+    double x = 0.0, y = 0.0;
+    std::optional<double> u_x, u_y;
 };
 
 struct Prediction {
@@ -25,11 +31,12 @@ struct Prediction {
 struct Observation {
     std::string name;
     double y = 0.0, u_y = 0.0;  ///< SI
-    double readings = 0.0;      ///< y is the mean of so many, which scatter as the points do; 0: not stated
+    int readings = 0;           ///< y is the mean of so many, which scatter as the points do; 0: not stated
     std::optional<double> near = {};
 };
 
 struct CurveSetup {
+    std::vector<StatedPoint> stated_points;
     std::vector<Point> points;
     std::vector<Prediction> predictions;
     std::vector<Observation> observations;
@@ -44,8 +51,9 @@ struct CurveSetup {
     double degrees_of_freedom() const { return double(points.size()) - double(coefficients()); }
 };
 
-SetupSchema curve_schema();
-std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, Problems& problems);
+const Fields<CurveSetup>& curve_fields();
+std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, const AssetLibrary& assets,
+                                           Problems& problems);
 
 /// Unit of the coefficient of a power: y per x^power.
 Unit coefficient_unit(const CurveSetup& setup, std::size_t power);

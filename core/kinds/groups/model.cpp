@@ -57,9 +57,9 @@ private:
     std::vector<OutputQuantity> outputs_;
 };
 
-std::unique_ptr<MeasurementModel> create_group_model(const SetupReader& reader, const AssetLibrary&,
+std::unique_ptr<MeasurementModel> create_group_model(const SetupReader& reader, const AssetLibrary& assets,
                                                      Problems& problems) {
-    auto setup = group_observations::read_group_setup(reader, problems);
+    auto setup = group_observations::read_group_setup(reader, assets, problems);
     if (!setup) return nullptr;
     return std::make_unique<GroupObservations>(std::move(*setup));
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/data_table.h"
+#include "core/model/asset.h"
 #include "core/setup/setup_schema.h"
 
 namespace covaria::group_observations {
@@ -25,12 +26,30 @@ enum class Between {
     none,        ///< all observations as independent (H.5.2.4)
 };
 
-struct GroupSetup {
-    std::vector<Group> groups;  ///< J
-    double reference = 0.0;     ///< the first value; all means are relative to it
-    Between between = Between::included;
+/// The set-up as typed.
+struct StatedGroups {
+    enum class Data { observations, summary };
+    struct Observation {
+        std::string group;
+        double value = 0.0;  ///< in `unit`
+    };
+    struct Summary {
+        std::string group;
+        double mean = 0.0, s = 0.0;  ///< in `unit`
+        std::optional<int> n;        ///< empty: per_group
+    };
     std::string symbol, name;
     Unit unit;
+    Data data = Data::observations;
+    std::vector<Observation> observations;
+    std::vector<Summary> summaries;
+    int per_group = 0;
+    Between between = Between::included;
+};
+
+struct GroupSetup : StatedGroups {
+    std::vector<Group> groups;  ///< J
+    double reference = 0.0;     ///< the first value; all means are relative to it
 };
 
 /// Letters as in JCGM 100 H.5.2; with groups of different size as in S. R. Searle, G. Casella, C. E.
@@ -51,7 +70,8 @@ struct Variances {
 };
 
 SetupSchema group_schema();
-std::optional<GroupSetup> read_group_setup(const SetupReader& reader, Problems& problems);
+std::optional<GroupSetup> read_group_setup(const SetupReader& reader, const AssetLibrary& assets,
+                                           Problems& problems);
 Variances variances_of(const GroupSetup& setup);
 std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v);
 

@@ -1,0 +1,41 @@
+// A reference of a set-up to an asset, by what the asset can do.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/model/asset.h"
+#include "core/setup/bound.h"
+
+namespace covaria {
+
+/// A member `Offered<SensorSource>` is a field for the id of an asset that is a sensor. Empty where an
+/// optional reference is not given.
+template <class C>
+struct Offered {
+    std::string id;
+    std::string name;                    ///< the asset's; its id if it has none
+    std::shared_ptr<const Asset> asset;  ///< keeps `source` alive
+    const C* source = nullptr;
+    explicit operator bool() const { return source != nullptr; }
+    const C& operator*() const { return *source; }
+    const C* operator->() const { return source; }
+};
+
+template <class C>
+struct Bound<Offered<C>> {
+    static constexpr FieldKind kind = FieldKind::reference;
+    static constexpr const char* capability = C::capability;
+    static void read(Offered<C>& member, const SetupValue& value, FieldReading& reading) {
+        member.id = std::get<std::string>(value);
+        const AssetLibrary::Entry* entry = reading.assets.find(member.id);
+        member.source = offers<C>(entry);
+        if (!member.source)
+            return reading.problems.error(
+                reading.place, "'" + member.id + "' does not offer '" + std::string(capability) + "'");
+        member.asset = entry->asset;
+        member.name = entry->name.empty() ? member.id : entry->name;
+    }
+};
+
+}  // namespace covaria

@@ -1,0 +1,233 @@
+// The fields of a set-up, each declared once and bound to the member that takes its value. Schema, reading
+// and the places of problems follow; nobody writes a key twice.
+#pragma once
+
+#include <any>
+#include <array>
+#include <functional>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/setup/bound.h"
+#include "core/setup/setup_schema.h"
+
+namespace covaria {
+
+/// A choice of a field whose member is an enumeration.
+template <class E>
+struct ChoiceOf {
+    E value;
+    const char* key;    ///< in files
+    std::string title;  ///< for people
+};
+
+namespace detail {
+
+template <class E>
+std::vector<Choice> keys_and_titles(const std::vector<ChoiceOf<E>>& choices) {
+    std::vector<Choice> words;
+    for (const ChoiceOf<E>& choice : choices) words.push_back({choice.key, choice.title});
+    return words;
+}
+
+template <class E>
+const char* key_of(const std::vector<ChoiceOf<E>>& choices, E value) {
+    for (const ChoiceOf<E>& choice : choices)
+        if (choice.value == value) return choice.key;
+    throw std::logic_error("a value of an enumeration is no choice of its field");
+}
+
+template <class E>
+E choice_of(const std::vector<ChoiceOf<E>>& choices, const SetupValue& given) {
+    for (const ChoiceOf<E>& choice : choices)
+        if (std::get<std::string>(given) == choice.key) return choice.value;
+    throw std::logic_error("a set-up that was not checked is read");
+}
+
+/// What stands in a cell, as the value of a field.
+SetupValue value_of_cell(const SetupCell& cell, const Unit& unit);
+std::string row_place(const std::string& table_place, std::size_t row);
+
+/// One declaration: `Spec` (FieldSpec, ColumnSpec) and what reads its value into an `Owner`.
+template <class Owner, class Spec>
+struct Declaration {
+    Spec spec;
+    std::any member;  ///< M Owner::*
+    std::function<void(Owner&, const SetupValue&, FieldReading&)> read;
+    std::any parts = {};  ///< std::vector<ChoiceOf<E>> of a choice, Columns<Row> of a table
+};
+
+template <class Owner, class Spec, class M>
+Declaration<Owner, Spec> declaration(M Owner::*member, Spec spec) {
+    spec.kind = Bound<M>::kind;
+    if (spec.kind == FieldKind::text && !spec.choices.empty()) spec.kind = FieldKind::choice;
+    if constexpr (requires { Bound<M>::capability; }) spec.capabilities = {Bound<M>::capability};
+    return {std::move(spec), member, [member](Owner& owner, const SetupValue& value, FieldReading& reading) {
+                Bound<M>::read(owner.*member, value, reading);
+            }};
+}
+
+template <class Owner, class Spec, class E>
+Declaration<Owner, Spec> choice_declaration(E Owner::*member, Spec spec,
+                                            const std::vector<ChoiceOf<E>>& choices) {
+    spec.kind = FieldKind::choice;
+    spec.choices = keys_and_titles(choices);
+    return {std::move(spec), member,
+            [member, choices](Owner& owner, const SetupValue& value, FieldReading&) {
+                owner.*member = choice_of(choices, value);
+            },
+            choices};
+}
+
+/// Index of the first declaration that is bound to the member.
+template <class Owner, class Spec, class M>
+std::size_t index_of(const std::vector<Declaration<Owner, Spec>>& all, M Owner::*member) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (const auto* own = std::any_cast<M Owner::*>(&all[i].member); own && *own == member) return i;
+    throw std::logic_error("a member of a set-up has no field");
+}
+
+/// The word for a value of a choice or flag in a Condition.
+template <class Declared, class E>
+std::string word_of(const Declared& decides, const E& value) {
+    if constexpr (std::is_same_v<E, bool>)
+        return value ? "true" : "false";
+    else
+        return key_of(std::any_cast<const std::vector<ChoiceOf<E>>&>(decides.parts), value);
+}
+
+}  // namespace detail
+
+/// The columns of a table, bound to the members of the struct that holds a row. Empty cells leave the
+/// member's initialiser.
+template <class Row>
+class Columns {
+public:
+    template <class M>
+    Columns& add(M Row::*member, ColumnSpec spec) {
+        all_.push_back(detail::declaration(member, std::move(spec)));
+        return *this;
+    }
+    template <class E>
+    Columns& choice(E Row::*member, ColumnSpec spec, const std::vector<ChoiceOf<E>>& choices) {
+        all_.push_back(detail::choice_declaration(member, std::move(spec), choices));
+        return *this;
+    }
+    /// Three columns, x, y, z.
+    Columns& vector(Eigen::Vector3d Row::*member, const std::array<ColumnSpec, 3>& specs) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            all_.push_back(
+                {specs[axis], member, [member, axis](Row& row, const SetupValue& value, FieldReading&) {
+                     (row.*member)[static_cast<Eigen::Index>(axis)] = std::get<Quantity>(value).si();
+                 }});
+        return *this;
+    }
+
+    std::vector<ColumnSpec> specs() const {
+        std::vector<ColumnSpec> specs;
+        for (const auto& one : all_) specs.push_back(one.spec);
+        return specs;
+    }
+    template <class M>
+    const std::string& key(M Row::*member) const {
+        return all_[detail::index_of(all_, member)].spec.key;
+    }
+    /// `reading.place`: that of the table.
+    std::vector<Row> read(const SetupTable& table, const FieldReading& reading) const {
+        std::vector<Row> rows(table.rows.size());
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            const std::string place = detail::row_place(reading.place, row);
+            for (std::size_t i = 0; i < all_.size() && i < table.rows[row].size(); ++i) {
+                if (std::holds_alternative<std::monostate>(table.rows[row][i])) continue;
+                FieldReading cell{place + "/" + all_[i].spec.key, reading.assets, reading.problems};
+                all_[i].read(rows[row], detail::value_of_cell(table.rows[row][i], table.units[i]), cell);
+            }
+        }
+        return rows;
+    }
+
+private:
+    std::vector<detail::Declaration<Row, ColumnSpec>> all_;
+};
+
+/// The fields of the set-up `S`, in the order in which they are declared. The kind of a field follows from
+/// the type of its member (core/setup/bound.h); key, title, unit, range, default and help are the
+/// FieldSpec's.
+template <class S>
+class Fields {
+public:
+    template <class M>
+    Fields& add(M S::*member, FieldSpec spec) {
+        all_.push_back(detail::declaration(member, std::move(spec)));
+        return *this;
+    }
+    template <class E>
+    Fields& choice(E S::*member, FieldSpec spec, const std::vector<ChoiceOf<E>>& choices,
+                   const std::type_identity_t<E>& default_choice) {
+        spec.default_value = std::string(detail::key_of(choices, default_choice));
+        all_.push_back(detail::choice_declaration(member, std::move(spec), choices));
+        return *this;
+    }
+    template <class Row>
+    Fields& table(std::vector<Row> S::*member, FieldSpec spec, const Columns<Row>& columns) {
+        spec.kind = FieldKind::table;
+        spec.columns = columns.specs();
+        all_.push_back({std::move(spec), member,
+                        [member, columns](S& setup, const SetupValue& value, FieldReading& reading) {
+                            setup.*member = columns.read(std::get<SetupTable>(value), reading);
+                        },
+                        columns});
+        return *this;
+    }
+    /// The fields of `members` are shown, needed and read only where `decides` has one of the values.
+    template <class E, class... M>
+    Fields& shown_where(E S::*decides, std::initializer_list<std::type_identity_t<E>> values,
+                        M S::*... members) {
+        const auto& deciding = all_[detail::index_of(all_, decides)];
+        Condition condition{deciding.spec.key, {}};
+        for (const E& value : values) condition.values.push_back(detail::word_of(deciding, value));
+        ((all_[detail::index_of(all_, members)].spec.shown_if = condition), ...);
+        return *this;
+    }
+
+    SetupSchema schema() const {
+        std::vector<FieldSpec> specs;
+        for (const auto& one : all_) specs.push_back(one.spec);
+        return SetupSchema(std::move(specs));
+    }
+    /// Of a set-up that has passed check_setup with this schema. A field that is not shown has its default.
+    S read(const SetupReader& reader, const AssetLibrary& assets, Problems& problems) const {
+        S made;
+        for (const auto& one : all_) {
+            const bool shown = is_shown(reader.schema(), one.spec, reader.setup());
+            const SetupValue& value = shown ? value_of(one.spec, reader.setup()) : one.spec.default_value;
+            if (std::holds_alternative<std::monostate>(value)) continue;
+            FieldReading reading{"/" + one.spec.key, assets, problems};
+            one.read(made, value, reading);
+        }
+        return made;
+    }
+
+    /// Places for problems: "/unit", "/points/rows/2", "/points/rows/2/u_y".
+    template <class M>
+    std::string place(M S::*member) const {
+        return "/" + all_[detail::index_of(all_, member)].spec.key;
+    }
+    template <class Row>
+    std::string place(std::vector<Row> S::*table, std::size_t row) const {
+        return detail::row_place(place(table), row);
+    }
+    template <class Row, class M>
+    std::string place(std::vector<Row> S::*table, std::size_t row, M Row::*column) const {
+        const auto& parts = all_[detail::index_of(all_, table)].parts;
+        return place(table, row) + "/" + std::any_cast<const Columns<Row>&>(parts).key(column);
+    }
+
+private:
+    std::vector<detail::Declaration<S, FieldSpec>> all_;
+};
+
+}  // namespace covaria

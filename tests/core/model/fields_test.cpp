@@ -1,0 +1,166 @@
+// Fields declared once and bound to members: schema, reading and places agree.
+#include "core/setup/fields.h"
+
+#include <gtest/gtest.h>
+
+#include "core/model/offered.h"
+
+namespace covaria::fields_test {
+namespace {
+
+struct Lamp : Capability {
+    static constexpr const char* capability = "light";
+    double candela = 7.0;
+};
+struct LampAsset : Asset, Lamp {
+    LampAsset() { offer(*this); }
+};
+struct DarkAsset : Asset {};
+
+enum class Way { near, far };
+
+struct Stated {
+    struct Row {
+        std::string name;
+        std::optional<double> u;
+        Way way = Way::near;
+        Eigen::Vector3d p = Eigen::Vector3d::Zero();
+        bool held = false;
+    };
+    double length = 0.0;
+    int count = 0;
+    Way way = Way::near;
+    double only_far = -1.0;
+    Unit unit;
+    std::optional<double> extra;
+    Offered<Lamp> lamp;
+    std::vector<Row> rows;
+};
+
+const std::vector<ChoiceOf<Way>> ways{{Way::near, "near", "close by"}, {Way::far, "far", "far away"}};
+
+Columns<Stated::Row> columns() {
+    const Unit mm = Unit::of("mm");
+    return Columns<Stated::Row>()
+        .add(&Stated::Row::name, {.key = "name", .title = "name"})
+        .add(&Stated::Row::u, {.key = "u", .title = "u", .unit = mm, .optional = true})
+        .choice(&Stated::Row::way, {.key = "way", .title = "way", .optional = true}, ways)
+        .vector(&Stated::Row::p, {ColumnSpec{.key = "x", .title = "x", .unit = mm},
+                                  ColumnSpec{.key = "y", .title = "y", .unit = mm},
+                                  ColumnSpec{.key = "z", .title = "z", .unit = mm}})
+        .add(&Stated::Row::held, {.key = "held", .title = "held"});
+}
+
+Fields<Stated> declared() {
+    Fields<Stated> fields;
+    fields.add(&Stated::length, {.key = "length", .title = "Length", .help = "h", .unit = Unit::of("mm")})
+        .add(&Stated::count,
+             {.key = "n", .title = "Count", .help = "h", .default_value = Quantity{3.0, Unit{}}})
+        .choice(&Stated::way, {.key = "way", .title = "Way", .help = "h"}, ways, Way::near)
+        .add(&Stated::only_far,
+             {.key = "far", .title = "Far", .help = "h", .default_value = Quantity{4.0, Unit{}}})
+        .add(&Stated::unit, {.key = "unit", .title = "Unit", .help = "h", .default_value = std::string("1")})
+        .add(&Stated::extra, {.key = "extra", .title = "Extra", .help = "h", .optional = true})
+        .add(&Stated::lamp, {.key = "lamp", .title = "Lamp", .help = "h", .optional = true})
+        .table(&Stated::rows, {.key = "table", .title = "Table", .help = "h", .optional = true}, columns())
+        .shown_where(&Stated::way, {Way::far}, &Stated::only_far);
+    return fields;
+}
+
+struct FieldsTest : testing::Test {
+    Stated read() {
+        check_setup(schema, setup, problems);
+        EXPECT_FALSE(problems.has_errors()) << (problems.items().empty() ? "" : problems.items()[0].message);
+        return fields.read(SetupReader(schema, setup), assets, problems);
+    }
+    Fields<Stated> fields = declared();
+    SetupSchema schema = fields.schema();
+    covaria::Setup setup{{{"length", Quantity{20.0, Unit::of("cm")}}}};
+    AssetLibrary assets;
+    Problems problems;
+};
+
+TEST_F(FieldsTest, TheKindOfAFieldFollowsFromItsMember) {
+    const FieldKind kinds[] = {FieldKind::number, FieldKind::integer, FieldKind::choice,    FieldKind::number,
+                               FieldKind::text,   FieldKind::number,  FieldKind::reference, FieldKind::table};
+    ASSERT_EQ(schema.fields().size(), std::size(kinds));
+    for (std::size_t i = 0; i < std::size(kinds); ++i) EXPECT_EQ(schema.fields()[i].kind, kinds[i]) << i;
+    EXPECT_EQ(schema.find("lamp")->capabilities, std::vector<std::string>{"light"});
+    EXPECT_EQ(schema.find("way")->choices[1].title, "far away");
+    EXPECT_EQ(std::get<std::string>(schema.find("way")->default_value), "near");
+    EXPECT_EQ(schema.find("far")->shown_if->values, std::vector<std::string>{"far"});
+    EXPECT_EQ(schema.find("table")->columns[3].key, "x");
+    EXPECT_EQ(schema.find("table")->columns[6].kind, FieldKind::flag);
+}
+
+TEST_F(FieldsTest, ReadsWhatIsGivenInSiAndElseTheDefaults) {
+    const Stated plain = read();
+    EXPECT_DOUBLE_EQ(plain.length, 0.2);
+    EXPECT_EQ(plain.count, 3);
+    EXPECT_EQ(plain.only_far, 4.0);
+    EXPECT_FALSE(plain.extra || plain.lamp);
+    setup.values["extra"] = Quantity{2.0, Unit{}};
+    setup.values["n"] = Quantity{8.0, Unit{}};
+    setup.values["unit"] = std::string("mm");
+    setup.values["far"] = Quantity{5.0, Unit{}};
+    EXPECT_EQ(read().only_far, 4.0) << "what is not shown is not used";
+    setup.values["way"] = std::string("far");
+    const Stated given = read();
+    EXPECT_EQ(given.extra, 2.0);
+    EXPECT_EQ(given.count, 8);
+    EXPECT_EQ(given.unit, Unit::of("mm"));
+    EXPECT_EQ(given.way, Way::far);
+    EXPECT_EQ(given.only_far, 5.0);
+}
+
+TEST_F(FieldsTest, RowsAreStructs) {
+    const Unit um = Unit::of("um"), one;
+    setup.values["table"] = SetupTable{{one, um, one, um, um, um, one},
+                                       {{std::string("a"), 5.0, std::string("far"), 1e6, 2e6, 3e6, true},
+                                        {std::string("b"), {}, {}, 0.0, 0.0, 1e6}}};
+    const Stated given = read();
+    ASSERT_EQ(given.rows.size(), 2u);
+    EXPECT_EQ(given.rows[0].name, "a");
+    EXPECT_NEAR(*given.rows[0].u, 5e-6, 1e-20);
+    EXPECT_EQ(given.rows[0].way, Way::far);
+    EXPECT_NEAR((given.rows[0].p - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(), 0.0, 1e-15);
+    EXPECT_TRUE(given.rows[0].held);
+    EXPECT_FALSE(given.rows[1].u || given.rows[1].held);
+    EXPECT_EQ(given.rows[1].way, Way::near);
+}
+
+TEST_F(FieldsTest, PlacesAreThoseOfTheFile) {
+    EXPECT_EQ(fields.place(&Stated::count), "/n");
+    EXPECT_EQ(fields.place(&Stated::rows, 2), "/table/rows/2");
+    EXPECT_EQ(fields.place(&Stated::rows, 2, &Stated::Row::u), "/table/rows/2/u");
+    setup.values["unit"] = std::string("cubits");
+    read();
+    ASSERT_EQ(problems.items().size(), 1u);
+    EXPECT_EQ(problems.items()[0].path, "/unit");
+    struct Other {
+        int undeclared = 0;
+    };
+    EXPECT_THROW((void)Fields<Other>().place(&Other::undeclared), std::logic_error);
+}
+
+TEST_F(FieldsTest, AReferenceIsTheCapability) {
+    assets.add("one", {.name = "desk lamp", .asset = std::make_shared<LampAsset>()});
+    assets.add("dark", {.name = "", .asset = std::make_shared<DarkAsset>()});
+    setup.values["lamp"] = std::string("one");
+    const Stated given = read();
+    ASSERT_TRUE(given.lamp);
+    EXPECT_EQ(given.lamp->candela, 7.0);
+    EXPECT_EQ(given.lamp.id, "one");
+    EXPECT_EQ(given.lamp.name, "desk lamp");
+    for (const std::string id : {"dark", "nobody"}) {
+        problems = {};
+        setup.values["lamp"] = id;
+        EXPECT_FALSE(read().lamp);
+        ASSERT_EQ(problems.items().size(), 1u);
+        EXPECT_EQ(problems.items()[0].path, "/lamp");
+        EXPECT_EQ(problems.items()[0].message, "'" + id + "' does not offer 'light'");
+    }
+}
+
+}  // namespace
+}  // namespace covaria::fields_test
