@@ -1,8 +1,9 @@
 #include "core/project/options_json.h"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 
+#include "core/project/option_fields.h"
 #include "core/project/setup_json.h"
 #include "core/setup/message_text.h"
 
@@ -10,152 +11,141 @@ namespace covaria {
 
 namespace {
 
-struct MethodName {
-    Method method;
-    const char* key;
-};
-constexpr std::array<MethodName, 3> methods{{{Method::first_order, "first-order"},
-                                             {Method::monte_carlo, "monte-carlo"},
-                                             {Method::adaptive, "adaptive"}}};
+// Reads one key into the member that it is declared for; a key that is absent leaves the default.
+struct OptionReader {
+    const Json& value;
+    ObjectReader& reader;
+    const OptionField& field;
+    EvaluationOptions& options;
 
-constexpr double largest_whole_number = 9007199254740992.0;  // 2^53: beyond, doubles skip whole numbers
-
-// Reads into members of EvaluationOptions; a key that is absent leaves the default.
-class OptionsReader {
-public:
-    OptionsReader(const Json& value, const std::string& path, Problems& problems)
-        : value_(value), reader_(value, path, "'options'", problems), problems_(problems) {}
-
-    EvaluationOptions read() {
-        EvaluationOptions options;
-        method(options.method);
-        count("trials", options.trials);
-        seed(options.seed);
-        if (auto number = reader_.number("coverageProbability")) options.coverage_probability = *number;
-        options.coverage_factor = reader_.number("coverageFactor");
-        if (auto flag = reader_.flag("secondOrder")) options.second_order = *flag;
-        count("oneAtATimeTrials", options.one_at_a_time_trials);
-        count("contributorTrials", options.contributor_trials);
-        count("sobolTrials", options.sobol_trials);
-        std::uint64_t digits = static_cast<std::uint64_t>(options.significant_digits);
-        count("significantDigits", digits);
-        options.significant_digits = static_cast<int>(std::min<std::uint64_t>(digits, 100));
-        tolerance(options.tolerance);
-        count("minimumBatches", options.minimum_batches);
-        count("maximumTrials", options.maximum_trials);
-        reader_.refuse_unknown_keys();
-        return options;
+    void refuse(const std::string& demand, const std::string& given) {
+        reader.problems().error(reader.path_of(field.key),
+                                "'" + std::string(field.key) + "' must be " + demand + "; it is " + given);
     }
 
-private:
-    void method(Method& out) {
-        const std::string key = reader_.text("method");
-        if (!reader_.has("method") || !value_.at("method").is_string()) return;
+    bool is_text() { return reader.has(field.key) && value.at(field.key).is_string(); }
+
+    void operator()(const ChosenOption& member) {
+        const std::string given = reader.text(field.key);
+        if (!is_text()) return;
         std::vector<std::string> keys;
-        for (const MethodName& name : methods) {
-            if (key == name.key) {
-                out = name.method;
-                return;
-            }
-            keys.push_back(name.key);
-        }
-        problems_.error(reader_.path_of("method"), "'method' must be one of " + listed(keys) + "; it is '" +
-                                                       key + "'" + did_you_mean(key, keys));
+        for (const Choice& choice : field.choices) keys.push_back(choice.key);
+        if (std::find(keys.begin(), keys.end(), given) != keys.end())
+            member.set(options, given);
+        else
+            refuse("one of " + listed(keys), "'" + given + "'" + did_you_mean(given, keys));
     }
 
-    /// A quantity; a bare number is meant in the SI unit of every output.
-    void tolerance(std::optional<Quantity>& out) {
-        if (!reader_.has("tolerance")) return;
-        if (value_.at("tolerance").is_object())
-            out = reader_.quantity("tolerance");
-        else if (const auto number = reader_.number("tolerance"))
-            out = Quantity{*number, Unit()};
+    void operator()(const SeedOption& seed) {
+        const std::string text = reader.text(field.key);
+        if (!is_text()) return;
+        const auto [end, status] =
+            std::from_chars(text.data(), text.data() + text.size(), options.*seed.member);
+        if (status != std::errc{} || end != text.data() + text.size())
+            refuse("a whole number from 0 to 18446744073709551615, in quotes", "'" + text + "'");
     }
 
-    void count(const std::string& key, std::uint64_t& out) {
-        const auto number = reader_.number(key);
+    void operator()(std::uint64_t EvaluationOptions::*member) {
+        const auto number = reader.number(field.key);
         if (!number) return;
         if (*number >= 0 && *number <= largest_whole_number &&
             *number == static_cast<double>(static_cast<std::uint64_t>(*number)))
-            out = static_cast<std::uint64_t>(*number);
+            options.*member = static_cast<std::uint64_t>(*number);
         else
-            problems_.error(reader_.path_of(key),
-                            "'" + key + "' must be a whole number that is not negative; it is " +
-                                readable_number(*number));
+            refuse("a whole number that is not negative", readable_number(*number));
     }
 
-    void seed(std::uint64_t& out) {
-        const std::string text = reader_.text("seed");
-        if (!reader_.has("seed") || !value_.at("seed").is_string()) return;
-        const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), out);
-        if (status != std::errc{} || end != text.data() + text.size())
-            problems_.error(reader_.path_of("seed"),
-                            "'seed' must be a whole number from 0 to 18446744073709551615, in "
-                            "quotes; it is '" +
-                                text + "'");
+    void operator()(int EvaluationOptions::*member) {
+        EvaluationOptions counted;
+        counted.trials = static_cast<std::uint64_t>(options.*member);
+        OptionReader{value, reader, field, counted}(&EvaluationOptions::trials);
+        options.*member = static_cast<int>(std::min<std::uint64_t>(counted.trials, 100));
     }
 
-    const Json& value_;
-    ObjectReader reader_;
-    Problems& problems_;
+    void operator()(double EvaluationOptions::*member) {
+        if (const auto number = reader.number(field.key)) options.*member = *number;
+    }
+
+    void operator()(std::optional<double> EvaluationOptions::*member) {
+        options.*member = reader.number(field.key);
+    }
+
+    /// A bare number is meant in the SI unit of every output.
+    void operator()(std::optional<Quantity> EvaluationOptions::*member) {
+        if (!reader.has(field.key)) return;
+        if (value.at(field.key).is_object())
+            options.*member = reader.quantity(field.key);
+        else if (const auto number = reader.number(field.key))
+            options.*member = Quantity{*number, Unit()};
+    }
+
+    void operator()(bool EvaluationOptions::*member) {
+        if (const auto flag = reader.flag(field.key)) options.*member = *flag;
+    }
 };
 
-// Calls `write` for a member that differs from its default.
-template <class T, class Write>
-void write_changed(JsonWriter& out, const char* key, const T& value, const T& default_value, Write write) {
-    if (value == default_value) return;
-    out.key(key);
-    write(value);
-}
+// Writes a member that differs from its default.
+struct OptionWriter {
+    JsonWriter& out;
+    const OptionField& field;
+    const EvaluationOptions& options;
+    const EvaluationOptions defaults = {};
 
-const char* method_key(Method method) {
-    for (const MethodName& name : methods)
-        if (name.method == method) return name.key;
-    return "";
-}
+    template <class T>
+    bool begins(T EvaluationOptions::*member) {
+        const bool changed = !(options.*member == defaults.*member);
+        if (changed) out.key(field.key);
+        return changed;
+    }
+
+    void operator()(const ChosenOption& member) {
+        if (member.get(options) == member.get(defaults)) return;
+        out.key(field.key);
+        out.text(member.get(options));
+    }
+    void operator()(const SeedOption& seed) {
+        if (begins(seed.member)) out.text(std::to_string(options.*seed.member));
+    }
+    void operator()(std::uint64_t EvaluationOptions::*member) {
+        if (begins(member)) out.integer(options.*member);
+    }
+    void operator()(int EvaluationOptions::*member) {
+        if (begins(member)) out.integer(static_cast<std::uint64_t>(options.*member));
+    }
+    void operator()(double EvaluationOptions::*member) {
+        if (begins(member)) out.finite_number(options.*member);
+    }
+    void operator()(std::optional<double> EvaluationOptions::*member) {
+        if (begins(member)) out.finite_number((options.*member).value());
+    }
+    void operator()(std::optional<Quantity> EvaluationOptions::*member) {
+        if (!begins(member)) return;
+        const Quantity& quantity = (options.*member).value();
+        if (quantity.unit == Unit())
+            out.finite_number(quantity.value);
+        else
+            write_quantity(out, quantity);
+    }
+    void operator()(bool EvaluationOptions::*member) {
+        if (begins(member)) out.boolean(options.*member);
+    }
+};
 
 }  // namespace
 
 EvaluationOptions options_from_json(const Json& value, const std::string& path, Problems& problems) {
-    return OptionsReader(value, path, problems).read();
+    EvaluationOptions options;
+    ObjectReader reader(value, path, "'options'", problems);
+    for (const OptionField& field : option_fields())
+        std::visit(OptionReader{value, reader, field, options}, field.member);
+    reader.refuse_unknown_keys();
+    return options;
 }
 
 void write_options(JsonWriter& out, const EvaluationOptions& options) {
-    const EvaluationOptions defaults;
-    const auto count = [&](std::uint64_t value) { out.integer(value); };
-    const auto number = [&](double value) { out.finite_number(value); };
-    const auto maybe = [&](const std::optional<double>& value) {
-        if (value)
-            out.finite_number(*value);
-        else
-            out.null();
-    };
     out.begin_object();
-    write_changed(out, "method", options.method, defaults.method,
-                  [&](Method method) { out.text(method_key(method)); });
-    write_changed(out, "trials", options.trials, defaults.trials, count);
-    write_changed(out, "seed", options.seed, defaults.seed,
-                  [&](std::uint64_t seed) { out.text(std::to_string(seed)); });
-    write_changed(out, "coverageProbability", options.coverage_probability, defaults.coverage_probability,
-                  number);
-    write_changed(out, "coverageFactor", options.coverage_factor, defaults.coverage_factor, maybe);
-    write_changed(out, "secondOrder", options.second_order, defaults.second_order,
-                  [&](bool value) { out.boolean(value); });
-    write_changed(out, "oneAtATimeTrials", options.one_at_a_time_trials, defaults.one_at_a_time_trials,
-                  count);
-    write_changed(out, "contributorTrials", options.contributor_trials, defaults.contributor_trials, count);
-    write_changed(out, "sobolTrials", options.sobol_trials, defaults.sobol_trials, count);
-    write_changed(out, "significantDigits", options.significant_digits, defaults.significant_digits,
-                  [&](int value) { out.integer(static_cast<std::uint64_t>(value)); });
-    write_changed(out, "tolerance", options.tolerance, defaults.tolerance,
-                  [&](const std::optional<Quantity>& tolerance) {
-                      if (tolerance->unit == Unit())
-                          out.finite_number(tolerance->value);
-                      else
-                          write_quantity(out, *tolerance);
-                  });
-    write_changed(out, "minimumBatches", options.minimum_batches, defaults.minimum_batches, count);
-    write_changed(out, "maximumTrials", options.maximum_trials, defaults.maximum_trials, count);
+    for (const OptionField& field : option_fields())
+        std::visit(OptionWriter{out, field, options}, field.member);
     out.end();
 }
 

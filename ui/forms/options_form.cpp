@@ -1,6 +1,8 @@
 // One row per option; rows that the method does not use are hidden.
 #include "ui/forms/options_form.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <algorithm>
 
 #include "ui/document/setup_address.h"
@@ -10,157 +12,116 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr double largest_count = 9007199254740992.0;  // 2^53: every whole number up to it is a double
-const std::vector<Method> always{Method::first_order, Method::monte_carlo, Method::adaptive};
-const std::vector<Method> with_trials{Method::monte_carlo, Method::adaptive};
-
-/// The option that a JSON pointer names: "/analyses/0/options/coverageProbability" -> "coverage_probability".
-QString key_of_path(const std::string& path) {
-    QString key;
-    for (const char c : path.substr(path.rfind('/') + 1)) {
-        if (c >= 'A' && c <= 'Z') key += '_';
-        key += QChar(c).toLower();
-    }
-    return key;
+bool is_whole(const OptionMember& member) {
+    return std::holds_alternative<SeedOption>(member) ||
+           std::holds_alternative<std::uint64_t EvaluationOptions::*>(member) ||
+           std::holds_alternative<int EvaluationOptions::*>(member);
 }
 
-/// The other way round, relative to the analysis: "/options/coverageProbability".
-std::string place_of_option(const QString& key) {
-    std::string place = "/options/";
-    for (qsizetype i = 0; i < key.size(); ++i)
-        place += key[i] == u'_' && i + 1 < key.size() ? key[++i].toUpper().toLatin1() : key[i].toLatin1();
-    return place;
+bool may_be_absent(const OptionMember& member) {
+    return std::holds_alternative<std::optional<double> EvaluationOptions::*>(member) ||
+           std::holds_alternative<std::optional<Quantity> EvaluationOptions::*>(member);
+}
+
+Range range_of(const OptionField& field) {
+    Range range = field.range;
+    if (!is_whole(field.member)) return range;
+    range.low = std::max(range.low, 0.0);
+    range.high = std::min(range.high, largest_whole_number);
+    return range;
+}
+
+std::optional<Quantity> quantity_of(const OptionField& field, const EvaluationOptions& options) {
+    if (const auto* member = std::get_if<std::optional<Quantity> EvaluationOptions::*>(&field.member))
+        return options.**member;
+    const std::optional<double> number = number_of(field.member, options);
+    return number ? std::optional<Quantity>({*number, Unit()}) : std::nullopt;
+}
+
+void set_quantity(const OptionField& field, EvaluationOptions& options,
+                  const std::optional<Quantity>& quantity) {
+    if (const auto* member = std::get_if<std::optional<Quantity> EvaluationOptions::*>(&field.member))
+        options.** member = quantity;
+    else
+        set_number(field.member, options, quantity ? std::optional(quantity->value) : std::nullopt);
+}
+
+/// "/analyses/0/options/coverageProbability" -> "coverageProbability".
+std::string key_of_path(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
 }
 
 }  // namespace
 
 OptionsForm::OptionsForm(Document& document, std::string analysis, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
-      analysis_(std::move(analysis)),
-      layout_(new QFormLayout(this)),
-      method_(new QComboBox(this)),
-      second_order_(new QCheckBox(tr("Second-order terms"), this)) {
-    build_method();
-    build_common();
-    build_monte_carlo();
-    build_adaptive();
+    : QWidget(parent), document_(document), analysis_(std::move(analysis)), layout_(new QFormLayout(this)) {
+    for (const OptionField& field : option_fields()) add(field);
+    add_forecast();
     connect(&document_, &Document::project_changed, this, &OptionsForm::refresh);
     connect(&document_, &Document::problems_changed, this, &OptionsForm::refresh_problems);
     refresh();
     refresh_problems();
 }
 
-void OptionsForm::build_method() {
-    method_->addItem(tr("Law of propagation only"), static_cast<int>(Method::first_order));
-    method_->addItem(tr("Monte Carlo, fixed number of trials"), static_cast<int>(Method::monte_carlo));
-    method_->addItem(tr("Monte Carlo, adaptive"), static_cast<int>(Method::adaptive));
-    method_->setAccessibleName(tr("Method"));
-    method_->setObjectName("method");
-    layout_->addRow(tr("Method"), method_);
-    connect(method_, &QComboBox::activated, this, [this](int row) {
-        const auto method = static_cast<Method>(method_->itemData(row).toInt());
-        change("method", [&](EvaluationOptions& options) { options.method = method; });
+void OptionsForm::add(const OptionField& field) {
+    if (const auto* chosen = std::get_if<ChosenOption>(&field.member))
+        rows_.push_back(choice_row(field, *chosen));
+    else if (const auto* flag = std::get_if<bool EvaluationOptions::*>(&field.member))
+        rows_.push_back(flag_row(field, *flag));
+    else
+        rows_.push_back(quantity_row(field));
+    QWidget* editor = rows_.back().editor;
+    editor->setObjectName(QString::fromUtf8(field.key));
+    editor->setAccessibleName(QString::fromUtf8(field.title));
+}
+
+OptionsForm::Row OptionsForm::choice_row(const OptionField& field, const ChosenOption& member) {
+    auto* box = new QComboBox(this);
+    for (const Choice& choice : field.choices) box->addItem(to_qt(choice.title), to_qt(choice.key));
+    box->setToolTip(QString::fromUtf8(field.help));
+    layout_->addRow(QString::fromUtf8(field.title), box);
+    connect(box, &QComboBox::activated, this, [this, box, &field, &member](int row) {
+        const std::string key = box->itemData(row).toString().toStdString();
+        change(field, [&](EvaluationOptions& options) { member.set(options, key); });
     });
+    return {&field, box,
+            [box, &member](const EvaluationOptions& options) {
+                box->setCurrentIndex(box->findData(to_qt(member.get(options))));
+            },
+            [](const QString&) {}};
 }
 
-void OptionsForm::build_common() {
-    add(
-        {"coverage_probability",
-         tr("Coverage probability"),
-         tr("Between 0 and 1, usually 0.95."),
-         false,
-         {0.0, 1.0, true}},
-        always, [](const EvaluationOptions& o) { return o.coverage_probability; },
-        [](EvaluationOptions& o, std::optional<double> value) {
-            o.coverage_probability = value.value_or(0.95);
-        });
-    add(
-        {"coverage_factor",
-         tr("Coverage factor"),
-         tr("A fixed k for U = k u; empty: U by the effective degrees of freedom (law of propagation), or "
-            "half of the "
-            "coverage interval (Monte Carlo)."),
-         false,
-         {0.0, Range::infinity_value, true},
-         true},
-        always, [](const EvaluationOptions& o) { return o.coverage_factor; },
-        [](EvaluationOptions& o, std::optional<double> value) { o.coverage_factor = value; });
-    second_order_->setObjectName("second_order");
-    second_order_->setToolTip(
-        tr("Adds the second-order terms of the law of propagation (NOTE to JCGM 100 5.1.2)."));
-    layout_->addRow(QString(), second_order_);
-    connect(second_order_, &QCheckBox::clicked, this, [this](bool checked) {
-        change("second_order", [&](EvaluationOptions& options) { options.second_order = checked; });
+OptionsForm::Row OptionsForm::flag_row(const OptionField& field, bool EvaluationOptions::*member) {
+    auto* box = new QCheckBox(QString::fromUtf8(field.title), this);
+    box->setToolTip(QString::fromUtf8(field.help));
+    layout_->addRow(QString(), box);
+    connect(box, &QCheckBox::clicked, this, [this, &field, member](bool checked) {
+        change(field, [&](EvaluationOptions& options) { options.*member = checked; });
     });
-    add(
-        {"significant_digits",
-         tr("Significant digits"),
-         tr("Of the numerical tolerance: adaptive procedure and validation (JCGM 101 7.9, 8)."),
-         true,
-         {1.0, 4.0}},
-        always, [](const EvaluationOptions& o) { return o.significant_digits; },
-        [](EvaluationOptions& o, std::optional<double> value) {
-            o.significant_digits = static_cast<int>(value.value_or(2.0));
-        });
+    return {&field, box,
+            [box, member](const EvaluationOptions& options) { box->setChecked(options.*member); },
+            [](const QString&) {}};
 }
 
-void OptionsForm::build_monte_carlo() {
-    add_count({"trials", tr("Trials"), tr("Number of trials M."), true, {1.0, largest_count}},
-              {Method::monte_carlo}, &EvaluationOptions::trials);
-    add_count({"seed",
-               tr("Seed"),
-               tr("The same seed gives the same numbers, whatever the number of threads."),
-               true,
-               {0.0, largest_count}},
-              with_trials, &EvaluationOptions::seed);
-    add_count({"one_at_a_time_trials",
-               tr("Trials one at a time"),
-               tr("Trials for each component alone, every other held; 0: none."),
-               true,
-               {0.0, largest_count}},
-              with_trials, &EvaluationOptions::one_at_a_time_trials);
-    add_count({"contributor_trials",
-               tr("Trials by contributor"),
-               tr("Trials with everything of one instrument, artefact or robot held (an ideal one), for "
-                  "each; 0: by "
-                  "the law of propagation."),
-               true,
-               {0.0, largest_count}},
-              with_trials, &EvaluationOptions::contributor_trials);
-    add_count(
-        {"sobol_trials",
-         tr("Trials for Sobol indices"),
-         tr("Pairs of trials for the shares of the variance with all interactions, for each component; 0: "
-            "none."),
-         true,
-         {0.0, largest_count}},
-        with_trials, &EvaluationOptions::sobol_trials);
+OptionsForm::Row OptionsForm::quantity_row(const OptionField& field) {
+    auto* edit = new QuantityEdit(this);
+    edit->set_integer(is_whole(field.member));
+    edit->set_range(range_of(field));
+    edit->set_optional(may_be_absent(field.member));
+    edit->set_help(QString::fromUtf8(field.help));
+    layout_->addRow(QString::fromUtf8(field.title), edit);
+    edit->set_place(document_.unread(), place_of(field));
+    connect(edit, &QuantityEdit::quantity_edited, this,
+            [this, &field](const std::optional<Quantity>& quantity) {
+                change(field, [&](EvaluationOptions& options) { set_quantity(field, options, quantity); });
+            });
+    return {
+        &field, edit,
+        [edit, &field](const EvaluationOptions& options) { edit->set_quantity(quantity_of(field, options)); },
+        [edit](const QString& complaint) { edit->set_complaint(complaint); }};
 }
 
-void OptionsForm::build_adaptive() {
-    add_quantity(
-        {"tolerance",
-         tr("Tolerance"),
-         tr("With its unit, for the output quantities of that kind (0.005 mm); a bare number is meant in the "
-            "SI unit of every output. Empty: from the significant digits."),
-         false,
-         {0.0, Range::infinity_value, true},
-         true},
-        {Method::adaptive}, [](const EvaluationOptions& o) { return o.tolerance; },
-        [](EvaluationOptions& o, std::optional<Quantity> value) { o.tolerance = value; });
-    add_count({"minimum_batches",
-               tr("Least number of batches"),
-               tr("Before the procedure may stop."),
-               true,
-               {2.0, largest_count}},
-              {Method::adaptive}, &EvaluationOptions::minimum_batches);
-    add_count({"maximum_trials",
-               tr("Most trials"),
-               tr("The procedure stops here and says that it has not stabilised."),
-               true,
-               {1.0, largest_count}},
-              {Method::adaptive}, &EvaluationOptions::maximum_trials);
+void OptionsForm::add_forecast() {
     forecast_ = new QLabel(this);
     forecast_->setObjectName(QStringLiteral("forecast"));
     forecast_->setWordWrap(true);
@@ -175,45 +136,8 @@ void OptionsForm::set_forecast(const QString& words) {
     layout_->setRowVisible(forecast_, shown && shown->method == Method::adaptive);
 }
 
-void OptionsForm::add_count(const Field& field, std::vector<Method> methods,
-                            std::uint64_t EvaluationOptions::*member) {
-    add(
-        field, std::move(methods),
-        [member](const EvaluationOptions& options) { return static_cast<double>(options.*member); },
-        [member](EvaluationOptions& options, std::optional<double> value) {
-            options.*member = static_cast<std::uint64_t>(value.value_or(0.0));
-        });
-}
-
-void OptionsForm::add(const Field& field, std::vector<Method> methods, Get get, Set set) {
-    add_quantity(
-        field, std::move(methods),
-        [get = std::move(get)](const EvaluationOptions& options) {
-            const std::optional<double> value = get(options);
-            return value ? std::optional<Quantity>({*value, Unit()}) : std::nullopt;
-        },
-        [set = std::move(set)](EvaluationOptions& options, std::optional<Quantity> quantity) {
-            set(options, quantity ? std::optional<double>(quantity->value) : std::nullopt);
-        });
-}
-
-void OptionsForm::add_quantity(const Field& field, std::vector<Method> methods, GetQuantity get,
-                               SetQuantity set) {
-    auto* edit = new QuantityEdit(this);
-    edit->set_integer(field.integer);
-    edit->set_range(field.range);
-    edit->set_optional(field.optional);
-    edit->set_help(field.help);
-    edit->setAccessibleName(field.title);
-    edit->setObjectName(field.key);
-    layout_->addRow(field.title, edit);
-    const QString key = field.key;
-    edit->set_place(document_.unread(), {{SetupOwner::analysis, analysis_}, place_of_option(key)});
-    rows_.push_back({key, edit, std::move(get), std::move(methods)});
-    connect(edit, &QuantityEdit::quantity_edited, this,
-            [this, key, set = std::move(set)](const std::optional<Quantity>& quantity) {
-                change(key, [&](EvaluationOptions& options) { set(options, quantity); });
-            });
+TextPlace OptionsForm::place_of(const OptionField& field) const {
+    return {{SetupOwner::analysis, analysis_}, std::string("/options/") + field.key};
 }
 
 const EvaluationOptions* OptionsForm::options() const {
@@ -221,27 +145,25 @@ const EvaluationOptions* OptionsForm::options() const {
     return entry ? &entry->options : nullptr;
 }
 
-void OptionsForm::change(const QString& key, const std::function<void(EvaluationOptions&)>& edit) {
+void OptionsForm::change(const OptionField& field, const std::function<void(EvaluationOptions&)>& edit) {
     document_.apply(
         tr("Change evaluation options"),
         [&](Project& project) {
             if (AnalysisEntry* entry = find_analysis_entry(project, analysis_)) edit(entry->options);
         },
-        QStringLiteral("options:%1:%2").arg(to_qt(analysis_), key));
+        QStringLiteral("options:%1:%2").arg(to_qt(analysis_), QString::fromUtf8(field.key)));
 }
 
 void OptionsForm::refresh() {
     const EvaluationOptions* shown = options();
     setEnabled(shown != nullptr);
     if (!shown) return;
-    method_->setCurrentIndex(method_->findData(static_cast<int>(shown->method)));
-    second_order_->setChecked(shown->second_order);
     for (const Row& row : rows_) {
-        const bool used =
-            std::find(row.methods.begin(), row.methods.end(), shown->method) != row.methods.end();
-        layout_->setRowVisible(row.edit, used);
-        if (!used) document_.unread().remove({{SetupOwner::analysis, analysis_}, place_of_option(row.key)});
-        row.edit->set_quantity(row.get(*shown));
+        const auto& methods = row.field->methods;
+        const bool used = std::find(methods.begin(), methods.end(), shown->method) != methods.end();
+        layout_->setRowVisible(row.editor, used);
+        if (!used) document_.unread().remove(place_of(*row.field));
+        row.show(*shown);
     }
     set_forecast(shown->method == Method::adaptive ? forecast_->text() : QString());
 }
@@ -252,19 +174,17 @@ void OptionsForm::refresh_problems() {
     for (const Row& row : rows_) {
         QStringList messages;
         for (const Problem& problem : document_.problems().items())
-            if (problem.path.starts_with(prefix) && key_of_path(problem.path) == row.key)
-                messages << to_qt(problem.message);
-        row.edit->set_complaint(messages.join('\n'));
+            if (problem.path == prefix + row.field->key) messages << to_qt(problem.message);
+        row.complain(messages.join('\n'));
     }
 }
 
 bool OptionsForm::focus_field(const std::string& path) {
-    const QString key = key_of_path(path);
-    if (key == method_->objectName()) method_->setFocus(Qt::OtherFocusReason);
-    for (const Row& row : rows_)
-        if (row.key == key) row.edit->setFocus(Qt::OtherFocusReason);
-    return key == method_->objectName() ||
-           std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.key == key; });
+    const std::string key = key_of_path(path);
+    const auto row =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& one) { return one.field->key == key; });
+    if (row != rows_.end()) row->editor->setFocus(Qt::OtherFocusReason);
+    return row != rows_.end();
 }
 
 }  // namespace covaria::ui

@@ -1,16 +1,13 @@
 // The form of an analysis' evaluation options.
 #pragma once
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QWidget>
 #include <functional>
-#include <optional>
 #include <vector>
 
-#include "core/propagation/options.h"
+#include "core/project/option_fields.h"
 #include "ui/document/document.h"
 #include "ui/forms/quantity_edit.h"
 
@@ -26,32 +23,19 @@ public:
     void set_forecast(const QString& words);
 
 private:
-    using Get = std::function<std::optional<double>(const EvaluationOptions&)>;
-    using Set = std::function<void(EvaluationOptions&, std::optional<double>)>;
-    using GetQuantity = std::function<std::optional<Quantity>(const EvaluationOptions&)>;
-    using SetQuantity = std::function<void(EvaluationOptions&, std::optional<Quantity>)>;
     struct Row {
-        QString key;  ///< of the field in the options
-        QuantityEdit* edit;
-        GetQuantity get;
-        std::vector<Method> methods;  ///< shown for these
+        const OptionField* field;
+        QWidget* editor;
+        std::function<void(const EvaluationOptions&)> show;
+        std::function<void(const QString&)> complain;
     };
-    struct Field {
-        const char* key;
-        QString title;
-        QString help;
-        bool integer = false;
-        Range range = {};
-        bool optional = false;
-    };
-    void build_method();
-    void build_common();
-    void build_monte_carlo();
-    void build_adaptive();
-    void add(const Field& field, std::vector<Method> methods, Get get, Set set);
-    void add_quantity(const Field& field, std::vector<Method> methods, GetQuantity get, SetQuantity set);
-    void add_count(const Field& field, std::vector<Method> methods, std::uint64_t EvaluationOptions::*member);
-    void change(const QString& key, const std::function<void(EvaluationOptions&)>& edit);
+    void add(const OptionField& field);
+    Row choice_row(const OptionField& field, const ChosenOption& member);
+    Row flag_row(const OptionField& field, bool EvaluationOptions::*member);
+    Row quantity_row(const OptionField& field);
+    void add_forecast();
+    void change(const OptionField& field, const std::function<void(EvaluationOptions&)>& edit);
+    TextPlace place_of(const OptionField& field) const;
     const EvaluationOptions* options() const;
     void refresh();
     void refresh_problems();
@@ -59,8 +43,6 @@ private:
     Document& document_;
     std::string analysis_;
     QFormLayout* layout_;
-    QComboBox* method_;
-    QCheckBox* second_order_;
     QLabel* forecast_ = nullptr;
     std::vector<Row> rows_;
 };

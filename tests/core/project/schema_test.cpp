@@ -2,10 +2,12 @@
 // read.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <set>
 
 #include "core/base/resource_path.h"
+#include "core/project/option_fields.h"
 #include "core/project/options_json.h"
 #include "core/project/project_file.h"
 #include "core/project/study_json.h"
@@ -95,6 +97,66 @@ TEST(JsonSchema, StatesTheDefaults) {
     EXPECT_EQ(with_defaults("component")["type"], "B");
     EXPECT_EQ(with_defaults("inputEdit")["held"], false);
     for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+}
+
+/// The entry of an option in the schema, as its declaration makes it.
+struct MadeEntry {
+    const OptionField& field;
+    nlohmann::json made = {{"description", field.help}};
+    const EvaluationOptions defaults = {};
+
+    void type(const char* name, bool is_number = true) {
+        made["type"] = name;
+        if (!is_number) return;
+        if (std::isfinite(field.range.low))
+            made[field.range.low_open ? "exclusiveMinimum" : "minimum"] = field.range.low;
+        if (std::isfinite(field.range.high))
+            made[field.below_high ? "exclusiveMaximum" : "maximum"] = field.range.high;
+    }
+    void operator()(const ChosenOption& member) {
+        for (const Choice& choice : field.choices) made["enum"].push_back(choice.key);
+        made["default"] = member.get(defaults);
+    }
+    void operator()(const SeedOption& seed) {
+        type("string", false);
+        made["pattern"] = "^[0-9]+$";
+        made["default"] = std::to_string(defaults.*seed.member);
+    }
+    void operator()(std::uint64_t EvaluationOptions::*member) {
+        type("integer");
+        made["default"] = defaults.*member;
+    }
+    void operator()(int EvaluationOptions::*member) {
+        type("integer");
+        made["default"] = defaults.*member;
+    }
+    void operator()(double EvaluationOptions::*member) {
+        type("number");
+        made["default"] = defaults.*member;
+    }
+    void operator()(std::optional<double> EvaluationOptions::*) { type("number"); }
+    void operator()(std::optional<Quantity> EvaluationOptions::*) {
+        made["anyOf"] = {{{"type", "number"}, {"exclusiveMinimum", field.range.low}},
+                         {{"$ref", "#/$defs/quantity"}}};
+    }
+    void operator()(bool EvaluationOptions::*member) {
+        type("boolean", false);
+        made["default"] = defaults.*member;
+    }
+};
+
+TEST(JsonSchema, OfTheOptionsIsWhatTheirDeclarationsMake) {
+    std::vector<std::string> stated, declared;
+    const Json& properties = definitions()["options"]["properties"];
+    for (const auto& [key, field] : properties.items()) stated.push_back(key);
+    for (const OptionField& field : option_fields()) {
+        declared.emplace_back(field.key);
+        MadeEntry entry{field};
+        std::visit(entry, field.member);
+        ASSERT_TRUE(properties.contains(field.key)) << field.key;
+        EXPECT_EQ(nlohmann::json::parse(properties[field.key].dump()), entry.made) << field.key;
+    }
+    EXPECT_EQ(stated, declared);
 }
 
 TEST(JsonSchema, NamesTheChoicesThatAreRead) {

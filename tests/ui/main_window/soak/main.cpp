@@ -92,8 +92,9 @@ private:
         edit->setFocus();
         edit->selectAll();
         // A count of trials in the millions would make this a test of the engine.
-        type(*edit, edit->objectName().contains(QStringLiteral("trials")) ? QString::number(100 + below(2000))
-                                                                          : text());
+        type(*edit, edit->objectName().contains(QStringLiteral("trials"), Qt::CaseInsensitive)
+                        ? QString::number(100 + below(2000))
+                        : text());
     }
     void choose_in_a_list() {
         auto* box = any_of<QComboBox>(window_.properties());
