@@ -30,7 +30,8 @@ const char* const footer =
     "  covaria validate my.covaria\n"
     "  covaria describe pose-from-points\n"
     "\n"
-    "Exit status: 0 success, 1 bad input or something without results, 2 wrong usage, 130 interrupted.";
+    "Exit status: 0 success, 1 bad input or something without results, 2 wrong usage, 3 a requirement is not "
+    "met (check), 130 interrupted.";
 
 /// "there is no command ..." where the first word is neither a file nor an option; else empty.
 std::string mistyped_command(const CLI::App& app, int argc, char** argv) {
