@@ -60,9 +60,14 @@ std::string words_of(const FailedAnalysis& failed) {
 /// Evaluates analysis after analysis and keeps what failed.
 class Evaluator {
 public:
-    Evaluator(const Project& project, const AssetLibrary& assets, const RunRequest& request,
+    /// `project` is that of `opened` as the command line wants it.
+    Evaluator(const Project& project, const OpenedProject& opened, const RunRequest& request,
               const std::stop_token& stop)
-        : project_(project), assets_(assets), request_(request), stop_(stop) {}
+        : project_(project),
+          assets_(opened.assets),
+          of_assets_(opened.of_assets),
+          request_(request),
+          stop_(stop) {}
 
     /// Error{cancelled} only.
     Result<void> add(const std::string& id) {
@@ -91,7 +96,7 @@ private:
         if (!result) return fail(result.error());
         EvaluatedAnalysis evaluated{
             prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};
-        for (const Problem& problem : problems.items()) evaluated.warnings.push_back(problem.message);
+        evaluated.warnings = warnings_of(project_, id, of_assets_, problems);
         return evaluated;
     }
 
@@ -139,6 +144,7 @@ private:
 
     const Project& project_;
     const AssetLibrary& assets_;
+    const Problems& of_assets_;
     const RunRequest& request_;
     std::stop_token stop_;
 };
@@ -173,7 +179,7 @@ Result<OpenedProject> open_project(const std::string& file, const std::vector<st
         return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");
     Problems asset_problems;
     AssetLibrary assets = make_assets(loaded.project, asset_problems);
-    return OpenedProject{std::move(loaded.project), std::move(assets)};
+    return OpenedProject{std::move(loaded.project), std::move(assets), std::move(asset_problems)};
 }
 
 Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunRequest& request,
@@ -181,7 +187,7 @@ Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunReque
     const Project project = with_overrides(opened.project, request);
     const auto ids = selected(project, request.analyses);
     if (!ids) return fail(ids.error());
-    Evaluator evaluator(project, opened.assets, request, stop);
+    Evaluator evaluator(project, opened, request, stop);
     for (const std::string& id : *ids)
         if (auto added = evaluator.add(id); !added) return fail(added.error());
     return std::move(evaluator.evaluation);

@@ -30,6 +30,7 @@ struct RunRequest {
 struct OpenedProject {
     Project project;
     AssetLibrary assets;
+    Problems of_assets;  ///< warnings
 };
 
 /// Prints every problem; an error of the project becomes Error{bad_input}. `values`: see RunRequest.

@@ -11,6 +11,7 @@
 #include "app/window.h"
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
+#include "core/base/version.h"
 #include "core/setup/message_text.h"
 
 namespace {
@@ -53,7 +54,7 @@ int main(int argc, char** argv) {
     using namespace covaria;
     CLI::App app(description, "covaria");
     app.footer(footer);
-    app.set_version_flag("--version", std::string("covaria ") + COVARIA_VERSION);
+    app.set_version_flag("--version", std::string("covaria ") + version());
     app.require_subcommand(0, 1);
     std::string file;
     app.add_option("FILE", file, "project file to open in the window")->check(CLI::ExistingFile);

@@ -29,6 +29,16 @@ struct RunArguments {
     bool pictures = false;
 };
 
+void say_what_does_not_represent(const Project& project, const std::vector<EvaluatedAnalysis>& analyses) {
+    for (const EvaluatedAnalysis& one : analyses) {
+        if (represents_measurand(*one.result)) continue;
+        const AnalysisEntry* entry = project.find_analysis(one.analysis->id);
+        const bool required = entry && !entry->requirements.empty();
+        print_message("the result of " + one.analysis->id + " " + does_not_represent +
+                      (required ? "; its requirements are not judged" : ""));
+    }
+}
+
 /// Evaluates one project and writes everything that was asked for. `lines`: its result lines are added, under
 /// `name`.
 Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop, const std::string& name,
@@ -39,9 +49,7 @@ Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop,
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
     const std::vector<EvaluatedAnalysis>& analyses = evaluation->analyses;
-    for (const EvaluatedAnalysis& one : analyses)
-        if (!represents_measurand(*one.result))
-            print_message("the result of " + one.analysis->id + " " + does_not_represent);
+    say_what_does_not_represent(opened->project, analyses);
     ResultListing listing{evaluation->failed, {}};
     std::vector<PlannedPicture> pictures;
     if (arguments.pictures) pictures = planned_pictures(analyses);
