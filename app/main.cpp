@@ -12,7 +12,7 @@
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
 #include "core/base/version.h"
-#include "core/model/words.h"
+#include "core/setup/message_text.h"
 
 namespace {
 

@@ -2,12 +2,12 @@
 // bytes.
 #include "core/base/version.h"
 #include "core/project/project_file.h"
-#include "core/project/requirements.h"
+#include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
 #include "core/report/json_values.h"
 #include "core/report/number_format.h"
 #include "core/report/report.h"
-#include "core/report/study_json.h"
+#include "core/report/study_results_json.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
 

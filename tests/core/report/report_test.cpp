@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/symbol.h"
-#include "core/project/requirements.h"
+#include "core/project/stated_requirements.h"
 #include "core/report/table_text.h"
 #include "core/result/representation.h"
 #include "tests/core/report/sample_report.h"
