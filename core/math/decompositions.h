@@ -14,7 +14,8 @@ namespace covaria {
 template <class Derived>
 auto cholesky(const Eigen::MatrixBase<Derived>& matrix) {
     Eigen::LLT<typename Derived::PlainObject> factors(matrix);
-    if (factors.info() != Eigen::Success)
+    // Of values that are no numbers it says nothing.
+    if (factors.info() != Eigen::Success || !factors.matrixLLT().allFinite())
         throw ImpossibleValue(
             "system of equations without a unique solution: its matrix is not positive definite (singular "
             "geometry, or uncertainties that differ by too many orders of magnitude)");
@@ -49,6 +50,7 @@ auto singular_values(const Eigen::MatrixBase<Derived>& matrix, unsigned int opti
 /// damp more.
 inline std::optional<Eigen::VectorXd> damped_step(const Eigen::MatrixXd& normal,
                                                   const Eigen::VectorXd& right) {
+    if (!normal.allFinite()) return std::nullopt;
     const Eigen::LDLT<Eigen::MatrixXd> factors(normal);
     if (factors.info() != Eigen::Success) return std::nullopt;
     Eigen::VectorXd step = factors.solve(right);

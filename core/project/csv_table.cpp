@@ -197,13 +197,15 @@ bool has_header(const CsvText& csv, const FieldSpec& field) {
 }
 
 std::string too_many_rows(const FieldSpec& field, std::string_view text) {
-    constexpr std::size_t always = 128'000'000, block = 16;  // bytes; what the heap keeps of each row
+    constexpr std::size_t block = 16;  // bytes that the heap keeps of each row
     const std::size_t row =
         field.columns.size() * sizeof(SetupCell) + sizeof(std::vector<SetupCell>) + block + sizeof(int);
-    const std::size_t most = std::max(always, text.size() + text.size() / 2) / row;
-    if (lines_in(text) <= most) return {};
-    return "it has " + std::to_string(lines_in(text)) + " lines, more than the " + std::to_string(most) +
-           " rows that such a table may have: leave rows out, or take means of several";
+    const std::size_t lines = lines_in(text), needed = lines * row + text.size();
+    if (needed <= largest_table) return {};
+    const double most = static_cast<double>(lines) * largest_table / static_cast<double>(needed);
+    return "it has " + std::to_string(lines) + " lines, and there is memory for about " +
+           std::to_string(static_cast<std::size_t>(most)) +
+           " of these rows: leave rows out, or take means of several";
 }
 
 CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field,

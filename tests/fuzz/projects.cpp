@@ -69,7 +69,7 @@ Json shortened(Json value) {
 
 /// Head, and rows from all over the table, so that no group of them is missing.
 std::string thinned(const std::string& csv) {
-    constexpr std::size_t most = 60;
+    constexpr std::size_t most = 36;
     const auto lines = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n'));
     const std::size_t step = 1 + lines / most;
     std::istringstream in(csv);
