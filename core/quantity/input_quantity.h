@@ -21,15 +21,15 @@ enum class EvaluationType { type_a, type_b };  // JCGM 100 2.3.2, 2.3.3
 /// A component or quantity belongs to a group of contributions: {"joint", "joint 4"}, {"kind", "lengths"}.
 struct GroupTag {
     std::string grouping;
-    std::string group;
+    std::string group = {};
     bool operator==(const GroupTag&) const = default;
 };
 
 /// One component of uncertainty epsilon_j. Its index in InputSet::components is its address for random draws.
 struct UncertaintyComponent {
-    std::string id;    ///< unique in the set: "b_1x.calibration"
-    std::string name;  ///< for people: "calibration of the artefact"
-    Unit unit = {};    ///< for display
+    std::string id = {};    ///< unique in the set: "b_1x.calibration"
+    std::string name = {};  ///< for people: "calibration of the artefact"
+    Unit unit = {};         ///< for display
     Distribution distribution = {};
     EvaluationType type = EvaluationType::type_b;
     /// Of the standard uncertainty, which for few of them is itself an estimate: see `drawn_distribution`.
@@ -61,9 +61,9 @@ enum class Combination {
 };
 
 struct InputQuantity {
-    std::string symbol;  ///< "b_1x"
-    std::string name;    ///< "base point 1, x"
-    Unit unit = {};      ///< for display
+    std::string symbol = {};  ///< "b_1x"
+    std::string name = {};    ///< "base point 1, x"
+    Unit unit = {};           ///< for display
     double offset = 0.0;
     std::vector<Share> shares = {};
     Combination combination = Combination::quadrature;
@@ -94,7 +94,7 @@ struct IsotropicVector {
 /// Carlo draws a multivariate t distribution: normal draws over one and the same sqrt(chi^2/nu) in a trial
 /// (JCGM 102 5.3.2). Members that an edit replaces leave the estimate.
 struct VarianceEstimate {
-    std::string id;  ///< unique in the set: "plate.x"
+    std::string id = {};  ///< unique in the set: "plate.x"
     std::vector<std::size_t> components;
 };
 
