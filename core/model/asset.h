@@ -14,13 +14,13 @@
 
 #include "core/base/data_table.h"
 #include "core/base/error.h"
-#include "core/base/plot_specification.h"
 #include "core/model/ballbar.h"
 #include "core/model/layout.h"
 #include "core/model/repeatability.h"
 #include "core/model/sensor.h"
 #include "core/model/setup_schema.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria {
 

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/symbol.h"
 #include "core/equation/operations.h"
 #include "core/models/equation_observations.h"
 #include "core/models/equation_setup.h"
 #include "core/quantity/statement.h"
+#include "core/text/symbol.h"
 
 namespace covaria::equation_model {
 

@@ -2,10 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
+#include "core/report/result_columns.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -51,24 +52,6 @@ TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<std
         block.table.rows.push_back(std::move(row));
     }
     return block;
-}
-
-std::vector<TableCell> result_row(const OutputResult& output, bool intervals) {
-    const OutputQuantity& quantity = output.quantity;
-    const Unit& unit = quantity.unit;
-    std::vector<TableCell> row = {quantity.symbol,
-                                  unit_text(unit),
-                                  value_in(unit, output.estimate),
-                                  interval_in(unit, output.standard_uncertainty),
-                                  shown_degrees_of_freedom(output.first_order.effective_degrees_of_freedom),
-                                  output.coverage_factor,
-                                  interval_in(unit, output.expanded_uncertainty)};
-    if (!intervals) return row;
-    const MonteCarloOutput& trials = *output.monte_carlo;
-    for (const double end :
-         {trials.symmetric.low, trials.symmetric.high, trials.shortest.low, trials.shortest.high})
-        row.emplace_back(value_in(unit, end));
-    return row;
 }
 
 void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
@@ -123,26 +106,21 @@ void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
 
 TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                          const std::string& title) {
-    TableBuilder table("results", title);
     const bool intervals = std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
         return result.outputs[i].monte_carlo.has_value();
     });
-    table.text("Quantity", true);
-    table.text("Unit");
-    table.symbol("y", 0, 6);
-    table.symbol("u(y)", 2);
-    table.symbol("nu_eff");
-    table.fixed("k", 2);
-    table.symbol("U", 2);
+    std::vector<std::string> keys = {"symbol", "unit", "estimate", "u", "nu_eff", "k", "U"};
     if (intervals)
-        for (const char* head : {"interval low", "interval high", "shortest low", "shortest high"})
-            table.number(head, 0, 6);
+        keys.insert(keys.end(), {"interval low", "interval high", "shortest low", "shortest high"});
+    const Table all = results_table(result, outputs);
+    TableBuilder table("results", title);
+    table.columns(all, keys);
     std::string group;
-    for (const std::size_t i : outputs) {
-        const OutputQuantity& quantity = result.outputs[i].quantity;
+    for (std::size_t row = 0; row < outputs.size(); ++row) {
+        const OutputQuantity& quantity = result.outputs[outputs[row]].quantity;
         if (quantity.group != group) table.subhead(quantity.group);
         group = quantity.group;
-        table.row(result_row(result.outputs[i], intervals));
+        table.row(print_row(all, keys, row));
     }
     return table.take();
 }

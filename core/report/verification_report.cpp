@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/base/symbol.h"
 #include "core/report/report_parts.h"
 #include "core/report/verification.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 namespace {

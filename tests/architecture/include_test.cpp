@@ -20,9 +20,9 @@ const fs::path root = COVARIA_SOURCE_DIR;
 // The folders from the bottom up. Within core and within ui, a folder may include those above it in this
 // list.
 const std::vector<std::string> core_order = {
-    "core/base",    "core/math",   "core/equation",    "core/random", "core/quantity",
-    "core/model",   "core/result", "core/propagation", "core/assets", "core/models",
-    "core/project", "core/study",  "core/report"};
+    "core/base",     "core/math",    "core/text",   "core/equation",    "core/random",
+    "core/quantity", "core/model",   "core/result", "core/propagation", "core/assets",
+    "core/models",   "core/project", "core/study",  "core/report"};
 const std::vector<std::string> ui_order = {"ui/theme",      "ui/charts", "ui/print",      "ui/document",
                                            "ui/run",        "ui/export", "ui/models",     "ui/forms",
                                            "ui/scene_view", "ui/pages",  "ui/main_window"};
@@ -50,7 +50,7 @@ bool may_include(const std::string& user, const std::string& used) {
     if (forbidden.contains({user, used})) return false;
     if (user.starts_with("core/")) return at_or_before(core_order, user, used);
     if (user == "viz/scene") return used.starts_with("core/") && used != "core/report";
-    if (user == "viz/vtk") return used == "viz/scene" || used.starts_with("core/base");
+    if (user == "viz/vtk") return used == "viz/scene" || used == "core/text" || used == "core/base";
     if (user.starts_with("ui/"))
         return used.starts_with("core/") || used.starts_with("viz/") || at_or_before(ui_order, user, used);
     return false;

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <QFont>
-#include <QString>
 #include <vector>
 
+#include "core/text/ticks.h"
 #include "ui/charts/plot_geometry.h"
-#include "ui/charts/ticks.h"
 
 namespace covaria::ui {
 
@@ -21,7 +20,7 @@ ChartFonts fonts_for(double width);
 enum class TextKind { title, label, axis_title, figures, message };
 
 struct PlacedText {
-    QString text;
+    Text text;
     QRectF box;
     TextKind kind = TextKind::label;
     bool upwards = false;  ///< turned by 90 degrees, read from the right

@@ -62,7 +62,7 @@ void ChartView::replace_chart(PlotSpecification plot) {
     chart_->resize(viewport()->size());
     scene()->setSceneRect(QRectF(QPointF(), viewport()->size()));
     setBackgroundBrush(theme_.neutrals().ground);
-    setAccessibleName(to_qt(chart_->plot().title));
+    setAccessibleName(to_qt(to_unicode(chart_->plot().title)));
     show_read_out({});
 }
 

@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
+#include "core/text/numbers.h"
+#include "core/text/text.h"
 
 namespace covaria::ui {
 
@@ -20,6 +22,8 @@ Result<Unit> parse_unit(const QString& text);
 /// Errors: not a number, unknown unit, a unit of another dimension than `unit`.
 Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& unit, const QLocale& locale);
 
+NumberLocale number_locale(const QLocale& locale);
+
 /// Shortest text that reads back to the same number.
 QString number_text(double value, const QLocale& locale);
 /// Number and unit: "0.5 µm"; the unit one is left out.
@@ -32,5 +36,6 @@ double converted_interval(double value, const Unit& from, const Unit& to);
 
 /// "x / mm": title of a column or field with its unit.
 QString with_unit(const QString& title, const Unit& unit);
+Text with_unit(const Text& title, const Unit& unit);
 
 }  // namespace covaria::ui

@@ -3,7 +3,7 @@
 
 #include <QColor>
 
-#include "core/base/plot_specification.h"
+#include "core/text/plot_specification.h"
 
 class QApplication;
 

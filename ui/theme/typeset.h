@@ -1,12 +1,18 @@
-// Tables, heads and lists whose symbols have real subscripts. The models keep plain text, so that copying and
-// CSV do, too.
+// Tables, heads and lists whose symbols have real subscripts. What a model displays is plain text, for
+// copying and for screen readers; `typeset_role` gives the text with its scripts.
 #pragma once
 
 #include <QComboBox>
 #include <QHeaderView>
+
+#include "core/text/text.h"
 #include "ui/theme/steady_delegate.h"
 
 namespace covaria::ui {
+
+/// Of an item or head whose text has scripts: a covaria::Text. Others show what they display, as running
+/// text.
+constexpr int typeset_role = Qt::UserRole + 1000;
 
 /// Cells: subscripts, and figures of equal width where numbers stand to the right.
 class TypesetDelegate : public SteadyDelegate {
@@ -30,13 +36,14 @@ protected:
     QSize sectionSizeFromContents(int section) const override;
 
 private:
-    QString text_of(int section) const;
+    Text text_of(int section) const;
 };
 
 /// A combo box with typeset entries, in its list too.
 class TypesetComboBox : public QComboBox {
 public:
     explicit TypesetComboBox(QWidget* parent = nullptr);
+    void add_item(const Text& text, const QVariant& data = {});
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -136,7 +136,7 @@ TEST(ReadOut, KnowsBarsCellsAndPoints) {
     const auto at = [](const PlotSpecification& plot, double x, double y) {
         const PlotGeometry geometry = layout_chart(plot, {900, 560}, whole_view(plot)).geometry;
         const auto found = read_out(plot, geometry, geometry.at(x, y));
-        return found ? found->text.toStdString() : std::string("nothing");
+        return found ? to_unicode(found->text) : std::string("nothing");
     };
     EXPECT_EQ(at(plots[3], 1.0, 0.0), "p₁ₓ: share of the variance = 25.25\u00a0%");
     EXPECT_EQ(at(plots[4], 1.0, 0.0), "x and y: −0.800");
