@@ -63,79 +63,68 @@ std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::siz
 Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at) {
     const std::optional<Unit> unit = common_unit(result, at);
     const auto places = std::make_shared<const std::vector<BudgetPlace>>(std::move(at));
-    Table table{"budget", "Uncertainty budgets", {}, places->size()};
+    Table table{"budget", "Uncertainty budgets", places->size()};
     using L = const BudgetLine&;
-    const auto add = [&](Column column, auto get) {
-        column.cell = of_line(result, places, get);
-        table.columns.push_back(std::move(column));
+    const auto add = [&](const char* key, auto get) -> Column& {
+        return table.add(key, of_line(result, places, get));
     };
-    add({.key = "group"}, [](L l) -> Cell { return l.output.group; });
-    add({.key = "output"}, [](L l) -> Cell { return Symbols{l.output.symbol}; });
-    add({.key = "output unit"}, [](L l) -> Cell { return l.output.unit; });
-    add({.key = "quantity", .head = "Symbol", .symbols = true, .title = "Input quantity"},
-        [](L l) -> Cell { return l.component.quantities; });
-    add({.key = "component", .title = "Component of uncertainty"},
-        [](L l) -> Cell { return l.component.name; });
-    add({.key = "component in words", .head = "Component"},
-        [](L l) -> Cell { return l.component.name + (l.component.held ? " (held)" : ""); });
-    add({.key = "id"}, [](L l) -> Cell { return l.component.id; });
-    add({.key = "unit", .head = "Unit", .title = "Unit", .help = "Of the component's u"},
-        [](L l) -> Cell { return l.component.unit; });
-    add({.key = "estimate", .head = "x_i", .is_symbol = true, .rule = {.match = "u", .input = true}},
-        estimate_cell);
-    add({.key = "u",
-         .head = "u(x_i)",
-         .is_symbol = true,
-         .title = "u",
-         .help = "Standard uncertainty of the component",
-         .rule = {.digits = 3}},
-        [](L l) { return interval(l.component.standard_uncertainty, l.component.unit); });
-    add({.key = "distribution", .head = "Distribution", .title = "Distribution"},
-        [](L l) -> Cell { return l.component.distribution; });
-    add({.key = "type",
-         .head = "Type",
-         .title = "Type",
-         .help = "Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)"},
-        [](L l) -> Cell { return report_parts::type_text(l.component.type); });
-    add({.key = "degrees of freedom",
-         .head = "nu_i",
-         .is_symbol = true,
-         .title = symbol_text("nu"),
-         .help = "Degrees of freedom",
-         .rule = {.degrees_of_freedom = true}},
-        [](L l) { return interval(l.component.degrees_of_freedom, Unit{}); });
-    add({.key = "sensitivity",
-         .head = "c_i",
-         .is_symbol = true,
-         .title = "c",
-         .help = "Sensitivity coefficient, unit of the output quantity per unit of the component",
-         .rule = {.digits = 3}},
+    add("group", [](L l) -> Cell { return l.output.group; });
+    add("output", [](L l) -> Cell { return Symbols{l.output.symbol}; });
+    add("output unit", [](L l) -> Cell { return l.output.unit; });
+    add("quantity", [](L l) -> Cell { return l.component.quantities; })
+        .print("Symbol")
+        .window("Input quantity")
+        .of_symbols();
+    add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
+    add("component in words",
+        [](L l) -> Cell { return l.component.name + (l.component.held ? " (held)" : ""); })
+        .print("Component")
+        .not_in_files();
+    add("id", [](L l) -> Cell { return l.component.id; });
+    add("unit", [](L l) -> Cell { return l.component.unit; })
+        .print("Unit")
+        .window("Unit", "Of the component's u");
+    add("estimate", estimate_cell).print_symbol("x_i").round({.match = "u", .input = true}).not_in_files();
+    add("u", [](L l) { return interval(l.component.standard_uncertainty, l.component.unit); })
+        .print_symbol("u(x_i)")
+        .window("u", "Standard uncertainty of the component")
+        .digits(3);
+    add("distribution", [](L l) -> Cell { return l.component.distribution; })
+        .print("Distribution")
+        .window("Distribution");
+    add("type", [](L l) -> Cell { return report_parts::type_text(l.component.type); })
+        .print("Type")
+        .window("Type", "Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)");
+    add("degrees of freedom", [](L l) -> Cell { return Measured{l.component.degrees_of_freedom}; })
+        .print_symbol("nu_i")
+        .window(symbol_text("nu"), "Degrees of freedom")
+        .round({.degrees_of_freedom = true});
+    add("sensitivity",
         [](L l) -> Cell {
             return Measured{l.row.sensitivity, Scale::interval, l.output.unit, l.component.unit};
-        });
-    add({.key = "contribution",
-         .head = "|cᵢ|·u(xᵢ)",
-         .title = "|c|·u",
-         .help = "Contribution to the standard uncertainty",
-         .rule = {.digits = 2},
-         .unit = unit},
-        [](L l) { return interval(l.row.contribution, l.output.unit); });
-    add({.key = "share of variance",
-         .head = "Share of variance in %",
-         .title = "Share / %",
-         .help = "Of the variance, with its part of the covariances",
-         .rule = {.decimals = 1, .percent = true}},
-        [](L l) { return interval(l.row.share, Unit{}); });
-    add({.key = "one at a time",
-         .head = "alone, Monte Carlo,",
-         .title = "u one at a time",
-         .help = "By Monte Carlo with every other component held",
-         .rule = {.digits = 2},
-         .unit = unit},
-        [](L l) { return l.row.one_at_a_time ? interval(*l.row.one_at_a_time, l.output.unit) : Cell(); });
-    add({.key = "held"}, [](L l) -> Cell { return Answer{l.component.held}; });
-    add({.key = "origin", .title = "Origin", .help = "Where the figure comes from"},
-        [](L l) -> Cell { return l.component.origin; });
+        })
+        .print_symbol("c_i")
+        .window("c", "Sensitivity coefficient, unit of the output quantity per unit of the component")
+        .digits(3);
+    add("contribution", [](L l) { return interval(l.row.contribution, l.output.unit); })
+        .print("|cᵢ|·u(xᵢ)")
+        .window("|c|·u", "Contribution to the standard uncertainty")
+        .digits(2)
+        .in(unit);
+    add("share of variance", [](L l) -> Cell { return Measured{l.row.share}; })
+        .print("Share of variance in %")
+        .window("Share / %", "Of the variance, with its part of the covariances")
+        .round({.decimals = 1, .percent = true});
+    add("one at a time",
+        [](L l) { return l.row.one_at_a_time ? interval(*l.row.one_at_a_time, l.output.unit) : Cell(); })
+        .print("alone, Monte Carlo,")
+        .window("u one at a time", "By Monte Carlo with every other component held")
+        .digits(2)
+        .in(unit);
+    add("held", [](L l) -> Cell { return Answer{l.component.held}; });
+    add("origin", [](L l) -> Cell {
+        return l.component.origin;
+    }).window("Origin", "Where the figure comes from");
     return table;
 }
 

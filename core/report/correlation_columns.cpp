@@ -26,26 +26,23 @@ Table correlation_table(const UncertaintyResult& result, const std::vector<std::
     const bool one_group = std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
         return quantity(i).group == quantity(outputs.front()).group;
     });
-    Table table{"correlation", "Correlation coefficients", {}, outputs.size()};
+    Table table{"correlation", "Correlation coefficients", outputs.size()};
     Symbols symbols;
     for (const std::size_t i : outputs) symbols.push_back(quantity(i).symbol);
-    table.columns.push_back({.key = "output symbol",
-                             .head = "r",
-                             .is_symbol = true,
-                             .symbols = true,
-                             .cell = [symbols](std::size_t row) -> Cell { return Symbols{symbols[row]}; }});
+    table.add("output symbol", [symbols](std::size_t row) -> Cell { return Symbols{symbols[row]}; })
+        .print_symbol("r")
+        .of_symbols();
     for (std::size_t c = 0; c < outputs.size(); ++c) {
         const OutputQuantity& q = quantity(outputs[c]);
-        table.columns.push_back(
-            {.key = q.group.empty() ? q.symbol : q.symbol + " (" + q.group + ")",
-             .head = q.symbol,
-             .is_symbol = true,
-             .title = symbol_text(q.symbol) + (one_group || q.group.empty() ? "" : ", " + q.group),
-             .help = q.name,
-             .rule = {.decimals = 3},
-             .cell = [matrix, c](std::size_t row) -> Cell {
-                 return Measured{(*matrix)(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(c))};
-             }});
+        const auto column = static_cast<Eigen::Index>(c);
+        table
+            .add(q.group.empty() ? q.symbol : q.symbol + " (" + q.group + ")",
+                 [matrix, column](std::size_t row) -> Cell {
+                     return Measured{(*matrix)(static_cast<Eigen::Index>(row), column)};
+                 })
+            .print_symbol(q.symbol)
+            .window(symbol_text(q.symbol) + (one_group || q.group.empty() ? "" : ", " + q.group), q.name)
+            .round({.decimals = 3});
     }
     return table;
 }

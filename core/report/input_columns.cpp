@@ -38,6 +38,13 @@ std::string name_of(L l) {
                                         : first + " … " + l.inputs.quantities[l.row.quantities.back()].name;
 }
 
+Cell symbols_of(L l) {
+    Symbols symbols;
+    for (const std::size_t i : l.row.quantities)
+        if (!l.row.part) symbols.push_back(l.inputs.quantities[i].symbol);
+    return symbols;
+}
+
 /// Of the quantity, or of a part of it.
 double row_uncertainty(L l) {
     if (!l.row.part) return standard_uncertainty_of(l.inputs, l.index());
@@ -90,57 +97,54 @@ public:
 
 private:
     template <class Get>
-    void add(Column column, Get get) {
-        column.cell = [&inputs = inputs_, rows = rows_, get](std::size_t i) -> Cell {
+    Column& add(const char* key, Get get) {
+        return table_.add(key, [&inputs = inputs_, rows = rows_, get](std::size_t i) -> Cell {
             return get(InputLine{inputs, (*rows)[i]});
-        };
-        table_.columns.push_back(std::move(column));
+        });
     }
 
     /// Of the component of the row's share; nothing without.
     template <class Get>
     void add_of_component(const char* key, Get get) {
-        add({.key = key}, [get](L l) -> Cell { return l.row.share ? Cell(get(l, *l.component())) : Cell(); });
+        add(key, [get](L l) { return l.row.share ? Cell(get(l, *l.component())) : Cell(); });
     }
 
     void add_quantity() {
-        add({.key = "group"}, [](L l) -> Cell { return l.quantity().group; });
-        add({.key = "symbol", .head = "Symbol", .symbols = true, .title = "Symbol"}, [](L l) -> Cell {
-            Symbols symbols;
-            for (const std::size_t i : l.row.quantities)
-                if (!l.row.part) symbols.push_back(l.inputs.quantities[i].symbol);
-            return symbols;
-        });
-        add({.key = "name", .head = "Quantity", .title = "Input quantity"},
-            [](L l) -> Cell { return name_of(l); });
-        add({.key = "unit", .head = "Unit", .title = "Unit"}, [](L l) -> Cell { return l.quantity().unit; });
-        add({.key = "estimate",
-             .head = "Estimate",
-             .title = "Estimate",
-             .rule = {.match = "u", .input = true}},
+        add("group", [](L l) -> Cell { return l.quantity().group; });
+        add("symbol", symbols_of).print("Symbol").of_symbols();
+        add("name", [](L l) -> Cell { return name_of(l); }).print("Quantity");
+        add("unit", [](L l) -> Cell { return l.quantity().unit; }).print("Unit");
+        add("estimate",
             [](L l) -> Cell {
                 if (l.row.part || l.row.quantities.size() > 1) return {};
                 return Measured{estimate_of(l.inputs, l.index()), Scale::value, l.quantity().unit, {}};
-            });
-        add({.key = "u", .head = "u(x_i)", .is_symbol = true, .title = "u", .rule = {.digits = 3}},
+            })
+            .print("Estimate")
+            .round({.match = "u", .input = true});
+        add("u",
             [](L l) -> Cell {
                 return Measured{row_uncertainty(l), Scale::interval, l.quantity().unit, {}};
-            });
+            })
+            .print_symbol("u(x_i)")
+            .digits(3);
     }
 
     /// What print says in one row, of the quantity or of a part of it.
     void add_row() {
-        add({.key = "row distribution", .head = "Distribution"},
-            [](L l) -> Cell { return row_distribution(l); });
-        add({.key = "row type", .head = "Type"}, [](L l) -> Cell {
-            return l.component() ? Cell(report_parts::type_text(l.component()->type)) : Cell();
-        });
-        add({.key = "row degrees of freedom",
-             .head = "nu_i",
-             .is_symbol = true,
-             .rule = {.degrees_of_freedom = true}},
-            row_degrees_of_freedom);
-        add({.key = "row origin", .head = "Origin"}, row_origin);
+        add("row distribution", [](L l) -> Cell { return row_distribution(l); })
+            .print("Distribution")
+            .not_in_files();
+        add("row type",
+            [](L l) -> Cell {
+                return l.component() ? Cell(report_parts::type_text(l.component()->type)) : Cell();
+            })
+            .print("Type")
+            .not_in_files();
+        add("row degrees of freedom", row_degrees_of_freedom)
+            .print_symbol("nu_i")
+            .round({.degrees_of_freedom = true})
+            .not_in_files();
+        add("row origin", row_origin).print("Origin").not_in_files();
     }
 
     void add_component() {

@@ -80,6 +80,9 @@ public:
     int fixed(const std::string& header, int decimals);
     /// Those columns of a table, as print has them.
     void columns(const Table& table, const std::vector<std::string>& keys);
+    /// Those columns of the table of results, and the rows of these outputs under sub-heads of their groups.
+    void results(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+                 const std::vector<std::string>& keys);
     void row(std::vector<TableCell> cells) { block_.table.rows.push_back(std::move(cells)); }
     void subhead(const std::string& text) { block_.table.rows.push_back({TableCell(text)}); }
     void note(std::string text) { block_.table.notes.push_back(std::move(text)); }

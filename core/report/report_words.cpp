@@ -5,6 +5,7 @@
 
 #include "core/base/file_names.h"
 #include "core/report/report_parts.h"
+#include "core/report/result_columns.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -65,6 +66,19 @@ TableCell print_cell(const Column& column, std::size_t row) {
 }
 
 }  // namespace
+
+void TableBuilder::results(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+                           const std::vector<std::string>& keys) {
+    const Table all = results_table(result, outputs);
+    columns(all, keys);
+    std::string group;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const std::string& of = result.outputs[outputs[i]].quantity.group;
+        if (of != group) subhead(of);
+        group = of;
+        row(print_row(all, keys, i));
+    }
+}
 
 std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row) {
     std::vector<TableCell> cells;

@@ -19,60 +19,13 @@ DataTable table_with(const std::string& id, const std::string& title, const std:
     return table;
 }
 
-DataTable results_file(const UncertaintyResult& result) {
-    return data_table(results_table(result), {"group",
-                                              "symbol",
-                                              "name",
-                                              "role",
-                                              "unit",
-                                              "estimate",
-                                              "u",
-                                              "k",
-                                              "U",
-                                              "coverage probability",
-                                              "mean",
-                                              "u Monte Carlo",
-                                              "standard error of mean",
-                                              "standard error of u",
-                                              "interval low",
-                                              "interval high",
-                                              "shortest low",
-                                              "shortest high",
-                                              "skewness",
-                                              "excess kurtosis",
-                                              "coverage ratio",
-                                              "distribution",
-                                              "estimate first order",
-                                              "u first order",
-                                              "nu_eff",
-                                              "k first order",
-                                              "U first order",
-                                              "delta",
-                                              "d_low",
-                                              "d_high",
-                                              "clause 8",
-                                              "u second order",
-                                              "shift second order",
-                                              "U by",
-                                              "remark"});
-}
-
 DataTable budget_file(const UncertaintyResult& result) {
     std::vector<BudgetPlace> places;
     for (std::size_t i = 0; i < result.budget.rows.size() && i < result.outputs.size(); ++i)
         for (const BudgetPlace& place : budget_places(result, i)) places.push_back(place);
     Table table = budget_table(result, std::move(places));
     for (Column& column : table.columns) column.unit.reset();  // the rows say it
-    return data_table(table, {"group", "output", "output unit", "quantity", "component", "id", "unit", "u",
-                              "distribution", "type", "degrees of freedom", "sensitivity", "contribution",
-                              "share of variance", "one at a time", "held", "origin"});
-}
-
-DataTable inputs_file(const InputSet& inputs) {
-    return data_table(
-        inputs_table(inputs, all_shares(inputs)),
-        {"group", "symbol", "name", "unit", "estimate", "u", "component", "id", "factor", "component unit",
-         "component u", "distribution", "type", "degrees of freedom", "held", "origin"});
+    return data_table(table);
 }
 
 std::string plain_label(const OutputQuantity& q) {
@@ -98,13 +51,6 @@ DataTable matrix_table(const UncertaintyResult& result, const Eigen::MatrixXd& m
         table.rows.push_back(std::move(row));
     }
     return table;
-}
-
-DataTable regions_file(const UncertaintyResult& result) {
-    return data_table(
-        regions_table(result),
-        {"group", "outputs", "coverage probability", "ellipsoid first order", "rectangle first order",
-         "ellipsoid Monte Carlo", "rectangle Monte Carlo", "trials", "singular"});
 }
 
 DataTable convergence_table(const UncertaintyResult& result) {
@@ -205,12 +151,12 @@ DataTable requirements_table(const UncertaintyResult& result,
 std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     std::vector<DataTable> tables = {
-        results_file(result),
+        data_table(results_table(result)),
         budget_file(result),
         matrix_table(result, result.covariance, "covariance", true),
         matrix_table(result, correlation_of(result.covariance), "correlation", false),
-        inputs_file(result.inputs),
-        regions_file(result)};
+        data_table(inputs_table(result.inputs, all_shares(result.inputs))),
+        data_table(regions_table(result))};
     if (result.trials > 0) {
         tables.push_back(histograms_table(result));
         tables.push_back(convergence_table(result));

@@ -72,27 +72,15 @@ void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
 
 /// Nothing where they were not asked for.
 void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    std::vector<std::size_t> outputs;
+    for (std::size_t i = 0; i < result.outputs.size(); ++i)
+        if (result.outputs[i].first_order.second_order_standard_uncertainty) outputs.push_back(i);
+    if (outputs.empty()) return;
     TableBuilder table("second-order-" + evaluated.analysis->id,
                        "Law of propagation with second-order terms");
-    table.text("Quantity", true);
-    table.text("Unit");
-    table.number("u first order", 3);
-    table.number("u with second-order terms", 3);
-    table.number("shift of the estimate", 2);
-    std::string group;
-    bool any = false;
-    for (const OutputResult& output : evaluated.result->outputs) {
-        const FirstOrderOutput& first = output.first_order;
-        if (!first.second_order_standard_uncertainty) continue;
-        if (output.quantity.group != group) table.subhead(output.quantity.group);
-        group = output.quantity.group;
-        any = true;
-        const Unit& unit = output.quantity.unit;
-        table.row({output.quantity.symbol, unit_text(unit), interval_in(unit, first.standard_uncertainty),
-                   interval_in(unit, *first.second_order_standard_uncertainty),
-                   interval_in(unit, *first.second_order_estimate_shift)});
-    }
-    if (!any) return;
+    table.results(result, outputs,
+                  {"symbol", "unit", "u first order", "u second order", "shift second order"});
     table.note(
         "JCGM 100 5.1.2, NOTE, for independent components with symmetric distributions. The shift, half the "
         "sum "
@@ -112,16 +100,8 @@ TableBlock results_block(const UncertaintyResult& result, const std::vector<std:
     std::vector<std::string> keys = {"symbol", "unit", "estimate", "u", "nu_eff", "k", "U"};
     if (intervals)
         keys.insert(keys.end(), {"interval low", "interval high", "shortest low", "shortest high"});
-    const Table all = results_table(result, outputs);
     TableBuilder table("results", title);
-    table.columns(all, keys);
-    std::string group;
-    for (std::size_t row = 0; row < outputs.size(); ++row) {
-        const OutputQuantity& quantity = result.outputs[outputs[row]].quantity;
-        if (quantity.group != group) table.subhead(quantity.group);
-        group = quantity.group;
-        table.row(print_row(all, keys, row));
-    }
+    table.results(result, outputs, keys);
     return table.take();
 }
 

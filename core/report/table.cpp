@@ -50,6 +50,13 @@ DataTable data_table(const Table& table, const std::vector<std::string>& keys, c
     return data;
 }
 
+DataTable data_table(const Table& table) {
+    std::vector<std::string> keys;
+    for (const Column& column : table.columns)
+        if (column.in_files) keys.push_back(column.key);
+    return data_table(table, keys);
+}
+
 std::optional<double> number_in(const Cell& cell, const DisplayUnits& units) {
     const auto* number = std::get_if<Measured>(&cell);
     return number ? std::optional(number->in(units).value) : std::nullopt;

@@ -47,7 +47,8 @@ struct NumberRule {
 };
 
 struct Column {
-    std::string key;         ///< head in CSV; what views choose by
+    std::string key;  ///< head in files; what views choose by
+    std::function<Cell(std::size_t row)> cell;
     std::string head = {};   ///< in print
     bool is_symbol = false;  ///< the head
     bool symbols = false;    ///< the cells
@@ -55,23 +56,40 @@ struct Column {
     std::string help = {};   ///< for the window
     NumberRule rule = {};
     std::optional<Unit> unit = {};  ///< of all its numbers: the head says it
-    std::function<Cell(std::size_t row)> cell = {};
+    bool in_files = true;
+
+    // To write columns down on a line.
+    Column& print(std::string words) { return head = std::move(words), *this; }
+    Column& print_symbol(std::string symbol) { return head = std::move(symbol), is_symbol = true, *this; }
+    Column& window(Text words, std::string tip = {}) {
+        return title = std::move(words), help = std::move(tip), *this;
+    }
+    Column& round(NumberRule by) { return rule = std::move(by), *this; }
+    Column& digits(int significant) { return rule.digits = significant, *this; }
+    Column& match(std::string to) { return rule.match = std::move(to), *this; }
+    Column& in(std::optional<Unit> common) { return unit = std::move(common), *this; }
+    Column& of_symbols() { return symbols = true, *this; }
+    Column& not_in_files() { return in_files = false, *this; }
 };
 
 /// Reads what it was made from when it is asked for cells: that must live.
 struct Table {
     std::string id, title;
-    std::vector<Column> columns = {};
     std::size_t rows = 0;
+    std::vector<Column> columns = {};
 
+    Column& add(std::string key, std::function<Cell(std::size_t row)> cell) {
+        return columns.emplace_back(Column{std::move(key), std::move(cell)});
+    }
     /// The column of that key, which there is.
     const Column& operator[](std::string_view key) const;
     Cell cell(std::size_t row, std::string_view key) const { return (*this)[key].cell(row); }
 };
 
-/// Full precision, with the heads and cells of files, in the units chosen.
+/// Full precision, in the units chosen: these columns, or those that files have.
 DataTable data_table(const Table& table, const std::vector<std::string>& keys,
                      const DisplayUnits& units = {});
+DataTable data_table(const Table& table);
 
 /// What a view of a table depends on beside its columns.
 struct TableView {

@@ -7,8 +7,8 @@
 
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 namespace {

@@ -11,8 +11,8 @@
 #include "ui/document/setup_cells.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
+#include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 

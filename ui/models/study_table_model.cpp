@@ -8,7 +8,6 @@
 namespace covaria::ui {
 namespace {
 
-const char* const expanded_help = "Expanded uncertainty";
 const char* const position_help =
     "Standard uncertainty of the position in space: square root of the sum of the variances of its three "
     "coordinates";
@@ -20,36 +19,29 @@ void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool c
     if (!study_) return set_contents({}, {}, {}, current);
     const StudyResult& shown = *study_;
     set_digits(0);
-    Table table{"study-" + shown.id, shown.name, {}, shown.points.size()};
-    for (std::size_t axis = 0; axis < shown.axes.size(); ++axis)
-        table.columns.push_back(
-            {.key = to_unicode(shown.axes[axis].title),
-             .title = shown.axes[axis].title,
-             .rule = {.typed = true},
-             .unit = shown.axes[axis].unit,
-             .cell = [&shown, axis](std::size_t row) -> Cell {
-                 const StudyAxisValues& of = shown.axes[axis];
-                 const double typed = of.values[shown.indices_of(row)[axis]];
-                 return Measured{of.unit.to_si(typed), Measured::Scale::value, of.unit, {}};
-             }});
-    for (const StudyQuantity& quantity : study_quantities(shown))
-        table.columns.push_back(
-            {.key = quantity.id,
-             .title = quantity.title,
-             .help = quantity.position ? position_help : expanded_help,
-             .rule = {.digits = 3},
-             .unit = quantity.unit,
-             .cell = [&shown, quantity](std::size_t row) -> Cell {
-                 const double si = value_at(shown, quantity, row);
-                 return std::isfinite(si) ? Cell(Measured{si, Measured::Scale::interval, quantity.unit, {}})
-                                          : Cell();
-             }});
+    Table table{"study-" + shown.id, shown.name, shown.points.size()};
+    for (const StudyAxisValues& axis : shown.axes) {
+        const auto value = [&shown, &axis,
+                            i = std::size_t(&axis - shown.axes.data())](std::size_t row) -> Cell {
+            const double typed = axis.values[shown.indices_of(row)[i]];
+            return Measured{axis.unit.to_si(typed), Measured::Scale::value, axis.unit, {}};
+        };
+        table.add(to_unicode(axis.title), value).window(axis.title).round({.typed = true}).in(axis.unit);
+    }
+    for (const StudyQuantity& quantity : study_quantities(shown)) {
+        const auto value = [&shown, quantity](std::size_t row) -> Cell {
+            const double si = value_at(shown, quantity, row);
+            return std::isfinite(si) ? Cell(Measured{si, Measured::Scale::interval, quantity.unit, {}})
+                                     : Cell();
+        };
+        table.add(quantity.id, value)
+            .window(quantity.title, quantity.position ? position_help : "Expanded uncertainty")
+            .digits(3)
+            .in(quantity.unit);
+    }
     if (shown.failed() > 0 || !not_representing(shown).empty())
-        table.columns.push_back(
-            {.key = "remark",
-             .title = "Remark",
-             .help = "Why there are no values, or what is wrong with them",
-             .cell = [&shown](std::size_t row) -> Cell { return remark_on(shown, row); }});
+        table.add("remark", [&shown](std::size_t row) -> Cell { return remark_on(shown, row); })
+            .window("Remark", "Why there are no values, or what is wrong with them");
     std::vector<std::string> keys;
     for (const Column& column : table.columns) keys.push_back(column.key);
     set_contents(study_, std::move(table), std::move(keys), current);

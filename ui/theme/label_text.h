@@ -13,6 +13,10 @@ class QPointF;
 
 namespace covaria::ui {
 
+/// Of a model's item or head whose text has scripts: a covaria::Text. Others show what they display, as
+/// running text.
+constexpr int typeset_role = Qt::UserRole + 1000;
+
 class LabelText {
 public:
     LabelText(const Text& text, const QFont& font);

@@ -5,14 +5,10 @@
 #include <QComboBox>
 #include <QHeaderView>
 
-#include "core/text/text.h"
+#include "ui/theme/label_text.h"
 #include "ui/theme/steady_delegate.h"
 
 namespace covaria::ui {
-
-/// Of an item or head whose text has scripts: a covaria::Text. Others show what they display, as running
-/// text.
-constexpr int typeset_role = Qt::UserRole + 1000;
 
 /// Cells: subscripts, and figures of equal width where numbers stand to the right.
 class TypesetDelegate : public SteadyDelegate {

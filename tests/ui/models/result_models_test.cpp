@@ -13,7 +13,7 @@
 #include "ui/models/result_table_model.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/label_text.h"
 
 namespace covaria::ui::result_models_test {
 namespace {
