@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/model/words.h"
-#include "core/project/registered.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/workspace.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/base/in_quotes.h"
-#include "core/model/words.h"
-#include "core/project/registered.h"
+#include "core/project/kind_lookup.h"
+#include "core/setup/message_text.h"
 #include "core/text/symbol.h"
 
 namespace covaria {

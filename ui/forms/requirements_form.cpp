@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/project/requirements.h"
+#include "core/project/stated_requirements.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/document/setup_address.h"

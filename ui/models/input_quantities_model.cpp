@@ -5,7 +5,7 @@
 
 #include "core/report/result_columns.h"
 #include "core/text/numbers.h"
-#include "ui/document/input_edits.h"
+#include "ui/document/quantity_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
