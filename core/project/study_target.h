@@ -9,6 +9,7 @@
 #include "core/model/output_quantity.h"
 #include "core/project/project.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/text.h"
 
 namespace covaria {
 
