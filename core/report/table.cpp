@@ -101,7 +101,7 @@ Text cell_shown(const Table& table, const Column& column, std::size_t row, const
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return symbols_text(joined(*symbols));
     if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? "yes" : "no";
     const auto* words = std::get_if<std::string>(&cell);
-    return words ? running_text(*words) : Text();
+    return words ? Text(*words) : Text();
 }
 
 }  // namespace covaria

@@ -99,7 +99,7 @@ struct TableView {
 };
 /// Head with its unit: "|c|·u / mm".
 Text head_shown(const Column& column, const TableView& view);
-/// Rounded, typeset; a text is running text.
+/// Rounded, typeset; words as they are.
 Text cell_shown(const Table& table, const Column& column, std::size_t row, const TableView& view);
 /// By its rule, plain: `other` is the uncertainty that it is matched to.
 std::string format_by(const NumberRule& rule, double value, std::optional<double> other);

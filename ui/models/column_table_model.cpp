@@ -47,7 +47,8 @@ QVariant ColumnTableModel::data(const QModelIndex& index, int role) const {
             [[fallthrough]];
         case Qt::DisplayRole:
             return to_qt(to_unicode(cell_shown(table_, of, row, view_)));
-        case typeset_role:
+        case typeset_role:  // words are running text
+            if (std::holds_alternative<std::string>(of.cell(row))) return {};
             return QVariant::fromValue(cell_shown(table_, of, row, view_));
         case exact_role: {
             const auto number = number_in(of.cell(row), view_.units);
