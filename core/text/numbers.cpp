@@ -189,12 +189,14 @@ std::string typeset_number(std::string plain, const NumberLocale& locale) {
 }
 
 std::string grouped_number(double value, int decimals, const NumberLocale& locale) {
-    std::string text = format_decimals(value, decimals);
-    const std::size_t first = text.starts_with('-') ? 1 : 0;
-    const std::size_t end = std::min(text.find('.'), text.size());
-    if (std::isfinite(value) && end - first > 4)
-        for (std::size_t i = end - 3; i > first && i < end; i -= 3) text.insert(i, locale.group);
-    return typeset_number(std::move(text), locale);
+    const std::string plain = format_decimals(value, decimals);
+    if (!std::isfinite(value)) return typeset_number(plain, locale);
+    const std::size_t first = plain.starts_with('-') ? 1 : 0, end = std::min(plain.find('.'), plain.size());
+    std::string whole = plain.substr(first, end - first);
+    if (whole.size() > 4)
+        for (std::size_t i = whole.size(); i > 3;) whole.insert(i -= 3, locale.group);
+    return (first == 1 ? "−" : "") + whole +
+           (end < plain.size() ? locale.decimal + plain.substr(end + 1) : std::string());
 }
 
 std::string count_text(std::uint64_t count) {

@@ -86,7 +86,7 @@ TEST(FormulaPicture, ASymbolMayHaveBothScripts) {
 
 TEST(FormulaPicture, TextIsSetWithItsScripts) {
     const QFont font(QApplication::font().family(), 20);
-    const FormulaPicture prose(equation_text("o_p = R"), font), plain(Text("op = R"), font);
+    const FormulaPicture prose(equation_text("o_p = R"), font), plain(Text("o_p = R"), font);
     EXPECT_LT(prose.width(), plain.width());
     EXPECT_GT(prose.height() - prose.baseline(), plain.height() - plain.baseline());
     EXPECT_TRUE(FormulaPicture(Text(), font).is_empty());
