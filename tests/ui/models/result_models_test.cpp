@@ -181,14 +181,15 @@ TEST(ResultTableModel, ItsFileIsThatOfTheRun) {
 
 TEST(Clipboard, NumbersAreThoseOfASpreadsheetInTheUsersLocale) {
     ResultTableModel model;
-    for (const auto& [locale, text] : {std::pair{QLocale(QLocale::German), "mm\t1023,4567\n"},
-                                       std::pair{QLocale::c(), "mm\t1023.4567\n"}}) {
+    const QString exact = QString::fromStdString(format_exact(1.0234567 * 1000.0));
+    for (const QLocale& locale : {QLocale(QLocale::German), QLocale::c()}) {
         QLocale::setDefault(locale);
         model.set_result(sample_result(), true);
         model.set_digits(1);
         const QModelIndexList cells{model.index(0, column(model, "Unit")),
                                     model.index(0, column(model, "Estimate"))};
-        EXPECT_EQ(block_text(cells), QString::fromUtf8(text)) << "all digits, not those shown";
+        EXPECT_EQ(block_text(cells), "mm\t" + QString(exact).replace('.', locale.decimalPoint()) + '\n')
+            << "all digits, not those shown";
         EXPECT_EQ(cells[1].data().toString().contains(','), locale.language() == QLocale::German);
     }
     QLocale::setDefault(QLocale::c());
