@@ -11,10 +11,10 @@
 
 #include "core/base/data_table.h"
 #include "core/base/error.h"
-#include "core/base/plot_specification.h"
 #include "core/model/capability.h"
 #include "core/model/layout.h"
 #include "core/setup/setup_schema.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria {
 

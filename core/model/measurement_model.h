@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "core/base/data_table.h"
-#include "core/base/plot_specification.h"
 #include "core/model/layout.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/formula.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria {
 
@@ -36,9 +37,9 @@ struct Sensitivity {
 using SensitivityRows = std::vector<std::vector<Sensitivity>>;
 
 struct ModelEquation {
-    std::string text;         ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
-    std::string source;       ///< "Porath et al., Eq. 19, corrected"
-    std::string mathml = {};  ///< the same as a <math> element, where there is one
+    std::string text;      ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
+    std::string source;    ///< "Porath et al., Eq. 19, corrected"
+    Formula formula = {};  ///< the same as a formula, where there is one
 };
 
 /// Immutable after construction and safe to use from many threads at once. Everything is SI.

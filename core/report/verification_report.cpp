@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/base/symbol.h"
 #include "core/base/version.h"
 #include "core/report/report_parts.h"
 #include "core/report/verification.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 namespace {

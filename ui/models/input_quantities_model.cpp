@@ -3,12 +3,13 @@
 
 #include <QFont>
 
-#include "core/base/symbol.h"
-#include "core/report/number_format.h"
+#include "core/report/result_columns.h"
+#include "core/text/numbers.h"
 #include "ui/document/quantity_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -25,6 +26,9 @@ void InputQuantitiesModel::set_analysis(std::shared_ptr<const PreparedAnalysis> 
                       analysis->inputs.quantities.size() == analysis_->inputs.quantities.size();
     if (!same) beginResetModel();
     analysis_ = std::move(analysis);
+    std::vector<InputRow> rows;
+    for (std::size_t i = 0; analysis_ && i < analysis_->inputs.quantities.size(); ++i) rows.push_back({{i}});
+    table_ = analysis_ ? inputs_table(analysis_->inputs, std::move(rows)) : Table{};
     if (!same)
         endResetModel();
     else if (rowCount() > 0)
@@ -71,30 +75,34 @@ QString InputQuantitiesModel::components_text(int row) const {
 }
 
 QString InputQuantitiesModel::text(int row, int column) const {
+    if (column == estimate_column) return estimate_text(row);
+    if (column == components_column) return components_text(row);
+    const Text shown = typeset(row, column);
+    return to_qt(to_unicode(shown));
+}
+
+Text InputQuantitiesModel::typeset(int row, int column) const {
+    const TableView view{{}, 2, user_numbers()};
     switch (column) {
         case symbol_column:
-            return to_qt(symbol_to_unicode(quantity(row).symbol));
+            return cell_shown(table_, table_["symbol"], std::size_t(row), view);
         case name_column:
-            return to_qt(quantity(row).name);
-        case estimate_column:
-            return estimate_text(row);
+            return cell_shown(table_, table_["name"], std::size_t(row), view);
         case unit_column:
-            return to_qt(quantity(row).unit.display());
+            return cell_shown(table_, table_["unit"], std::size_t(row), view);
         case uncertainty_column:
-            return localized(format_significant(quantity(row).unit.interval_from_si(standard_uncertainty_of(
-                                                    analysis_->inputs, static_cast<std::size_t>(row))),
-                                                2));
-        case components_column:
-            return components_text(row);
+            return cell_shown(table_, table_["u"], std::size_t(row), view);
         default:
             return {};
     }
 }
 
 QVariant InputQuantitiesModel::sort_value(int row, int column) const {
-    const auto i = static_cast<std::size_t>(row);
-    if (column == estimate_column) return estimate_of(analysis_->inputs, i);
-    if (column == uncertainty_column) return standard_uncertainty_of(analysis_->inputs, i);
+    const auto number = [&](const char* key) {
+        return std::get<Measured>(table_.cell(std::size_t(row), key)).si;
+    };
+    if (column == estimate_column) return number("estimate");
+    if (column == uncertainty_column) return number("u");
     return text(row, column);
 }
 
@@ -116,6 +124,8 @@ QVariant InputQuantitiesModel::data(const QModelIndex& index, int role) const {
     const int row = index.row();
     const bool numeric = index.column() == estimate_column || index.column() == uncertainty_column;
     if (role == Qt::DisplayRole || role == Qt::EditRole) return text(row, index.column());
+    if (role == typeset_role && index.column() == symbol_column)
+        return QVariant::fromValue(typeset(row, index.column()));
     if (role == sort_role) return sort_value(row, index.column());
     if (role == Qt::TextAlignmentRole)
         return QVariant((numeric ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);

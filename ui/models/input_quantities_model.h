@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/project/workspace.h"
+#include "core/report/table.h"
 #include "ui/document/document.h"
 
 namespace covaria::ui {
@@ -45,6 +46,7 @@ private:
         return analysis_->inputs.quantities[static_cast<std::size_t>(row)];
     }
     QString text(int row, int column) const;
+    Text typeset(int row, int column) const;
     QString estimate_text(int row) const;
     QString components_text(int row) const;
     QVariant sort_value(int row, int column) const;
@@ -54,6 +56,7 @@ private:
 
     Document& document_;
     std::shared_ptr<const PreparedAnalysis> analysis_;
+    Table table_;  ///< of its inputs, a row each
 };
 
 }  // namespace covaria::ui

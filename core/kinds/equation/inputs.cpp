@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/symbol.h"
 #include "core/equation/operations.h"
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/equation/observations.h"
@@ -10,6 +9,7 @@
 #include "core/kinds/instruments/sensor.h"
 #include "core/quantity/input_quantity.h"
 #include "core/quantity/statement.h"
+#include "core/text/symbol.h"
 
 namespace covaria::equation_model {
 

@@ -1,6 +1,5 @@
 // Input quantities of "pose from points": coordinates in frame 0 and the components they share; warnings.
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -8,6 +7,7 @@
 #include "core/kinds/points/stated_figure.h"
 #include "core/kinds/pose/equations.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::pose {
 
@@ -167,12 +167,6 @@ private:
     std::map<std::string, std::size_t> common_;
 };
 
-std::string rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 // Largest standard uncertainty of the frame's coordinates over the height of its triangle.
 void warn_of_large_uncertainty(const PoseSetup& setup, const InputSet& inputs, Side side,
                                Problems& problems) {
@@ -188,9 +182,9 @@ void warn_of_large_uncertainty(const PoseSetup& setup, const InputSet& inputs, S
     for (std::size_t i = first; i < first + count; ++i) u = std::max(u, standard_uncertainty_of(inputs, i));
     if (u > 0.1 * height)
         problems.warning("/" + prefix_of(side) + "_points",
-                         "the standard uncertainty of a coordinate, " + rounded(1e3 * u) +
+                         "the standard uncertainty of a coordinate, " + format_short(1e3 * u) +
                              " mm, is more than a tenth of the distance of point " + rule.points[2].name +
-                             " from the x-axis, " + rounded(1e3 * height) +
+                             " from the x-axis, " + format_short(1e3 * height) +
                              " mm: the law of propagation is not reliable here, look at Monte Carlo");
 }
 
@@ -202,8 +196,8 @@ void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
     const double size = (local[1] - local[0]).norm();
     if (angle < 1e-3 && shift < 1e-3 * size) return;
     problems.warning("/" + prefix_of(side) + "_points",
-                     "the frame made from these points lies " + rounded(1e3 * shift) + " mm and " +
-                         rounded(Unit::of("deg").from_si(angle)) +
+                     "the frame made from these points lies " + format_short(1e3 * shift) + " mm and " +
+                         format_short(Unit::of("deg").from_si(angle)) +
                          "° away from the axes in which they are given, so results differ from the table of "
                          "poses; check the side of point 3 and the shift of the origin");
 }

@@ -231,7 +231,7 @@ TEST(BuildScene, VectorsHaveTheirUncertaintyAtTheTip) {
     EXPECT_GT(cloud->size(), 100u);
     const auto legend = [&](const std::string& text) {
         return std::any_of(scene.legend.begin(), scene.legend.end(),
-                           [&](const LegendLine& line) { return line.text.find(text) == 0; });
+                           [&](const LegendLine& line) { return to_unicode(line.text).starts_with(text); });
     };
     EXPECT_TRUE(legend("forces") && legend("moments"));
 }

@@ -1,5 +1,5 @@
 // Rounding rules: U to two digits, the value to match, and the cases where rounding goes wrong.
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace covaria::number_format_test {
+namespace covaria::numbers_test {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -129,5 +129,39 @@ TEST(FormatExact, ReadsBackToTheSameNumber) {
     EXPECT_EQ(format_exact(inf), "inf");
 }
 
+TEST(TypesetNumber, HasATrueMinusPowersOfTenAndTheDecimalSignOfTheLocale) {
+    EXPECT_EQ(typeset_number("-2.3e-05"), "−2.3×10⁻⁵");
+    EXPECT_EQ(typeset_number("1.5e+12\u00a0mm"), "1.5×10¹²\u00a0mm");
+    EXPECT_EQ(typeset_number("0.066"), "0.066");
+    EXPECT_EQ(typeset_number("-0.066", {",", "."}), "−0,066");
+    EXPECT_EQ(typeset_number("-∞"), "−∞");
+}
+
+TEST(GroupedNumber, FromTenThousandOn) {
+    EXPECT_EQ(grouped_number(-0.25, 2), "−0.25");
+    EXPECT_EQ(grouped_number(-0.001, 2), "0.00");
+    EXPECT_EQ(grouped_number(1234.5, 1), "1234.5");
+    EXPECT_EQ(grouped_number(9999, 0), "9999");
+    EXPECT_EQ(grouped_number(1234567.0, 0), "1\u202f234\u202f567");
+    EXPECT_EQ(grouped_number(-1234567.5, 1), "−1\u202f234\u202f567.5");
+    EXPECT_EQ(grouped_number(-12345.5, 1, {",", "."}), "−12.345,5");
+    EXPECT_EQ(grouped_number(inf, 0), "∞");
+    EXPECT_EQ(count_text(1'000'000), "1\u202f000\u202f000");
+}
+
+TEST(PercentText, HasTheDecimalsThatItNeeds) {
+    EXPECT_EQ(percent_text(0.95), "95\u00a0%");
+    EXPECT_EQ(percent_text(0.9973), "99.73\u00a0%");
+}
+
+TEST(ShortTexts, OfFieldsAndMessages) {
+    EXPECT_EQ(format_shortest(0.1), "0.1");
+    EXPECT_EQ(format_shortest(123456789.5), "123456789.5");
+    EXPECT_EQ(format_shortest(1e-5), "1e-05");
+    EXPECT_EQ(format_short(0.012345), "0.0123");
+    EXPECT_EQ(format_short(152345.0, 2), "1.5e+05");
+    EXPECT_EQ(format_trimmed(0.5, 6), "0.5");
+}
+
 }  // namespace
-}  // namespace covaria::number_format_test
+}  // namespace covaria::numbers_test

@@ -1,10 +1,10 @@
 // Choice of units for display.
-#include "ui/models/display_units.h"
+#include "core/text/display_units.h"
 
 #include <algorithm>
 #include <array>
 
-namespace covaria::ui {
+namespace covaria {
 
 namespace {
 
@@ -42,12 +42,4 @@ std::vector<Unit> DisplayUnits::choices(const Unit& unit) {
     return units;
 }
 
-std::shared_ptr<const UncertaintyResult> in_units(const std::shared_ptr<const UncertaintyResult>& result,
-                                                  const DisplayUnits& units) {
-    if (!result || units.chosen().empty()) return result;
-    auto shown = std::make_shared<UncertaintyResult>(*result);
-    for (OutputResult& output : shown->outputs) output.quantity.unit = units.of(output.quantity.unit);
-    return shown;
-}
-
-}  // namespace covaria::ui
+}  // namespace covaria

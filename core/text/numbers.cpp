@@ -1,6 +1,6 @@
 // Rounding of numbers for people (JCGM 100 7.2.6) and their exact text for machines; independent of the
 // locale.
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+
+#include "core/base/superscript.h"
 
 namespace covaria {
 namespace {
@@ -86,14 +88,17 @@ std::string format_significant(double value, int digits) {
     return format_decimals(value, kept - 1 - rounded_exponent(value, kept));
 }
 
+std::string format_trimmed(double value, int digits) {
+    return without_trailing_zeros(format_significant(value, digits));
+}
+
 int decimals_for(double uncertainty, int digits) {
     if (!std::isfinite(uncertainty) || uncertainty == 0.0) return unmatched_digits - 1;
     return digits - 1 - rounded_exponent(uncertainty, digits);
 }
 
 std::string format_to_match(double value, double uncertainty, int digits) {
-    if (!std::isfinite(uncertainty) || uncertainty == 0.0)
-        return without_trailing_zeros(format_significant(value, unmatched_digits));
+    if (!std::isfinite(uncertainty) || uncertainty == 0.0) return format_trimmed(value, unmatched_digits);
     const int decimals = decimals_for(uncertainty, digits);
     const double size = std::abs(uncertainty);
     if (size < 1e-4 || size >= 1e7) {
@@ -109,8 +114,8 @@ std::string format_typed(double value) {
     const double whole = std::round(value), size = std::abs(value);
     if (std::abs(value - whole) <= conversion_error * size && size >= 1e7 && size < 1e12)
         return fixed(whole, 0);
-    if (is_typed(value)) return without_trailing_zeros(format_significant(value, most_typed_digits));
-    return without_trailing_zeros(format_significant(value, unmatched_digits));
+    if (is_typed(value)) return format_trimmed(value, most_typed_digits);
+    return format_trimmed(value, unmatched_digits);
 }
 
 std::string format_estimate(double value, double uncertainty) {
@@ -130,7 +135,7 @@ double shown_degrees_of_freedom(double nu) {
 }
 
 std::string format_degrees_of_freedom(double nu) {
-    return without_trailing_zeros(format_significant(shown_degrees_of_freedom(nu), unmatched_digits));
+    return format_trimmed(shown_degrees_of_freedom(nu), unmatched_digits);
 }
 
 std::string format_cell(const TableCell& cell, const TableColumn& column) {
@@ -152,6 +157,58 @@ std::string format_exact(double value) {
     std::array<char, 64> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
     return {text.data(), end.ptr};
+}
+
+std::string format_shortest(double value) {
+    const double size = std::abs(value);
+    const bool plain = value == 0.0 || (size >= 1e-4 && size < 1e9);
+    std::array<char, 64> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   plain ? std::chars_format::fixed : std::chars_format::scientific);
+    return {text.data(), end.ptr};
+}
+
+std::string format_short(double value, int digits) {
+    std::array<char, 64> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    return {text.data(), end.ptr};
+}
+
+std::string typeset_number(std::string plain, const NumberLocale& locale) {
+    const std::size_t e = plain.find('e');
+    if (e != std::string::npos && e > 0 && e + 1 < plain.size() &&
+        (plain[e + 1] == '-' || plain[e + 1] == '+')) {
+        const std::size_t end = std::min(plain.find_first_not_of("0123456789", e + 2), plain.size());
+        plain.replace(e, end - e, "×" + power_of_ten(std::atoi(plain.c_str() + e + 1)));
+    }
+    if (const std::size_t point = plain.find('.'); point != std::string::npos)
+        plain.replace(point, 1, locale.decimal);
+    if (!plain.empty() && plain.front() == '-') plain.replace(0, 1, "−");
+    return plain;
+}
+
+std::string grouped_number(double value, int decimals, const NumberLocale& locale) {
+    const std::string plain = format_decimals(value, decimals);
+    if (!std::isfinite(value)) return typeset_number(plain, locale);
+    const std::size_t first = plain.starts_with('-') ? 1 : 0, end = std::min(plain.find('.'), plain.size());
+    std::string whole = plain.substr(first, end - first);
+    if (whole.size() > 4)
+        for (std::size_t i = whole.size(); i > 3;) whole.insert(i -= 3, locale.group);
+    return (first == 1 ? "−" : "") + whole +
+           (end < plain.size() ? locale.decimal + plain.substr(end + 1) : std::string());
+}
+
+std::string count_text(std::uint64_t count) {
+    return grouped_number(static_cast<double>(count), 0);
+}
+
+std::string percent_text(double probability) {
+    return typeset_number(format_typed(100.0 * probability)) + "\u00a0%";
+}
+
+std::string power_of_ten(int exponent) {
+    return "10" + superscript(exponent);
 }
 
 }  // namespace covaria

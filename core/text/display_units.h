@@ -1,14 +1,11 @@
-// Units in which results are shown, chosen per dimension.
+// Units in which results are shown, chosen per dimension: an argument of every view.
 #pragma once
 
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include "core/base/unit.h"
-#include "core/result/uncertainty_result.h"
 
-namespace covaria::ui {
+namespace covaria {
 
 class DisplayUnits {
 public:
@@ -25,8 +22,4 @@ private:
     std::vector<Unit> chosen_;
 };
 
-/// The same result with its output quantities in the chosen units: for charts. Null stays null.
-std::shared_ptr<const UncertaintyResult> in_units(const std::shared_ptr<const UncertaintyResult>& result,
-                                                  const DisplayUnits& units);
-
-}  // namespace covaria::ui
+}  // namespace covaria

@@ -1,12 +1,9 @@
 // Formulas as Unicode text and as MathML.
-#include <algorithm>
-#include <array>
+#include "core/text/formula.h"
+
 #include <string_view>
 
-#include "core/base/symbol.h"
-#include "core/equation/typeset.h"
-
-namespace covaria::equation {
+namespace covaria {
 
 namespace {
 
@@ -26,19 +23,7 @@ std::string in_line(const Formula& f) {
 }
 
 std::string raised(const Formula& exponent) {
-    static constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴",
-                                                             "⁵", "⁶", "⁷", "⁸", "⁹"};
-    const std::string text = to_unicode(exponent);
-    std::string above;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] >= '0' && text[i] <= '9')
-            above += digits[static_cast<std::size_t>(text[i] - '0')];
-        else if (text.substr(i, 3) == "−")
-            above += "⁻", i += 2;
-        else
-            return "^" + in_line(exponent);
-    }
-    return above;
+    return unicode_superscripts(to_unicode(exponent)).value_or("^" + in_line(exponent));
 }
 
 std::string sign_text(const std::string& sign) {
@@ -59,33 +44,18 @@ std::string row_text(const Formula& f) {
     return text;
 }
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else
-            out += c;
-    }
-    return out;
-}
-
 std::string element(const char* tag, const std::string& inside) {
     return "<" + std::string(tag) + ">" + inside + "</" + tag + ">";
 }
 
-/// "alpha_s" with its subscript.
-std::string symbol_element(const std::string& name) {
-    const std::size_t at = std::min(name.find('_', 1), name.size());
-    const std::string base = element("mi", escaped(symbol_to_unicode(name.substr(0, at))));
-    if (at >= name.size() - 1) return base;
-    std::string below = name.substr(at + 1);
-    std::replace(below.begin(), below.end(), '_', ',');
-    return element("msub", base + element("mi", escaped(symbol_to_unicode(below))));
+/// The base with its scripts.
+std::string symbol_element(const Symbol& symbol) {
+    const std::string base = element("mi", escape_html(symbol.base));
+    const std::string below = element("mi", escape_html(symbol.subscript));
+    const std::string above = element("mi", escape_html(symbol.superscript));
+    if (symbol.subscript.empty()) return symbol.superscript.empty() ? base : element("msup", base + above);
+    return symbol.superscript.empty() ? element("msub", base + below)
+                                      : element("msubsup", base + below + above);
 }
 
 std::string parts_of(const Formula& f);
@@ -93,13 +63,13 @@ std::string parts_of(const Formula& f);
 std::string mathml(const Formula& f) {
     switch (f.kind) {
         case K::symbol:
-            return symbol_element(f.text);
+            return symbol_element(f.symbol);
         case K::number:
-            return element("mn", escaped(f.text));
+            return element("mn", escape_html(f.text));
         case K::word:
-            return element(f.text.find(' ') == std::string::npos ? "mi" : "mtext", escaped(f.text));
+            return element(f.text.find(' ') == std::string::npos ? "mi" : "mtext", escape_html(f.text));
         case K::sign:
-            return element("mo", escaped(f.text));
+            return element("mo", escape_html(f.text));
         case K::row:
             return element("mrow", parts_of(f));
         case K::fraction:
@@ -127,7 +97,7 @@ std::string parts_of(const Formula& f) {
 std::string to_unicode(const Formula& f) {
     switch (f.kind) {
         case K::symbol:
-            return symbol_to_unicode(f.text);
+            return to_unicode(to_text(f.symbol));
         case K::row:
             return row_text(f);
         case K::fraction:
@@ -148,4 +118,4 @@ std::string to_mathml(const Formula& formula) {
            "</math>";
 }
 
-}  // namespace covaria::equation
+}  // namespace covaria

@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "core/text/text.h"
+
 namespace covaria {
 
 struct PlotAxis {
-    std::string title;             ///< Unicode: "x (mm)"
+    Text title;                    ///< "x (mm)"
     double low = 0.0, high = 0.0;  ///< low == high: from the data
     bool logarithmic = false;
-    std::vector<std::string> categories = {};  ///< not empty: a category axis; the first is at 0
+    std::vector<Text> categories = {};  ///< not empty: a category axis; the first is at 0
 };
 
 enum class SeriesKind {
@@ -38,7 +40,7 @@ enum class SeriesRole {
 };
 
 struct PlotSeries {
-    std::string name;  ///< in the legend; empty = not in the legend
+    Text name;  ///< in the legend; empty = not in the legend
     SeriesKind kind = SeriesKind::line;
     SeriesRole role = SeriesRole::data;
     std::vector<double> x, y, z;
@@ -47,7 +49,7 @@ struct PlotSeries {
 
 /// A vertical (or horizontal) line with a label: mean, ends of an interval, a target.
 struct PlotMark {
-    std::string label;
+    Text label;
     double at = 0.0;
     bool horizontal = false;
     SeriesRole role = SeriesRole::reference;
@@ -55,14 +57,14 @@ struct PlotMark {
 
 /// A shaded range of x (coverage interval).
 struct PlotBand {
-    std::string label;
+    Text label;
     double low = 0.0, high = 0.0;
     SeriesRole role = SeriesRole::reference;
 };
 
 struct PlotSpecification {
     std::string id;  ///< file-name friendly: "histogram-x-pose-7"
-    std::string title;
+    Text title;
     PlotAxis x, y;
     std::vector<PlotSeries> series;
     std::vector<PlotMark> marks;
