@@ -2,7 +2,7 @@
 
 #include "core/project/stated_requirements.h"
 #include "core/report/csv_text.h"
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
 #include "core/result/result_line.h"
 
 namespace covaria {
