@@ -72,6 +72,15 @@ public:
     virtual std::string objection(const Eigen::Vector3d&) const { return {}; }
 };
 
+/// Beside "point-uncertainty", of analyses: the points are outputs, with all their uncertainty.
+class PointOutputSource {
+public:
+    virtual ~PointOutputSource() = default;
+    /// The output that is coordinate 0, 1, 2 (x, y, z in the world frame) of the point of this name; empty:
+    /// there is no such point.
+    virtual std::optional<OutputReference> coordinate(const std::string& point, std::size_t axis) const = 0;
+};
+
 class AssetLibrary;
 
 /// Made from a checked set-up; immutable.
@@ -79,6 +88,7 @@ class Asset {
 public:
     virtual ~Asset() = default;
     virtual const PointUncertaintySource* point_uncertainty() const { return nullptr; }
+    virtual const PointOutputSource* point_outputs() const { return nullptr; }
     virtual const SensorSource* sensor() const { return nullptr; }
     virtual const BallbarSource* ballbars() const { return nullptr; }
     virtual const RepeatabilitySource* repeatability() const { return nullptr; }
@@ -120,7 +130,7 @@ class AssetLibrary {
 public:
     struct Entry {
         std::string name;
-        const AssetDescriptor* descriptor = nullptr;
+        const AssetDescriptor* descriptor = nullptr;  ///< null: an analysis stands for an asset
         std::shared_ptr<const Asset> asset;
     };
     void add(const std::string& id, Entry entry) { entries_[id] = std::move(entry); }

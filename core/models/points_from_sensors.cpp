@@ -2,6 +2,7 @@
 #include "core/models/points_from_sensors.h"
 
 #include "core/model/equation_model.h"
+#include "core/model/output_points.h"
 #include "core/models/network_equations.h"
 #include "core/models/network_sensitivities.h"
 
@@ -51,6 +52,10 @@ public:
         return network::network_sensitivities(setup_, x, rows);
     }
     std::vector<DataTable> evaluation() const override { return network::network_evaluation(setup_); }
+
+    std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
+        return std::make_shared<OutputPoints>(id, outputs_);
+    }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
@@ -184,6 +189,7 @@ ModelDescriptor points_from_sensors_model() {
     d.notes = network_notes();
     d.help_page = "points-from-sensors.md";
     d.example = "lsm-network.covaria";
+    d.capabilities = {"point-uncertainty"};
     d.schema = network::network_schema();
     d.create = create_network_model;
     return d;
