@@ -8,10 +8,10 @@
 #include "core/base/in_quotes.h"
 #include "core/model/composed_model.h"
 #include "core/model/linearised_model.h"
-#include "core/model/words.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/references.h"
-#include "core/project/registered.h"
 #include "core/propagation/engine.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

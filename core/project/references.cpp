@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <set>
 
-#include "core/model/words.h"
-#include "core/models/registry.h"
+#include "core/kinds/models.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/links.h"
-#include "core/project/registered.h"
 #include "core/project/workspace.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

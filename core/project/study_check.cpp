@@ -4,11 +4,11 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
-#include "core/model/words.h"
 #include "core/project/json_location.h"
-#include "core/project/registered.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/study_target.h"
 #include "core/project/workspace.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

@@ -4,20 +4,20 @@
 #include <cctype>
 #include <set>
 
-#include "core/assets/registry.h"
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
-#include "core/model/words.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 #include "core/project/input_edits.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/links.h"
 #include "core/project/project_file.h"
 #include "core/project/references.h"
-#include "core/project/registered.h"
-#include "core/project/requirements.h"
+#include "core/project/stated_requirements.h"
 #include "core/project/study_target.h"
 #include "core/propagation/engine.h"
 #include "core/propagation/forecast.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

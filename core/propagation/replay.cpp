@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/propagation/evaluation.h"
+#include "core/propagation/engine_parts.h"
 #include "core/propagation/trial_block_runner.h"
 
 namespace covaria {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/guarded.h"
-#include "core/project/registered.h"
+#include "core/project/kind_lookup.h"
 
 namespace covaria::detail {
 

@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "core/project/links.h"
-#include "ui/document/input_edits.h"
+#include "ui/document/quantity_edits.h"
 #include "ui/forms/components_edit.h"
 #include "ui/forms/correlation_edit.h"
 #include "ui/forms/link_dialog.h"

@@ -5,8 +5,8 @@
 #include <QHeaderView>
 #include <QMenu>
 
-#include "core/assets/registry.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 #include "core/project/library.h"
 #include "ui/document/project_edits.h"
 #include "ui/forms/finish_typing.h"

@@ -3,11 +3,11 @@
 
 #include <QAbstractItemModelTester>
 
-#include "core/assets/registry.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 #include "tests/ui/qt_application.h"
-#include "ui/document/input_edits.h"
 #include "ui/document/project_edits.h"
+#include "ui/document/quantity_edits.h"
 #include "ui/models/input_correlation_model.h"
 #include "ui/models/input_quantities_model.h"
 #include "ui/models/problems_model.h"

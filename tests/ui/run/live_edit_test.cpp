@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/models/registry.h"
+#include "core/kinds/models.h"
 #include "core/project/project_file.h"
 #include "tests/ui/qt_application.h"
 #include "ui/run/analysis_runner.h"
