@@ -6,6 +6,7 @@
 
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
+#include "core/base/version.h"
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
 #include "core/project/input_edits.h"
@@ -209,7 +210,7 @@ std::string analysis_fingerprint(const Project& project, const AnalysisEntry& en
     part.analyses.push_back(entry);
     part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
     add_used_analyses(project, entry, part);
-    return fingerprint(part);
+    return fingerprint(std::move(part));
 }
 
 // The assets an analysis uses and no others.
@@ -268,6 +269,22 @@ bool is_project_id(const std::string& id) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
                c == '_';
     });
+}
+
+std::vector<std::string> warnings_of(const Project& project, const std::string& analysis_id,
+                                     const Problems& of_assets, const Problems& of_analysis) {
+    std::vector<std::string> warnings;
+    const AnalysisEntry* entry = project.find_analysis(analysis_id);
+    for (const std::string& id : entry ? assets_used_by(project, *entry) : std::vector<std::string>()) {
+        const auto index = project.find_asset(id) - project.assets.data();
+        const std::string place = "/assets/" + std::to_string(index) + "/";
+        for (const Problem& problem : of_assets.items())
+            if (problem.severity == Severity::warning && problem.path.starts_with(place))
+                warnings.push_back("asset " + id + ": " + problem.message);
+    }
+    for (const Problem& problem : of_analysis.items())
+        if (problem.severity == Severity::warning) warnings.push_back(problem.message);
+    return warnings;
 }
 
 ModelOfAnalysis make_model_of(const Project& project, const AnalysisEntry& entry, const AssetLibrary& assets,
@@ -336,7 +353,7 @@ Result<UncertaintyResult> run_unguarded(const PreparedAnalysis& analysis, const 
     auto result = evaluate(*analysis.model, analysis.inputs, analysis.options, control);
     if (!result) return result;
     result->provenance.project_fingerprint = analysis.fingerprint;
-    result->provenance.covaria_version = COVARIA_VERSION;
+    result->provenance.covaria_version = version();
     result->provenance.seed = analysis.options.seed;
     return result;
 }

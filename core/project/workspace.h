@@ -73,6 +73,11 @@ void check_project(const Project& project, Problems& problems);
 /// Evaluates and fills in provenance.
 Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control = {});
 
+/// All that is to be said beside the results of an analysis: warnings of the assets that it uses ("asset ID:
+/// ...", `of_assets` from make_assets), then those of its own preparation.
+std::vector<std::string> warnings_of(const Project& project, const std::string& analysis_id,
+                                     const Problems& of_assets, const Problems& of_analysis);
+
 /// Ids of analyses that use the asset, directly or through another asset.
 std::vector<std::string> analyses_using(const Project& project, const std::string& asset_id);
 /// Ids of assets the analysis refers to, itself or through assets and analyses.

@@ -314,6 +314,11 @@ DataTable sobol_table(const UncertaintyResult& result) {
     return table;
 }
 
+std::string decision_key(const RequirementResult& r) {
+    if (!r.not_judged.empty()) return "not judged";
+    return r.decision == RequirementResult::Decision::accept ? "accept" : "reject";
+}
+
 DataTable requirements_table(const UncertaintyResult& result,
                              const std::vector<RequirementResult>& verdicts) {
     DataTable table = table_with(
@@ -323,7 +328,8 @@ DataTable requirements_table(const UncertaintyResult& result,
     for (const RequirementResult& r : verdicts) {
         const OutputResult& output = result.outputs[r.output];
         const OutputQuantity& q = output.quantity;
-        const bool limited = r.lower_limit || r.upper_limit;
+        const bool judged = r.not_judged.empty(), with_limits = r.lower_limit || r.upper_limit;
+        const bool limited = with_limits && judged;
         const auto value = [&](const std::optional<double>& si) {
             return si ? TableCell(value_in(q.unit, *si)) : TableCell{};
         };
@@ -331,13 +337,13 @@ DataTable requirements_table(const UncertaintyResult& result,
         table.rows.push_back(
             {q.group, q.symbol, q.unit.text(), interval_in(q.unit, output.expanded_uncertainty),
              r.target_uncertainty ? TableCell(interval_in(q.unit, *r.target_uncertainty)) : TableCell{},
-             r.target_uncertainty ? TableCell(std::string(r.meets_target ? "yes" : "no")) : TableCell{},
+             r.target_uncertainty ? TableCell(std::string(!judged          ? "not judged"
+                                                          : r.meets_target ? "yes"
+                                                                           : "no"))
+                                  : TableCell{},
              value(r.lower_limit), value(r.upper_limit),
              limited ? TableCell(interval_in(q.unit, r.guard_band)) : TableCell{},
-             limited ? TableCell(std::string(r.decision == RequirementResult::Decision::accept ? "accept"
-                                                                                               : "reject"))
-                     : TableCell{},
-             number(limited, r.conformance),
+             with_limits ? TableCell(decision_key(r)) : TableCell{}, number(limited, r.conformance),
              limited ? TableCell(distribution_key(r.conformance_by)) : TableCell{},
              number(r.global_risks.has_value(), r.global_risks ? r.global_risks->consumer : 0.0),
              number(r.global_risks.has_value(), r.global_risks ? r.global_risks->producer : 0.0)});

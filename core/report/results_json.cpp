@@ -1,5 +1,6 @@
 // results.json: the contract of the command line for scripts (DESIGN 9). No clock, no host: equal runs, equal
 // bytes.
+#include "core/base/version.h"
 #include "core/project/project_file.h"
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
@@ -191,11 +192,21 @@ void add_reductions(const EvaluatedAnalysis& evaluated, const RequirementResult&
     if (budget->common_factor) json["commonFactor"] = json_number(*budget->common_factor);
 }
 
+/// Without a verdict: nulls where it would stand, and why.
+OrderedJson not_judged_json(const RequirementResult& r, OrderedJson json) {
+    if (r.target_uncertainty) json["targetMet"] = nullptr;
+    if (r.lower_limit || r.upper_limit) json["decision"] = nullptr;
+    json["notJudged"] = r.not_judged;
+    return json;
+}
+
 OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const RequirementResult& r) {
     const OutputQuantity& q = evaluated.result->outputs[r.output].quantity;
     OrderedJson json = {{"symbol", q.symbol}, {"group", q.group}, {"unit", q.unit.text()}};
-    if (r.target_uncertainty) {
+    if (r.target_uncertainty)
         json["targetUncertainty"] = json_number(q.unit.interval_from_si(*r.target_uncertainty));
+    if (!r.not_judged.empty()) return not_judged_json(r, std::move(json));
+    if (r.target_uncertainty) {
         json["targetMet"] = r.meets_target;
         if (!r.meets_target) add_reductions(evaluated, r, json);
     }
@@ -285,13 +296,12 @@ std::string results_json(const Project& project, const std::vector<EvaluatedAnal
                          const ResultListing& listing) {
     OrderedJson list = OrderedJson::array();
     for (const EvaluatedAnalysis& evaluated : analyses) list.push_back(analysis_json(project, evaluated));
-    OrderedJson document = {{"format", "covaria-results"},
-                            {"schemaVersion", 1},
-                            {"project",
-                             {{"title", project.title},
-                              {"fingerprint", fingerprint(project)},
-                              {"covariaVersion", COVARIA_VERSION}}},
-                            {"analyses", std::move(list)}};
+    OrderedJson document = {
+        {"format", "covaria-results"},
+        {"schemaVersion", 1},
+        {"project",
+         {{"title", project.title}, {"fingerprint", fingerprint(project)}, {"covariaVersion", version()}}},
+        {"analyses", std::move(list)}};
     for (const FailedAnalysis& failed : listing.failed) document["failed"].push_back(failed_json(failed));
     for (const ResultFile& file : listing.files) document["files"].push_back(file_json(file));
     return pretty(document, "") + "\n";

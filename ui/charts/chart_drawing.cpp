@@ -91,7 +91,8 @@ QColor cell_colour(const ChartDrawing& chart, double z) {
 /// Two significant digits of the largest value of the map.
 QString cell_text(const ChartDrawing& chart, double z) {
     const double largest = std::max(std::abs(chart.plot.z_low), std::abs(chart.plot.z_high));
-    return number_text(z, std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 2)));
+    return number_text(z, std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 2)),
+                       chart.theme.decimal_mark());
 }
 
 void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSeries& series) {
@@ -189,7 +190,8 @@ void draw_bar_values(QPainter& painter, const ChartDrawing& chart, const PlotSer
                     low = std::min(low, series.x[j]);
                     high = std::max(high, series.x[j]);
                 }
-        const LabelText text(number_text(bars.x[i], 1), chart.layout.fonts.figures);
+        const LabelText text(number_text(bars.x[i], 1, chart.theme.decimal_mark()),
+                             chart.layout.fonts.figures);
         const double left =
             bars.x[i] < 0.0 ? geometry.x_at(low) - gap - text.width() : geometry.x_at(high) + gap;
         const QRectF box(left, geometry.y_at(bars.y[i]) - 0.5 * text.height(), text.width(), text.height());

@@ -41,8 +41,8 @@ QString fitting_title(const QString& title, const QFont& font, double room) {
 
 class LayoutBuilder {
 public:
-    LayoutBuilder(const PlotSpecification& plot, const QSizeF& size, const PlotView& view)
-        : plot_(plot), size_(size), map_(has_heat_map(plot)) {
+    LayoutBuilder(const PlotSpecification& plot, const QSizeF& size, const PlotView& view, QChar decimal_mark)
+        : plot_(plot), size_(size), mark_(decimal_mark), map_(has_heat_map(plot)) {
         out_.fonts = fonts_for(size.width());
         out_.geometry.view = view;
         out_.geometry.y_down = !plot.y.categories.empty();
@@ -69,7 +69,7 @@ public:
             place_marks();
         }
         if (!compact_ && out_.geometry.area.height() < least_part * std::min(size_.width(), size_.height())) {
-            LayoutBuilder small(plot_, size_, out_.geometry.view);
+            LayoutBuilder small(plot_, size_, out_.geometry.view, mark_);
             small.compact_ = true;
             return small.make();
         }
@@ -180,8 +180,8 @@ private:
         const PlotView& view = out_.geometry.view;
         const double width = out_.geometry.area.width();
         const auto make = [&](int most) {
-            return plot_.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most)
-                                       : linear_ticks(view.x_low, view.x_high, most);
+            return plot_.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most, mark_)
+                                       : linear_ticks(view.x_low, view.x_high, most, mark_);
         };
         const auto fits = [&](const Ticks& ticks) {
             if (ticks.ticks.size() < 2) return true;
@@ -195,8 +195,8 @@ private:
     Ticks fitting_y_ticks(double height) const {
         const PlotView& view = out_.geometry.view;
         const auto make = [&](int most) {
-            return plot_.y.logarithmic ? logarithmic_ticks(view.y_low, view.y_high, most)
-                                       : linear_ticks(view.y_low, view.y_high, most);
+            return plot_.y.logarithmic ? logarithmic_ticks(view.y_low, view.y_high, most, mark_)
+                                       : linear_ticks(view.y_low, view.y_high, most, mark_);
         };
         const auto fits = [&](const Ticks& ticks) {
             return static_cast<double>(ticks.ticks.size()) * 1.2 * line_ <= height;
@@ -338,7 +338,7 @@ private:
         out_.colour_bar = QRectF(area.right() + std::round(16.0 * unit_), area.top(),
                                  std::round(10.0 * unit_), area.height());
         const int most = std::max(2, std::min(4, static_cast<int>(area.height() / (30.0 * unit_))));
-        for (const Tick& tick : linear_ticks(plot_.z_low, plot_.z_high, most).ticks) {
+        for (const Tick& tick : linear_ticks(plot_.z_low, plot_.z_high, most, mark_).ticks) {
             const double part = (tick.at - plot_.z_low) / (plot_.z_high - plot_.z_low);
             const double y = std::clamp(area.bottom() - part * area.height(), area.top() + 0.4 * line_,
                                         area.bottom() - 0.4 * line_);
@@ -349,6 +349,7 @@ private:
 
     const PlotSpecification& plot_;
     QSizeF size_;
+    QChar mark_;  // of decimals
     bool map_;
     bool compact_ = false;  // no room for a legend
     bool turned_ = false;   // names of the x categories
@@ -387,8 +388,9 @@ const QFont& font_of(const ChartFonts& fonts, TextKind kind) {
     return fonts.label;
 }
 
-ChartLayout layout_chart(const PlotSpecification& plot, const QSizeF& size, const PlotView& view) {
-    return LayoutBuilder(plot, size, view).make();
+ChartLayout layout_chart(const PlotSpecification& plot, const QSizeF& size, const PlotView& view,
+                         QChar decimal_mark) {
+    return LayoutBuilder(plot, size, view, decimal_mark).make();
 }
 
 }  // namespace covaria::ui

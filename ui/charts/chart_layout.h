@@ -47,7 +47,8 @@ struct ChartLayout {
 };
 
 /// Lengths in units of 1/96 inch. A specification without series gives its title as a message in the middle.
-ChartLayout layout_chart(const PlotSpecification& plot, const QSizeF& size, const PlotView& view);
+ChartLayout layout_chart(const PlotSpecification& plot, const QSizeF& size, const PlotView& view,
+                         QChar decimal_mark = u'.');
 const QFont& font_of(const ChartFonts& fonts, TextKind kind);
 
 }  // namespace covaria::ui

@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QGraphicsScene>
+#include <QLocale>
 #include <QMessageBox>
 #include <QRubberBand>
 #include <algorithm>
@@ -31,11 +32,15 @@ PlotView inside_whole(PlotView view, const PlotView& whole) {
     return view;
 }
 
+Theme in_words_of_the_user(const Theme& theme) {
+    return theme.with_decimal_mark(QLocale().decimalPoint().front());
+}
+
 }  // namespace
 
 ChartView::ChartView(QWidget* parent)
     : QGraphicsView(parent),
-      theme_(Theme::light()),
+      theme_(in_words_of_the_user(Theme::light())),
       band_(new QRubberBand(QRubberBand::Rectangle, viewport())) {
     setScene(new QGraphicsScene(this));
     setFrameShape(QFrame::NoFrame);
@@ -78,9 +83,9 @@ const PlotSpecification& ChartView::plot() const {
 }
 
 void ChartView::set_theme(const Theme& theme) {
-    theme_ = theme;
+    theme_ = in_words_of_the_user(theme);
     setBackgroundBrush(theme_.neutrals().ground);
-    chart_->set_theme(theme);
+    chart_->set_theme(theme_);
 }
 
 bool ChartView::can_zoom() const {

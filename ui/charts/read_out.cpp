@@ -2,6 +2,7 @@
 #include "ui/charts/read_out.h"
 
 #include <QLineF>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +13,10 @@
 namespace covaria::ui {
 namespace {
 
+QString shown_number(double value, int decimals) {
+    return number_text(value, decimals, QLocale().decimalPoint().front());
+}
+
 /// "x = −120.3 mm" from the title "x (mm)", to a thousandth of the range that is shown.
 QString value_text(const PlotAxis& axis, double value, double low, double high) {
     QString name = to_qt(axis.title), unit;
@@ -21,7 +26,7 @@ QString value_text(const PlotAxis& axis, double value, double low, double high) 
         name.truncate(open);
     }
     const double range = axis.logarithmic ? value : high - low;
-    QString text = number_text(value, std::max(0, decimals_for(1e-3 * range, 1)));
+    QString text = shown_number(value, std::max(0, decimals_for(1e-3 * range, 1)));
     if (!unit.isEmpty()) text += (unit == QStringLiteral("°") ? QString() : QString(QChar(0xa0))) + unit;
     return name + QStringLiteral(" = ") + text;
 }
@@ -48,7 +53,7 @@ struct Reader {
         const int decimals = std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 3));
         return ReadOut{QStringLiteral("%1 and %2: %3")
                            .arg(to_qt(plot.y.categories[row]), to_qt(plot.x.categories[column]),
-                                number_text(z, decimals)),
+                                shown_number(z, decimals)),
                        {}};
     }
 

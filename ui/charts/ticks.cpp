@@ -26,31 +26,33 @@ int decimals_of(double step) {
     return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
 }
 
-Ticks one_two_five(double low, double high) {
+Ticks one_two_five(double low, double high, QChar mark) {
     Ticks result;
     for (int decade = static_cast<int>(std::floor(low)); decade <= high; ++decade)
         for (const double factor : {1.0, 2.0, 5.0}) {
             const double at = decade + std::log10(factor);
             if (at < low - 1e-9 || at > high + 1e-9) continue;
-            result.ticks.push_back({at, number_text(factor * std::pow(10.0, decade), std::max(0, -decade))});
+            result.ticks.push_back(
+                {at, number_text(factor * std::pow(10.0, decade), std::max(0, -decade), mark)});
         }
     return result;
 }
 
-Ticks linear_on_logarithmic(double low, double high, int most) {
-    Ticks result = linear_ticks(std::pow(10.0, low), std::pow(10.0, high), most);
+Ticks linear_on_logarithmic(double low, double high, int most, QChar mark) {
+    Ticks result = linear_ticks(std::pow(10.0, low), std::pow(10.0, high), most, mark);
     for (Tick& tick : result.ticks) tick.at = std::log10(tick.at);
     return result;
 }
 
 }  // namespace
 
-QString number_text(double value, int decimals) {
+QString number_text(double value, int decimals, QChar decimal_mark) {
     QString text = QString::fromStdString(format_decimals(value, decimals));
     const bool negative = text.startsWith(u'-');
     if (negative) text.remove(0, 1);
     const auto point = text.indexOf(u'.');
     const auto whole = point < 0 ? text.size() : point;
+    if (point >= 0) text[point] = decimal_mark;
     if (whole > 4)
         for (auto i = whole - 3; i > 0; i -= 3) text.insert(i, QChar(0x202f));
     return negative ? QChar(0x2212) + text : text;
@@ -64,7 +66,7 @@ QString power_of_ten(int exponent) {
     return text;
 }
 
-Ticks linear_ticks(double low, double high, int most) {
+Ticks linear_ticks(double low, double high, int most, QChar decimal_mark) {
     Ticks result;
     if (!(high > low)) return result;
     const double step = nice_step((high - low) / std::max(most, 1));
@@ -73,11 +75,11 @@ Ticks linear_ticks(double low, double high, int most) {
     const int decimals = decimals_of(step / unit);
     const double slack = 1e-9 * (high - low);
     for (double i = std::ceil((low - slack) / step); i * step <= high + slack; ++i)
-        result.ticks.push_back({i * step, number_text(i * step / unit, decimals)});
+        result.ticks.push_back({i * step, number_text(i * step / unit, decimals, decimal_mark)});
     return result;
 }
 
-Ticks logarithmic_ticks(double low, double high, int most) {
+Ticks logarithmic_ticks(double low, double high, int most, QChar decimal_mark) {
     const int first = static_cast<int>(std::ceil(low - 1e-9)),
               last = static_cast<int>(std::floor(high + 1e-9));
     if (last - first >= 1) {
@@ -87,9 +89,9 @@ Ticks logarithmic_ticks(double low, double high, int most) {
             result.ticks.push_back({double(decade), power_of_ten(decade)});
         return result;
     }
-    Ticks fine = one_two_five(low, high);
+    Ticks fine = one_two_five(low, high, decimal_mark);
     const bool enough = fine.ticks.size() >= 2 && static_cast<int>(fine.ticks.size()) <= most + 1;
-    return enough ? fine : linear_on_logarithmic(low, high, most);
+    return enough ? fine : linear_on_logarithmic(low, high, most, decimal_mark);
 }
 
 QString title_with_exponent(const QString& title, int exponent) {

@@ -10,7 +10,11 @@
 
 namespace covaria::ui {
 
-/// A number in the locale's writing, or with a decimal point; no digit grouping. Empty: not a number.
+/// "6.1×10⁻⁵" with its power of ten as programs write it: "6.1e-5"; other texts as they are.
+QString with_plain_exponent(QString text);
+
+/// A number in the locale's writing, or with a decimal point, powers of ten in either form; no digit
+/// grouping. Empty: not a number.
 std::optional<double> parse_number(const QString& text, const QLocale& locale);
 
 /// Unit as typed: "um", "µm", "°", "N·m". Error: unknown unit.

@@ -76,6 +76,10 @@ QString distribution_words(RequirementResult::Distribution by) {
     return RequirementsForm::tr("(normal)");
 }
 
+QString not_judged_words(const RequirementResult& r) {
+    return RequirementsForm::tr("Not judged: %1.").arg(to_qt(r.not_judged));
+}
+
 QString conformity_words(const UncertaintyResult& result, const RequirementResult& r) {
     const Unit& unit = result.outputs[r.output].quantity.unit;
     const bool accepted = r.decision == RequirementResult::Decision::accept;
@@ -269,6 +273,10 @@ void RequirementsForm::refresh_verdict() {
     QStringList words;
     if (status.is_of_present())
         for (const RequirementResult& r : judge(*status.result, judged)) {
+            if (!r.not_judged.empty()) {
+                words << not_judged_words(r);
+                continue;
+            }
             if (r.target_uncertainty) words << target_words(*status.result, r) + reductions(status, r);
             if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r);
         }
@@ -301,7 +309,8 @@ QString RequirementsForm::reductions(const AnalysisStatus& status, const Require
                 found_ = budget;
                 refresh_verdict();
             };
-        });
+        },
+        [](const Error&) {});  // the verdict stands without it
     return {};
 }
 

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/resource_path.h"
+#include "core/base/version.h"
 #include "core/kinds/models.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
@@ -148,7 +149,7 @@ QString help_text(const std::string& model) {
 QString about_text() {
     return tr("<h3>Covaria %1</h3><p>Measurement uncertainty of robots and large-scale metrology.<br>"
               "Evaluates by JCGM 100, 101 and 102.</p><p>Qt %2, VTK %3, Eigen %4</p>")
-        .arg(QStringLiteral(COVARIA_VERSION), QString::fromLatin1(qVersion()), to_qt(vtk_version()),
+        .arg(QString::fromLatin1(version()), QString::fromLatin1(qVersion()), to_qt(vtk_version()),
              eigen_version());
 }
 

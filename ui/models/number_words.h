@@ -6,7 +6,8 @@
 
 namespace covaria::ui {
 
-/// Text of a number with a decimal point, with the locale's decimal mark and a true minus sign.
+/// Text of a number with a decimal point, with the locale's decimal mark, a true minus sign and powers of ten
+/// as in reports: "−6,1×10⁻⁵".
 QString localized(const std::string& number);
 /// Effective degrees of freedom: whole numbers, "∞".
 QString degrees_of_freedom_text(double value);

@@ -70,7 +70,7 @@ QString quoted_if_needed(QString cell) {
 
 QString number_for_programs(const QString& shown, const QLocale& locale, const QString& decimal_mark) {
     if (!parse_number(shown, locale)) return shown;
-    QString plain = shown.trimmed();
+    QString plain = with_plain_exponent(shown.trimmed());
     plain.replace(QChar(0x2212), '-');
     for (const char16_t space : {u'\u00a0', u'\u202f', u'\u2009'}) plain.remove(QChar(space));
     if (plain.count(locale.decimalPoint()) == 1) plain.replace(locale.decimalPoint(), decimal_mark);

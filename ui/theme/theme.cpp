@@ -59,6 +59,12 @@ Theme Theme::light() {
     return {false, n};
 }
 
+Theme Theme::with_decimal_mark(QChar mark) const {
+    Theme other = *this;
+    other.decimal_mark_ = mark;
+    return other;
+}
+
 Theme Theme::dark() {
     Neutrals n;
     n.ground = 0x1e2125;

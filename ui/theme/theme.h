@@ -29,6 +29,10 @@ public:
     static Theme dark();
 
     bool is_dark() const { return dark_; }
+    /// Of numbers in charts: the point in reports, which are the same everywhere; that of the user in the
+    /// window.
+    QChar decimal_mark() const { return decimal_mark_; }
+    Theme with_decimal_mark(QChar mark) const;
     const Neutrals& neutrals() const { return neutrals_; }
     /// Okabe and Ito's colours (Color Universal Design, 2008), on dark ground their lighter ones.
     QColor series(SeriesRole role) const;
@@ -46,6 +50,7 @@ private:
     Theme(bool dark, Neutrals neutrals) : dark_(dark), neutrals_(std::move(neutrals)) {}
     bool dark_;
     Neutrals neutrals_;
+    QChar decimal_mark_ = u'.';
 };
 
 /// Contrast ratio of two colours, 1 to 21 (WCAG 2.1).

@@ -1,13 +1,12 @@
 #include "core/kinds/robot_identification/from_poses_fit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "core/kinds/robot_identification/input_sensitivity.h"
+#include "core/math/decompositions.h"
 #include "core/math/special_quantiles.h"
 #include "core/quantity/input_quantity.h"
 
@@ -117,7 +116,12 @@ bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
         const VectorXd scale = A.colwise().norm();
         MatrixXd N = A.transpose() * A;
         N.diagonal() += damping * scale.cwiseAbs2();
-        const VectorXd dv = N.ldlt().solve(A.transpose() * r);
+        const auto solved = damped_step(N, A.transpose() * r);
+        if (!solved) {
+            if ((damping *= 10.0) > 1e8) return false;
+            continue;
+        }
+        const VectorXd& dv = *solved;
         std::vector<double> next = v;
         for (std::size_t i = 0; i < v.size(); ++i) next[i] += dv[static_cast<Index>(i)];
         const VectorXd r_next = w.cwiseProduct(residuals_of(c, next, fitted(c)));
@@ -254,7 +258,7 @@ private:
         const MatrixXd A = w_.asDiagonal() * jacobian_of(c_, c_.solution, fitted(c_));
         const VectorXd length = A.colwise().norm();
         const MatrixXd scaled = A * length.cwiseInverse().asDiagonal();
-        const Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const auto svd = singular_values(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
         const VectorXd& s = svd.singularValues();
         if (!(s[s.size() - 1] > 1e-9 * s[0]))
             return refuse(

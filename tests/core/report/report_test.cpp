@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/symbol.h"
+#include "core/project/stated_requirements.h"
 #include "core/report/table_text.h"
 #include "core/result/representation.h"
 #include "tests/core/report/sample_report.h"
@@ -180,6 +181,33 @@ TEST(Report, TooManyLostTrialsMarkTheResultEverywhere) {
     EXPECT_EQ(not_representing(study), std::vector<std::size_t>{1});
     EXPECT_TRUE(contains(remark_on(study, 1), does_not_represent));
     EXPECT_EQ(remark_on(study, 0), "");
+}
+
+// Nothing is met, accepted or rejected by a result that says nothing about the measurand.
+TEST(Report, RequirementsOnWhatDoesNotRepresentTheMeasurandAreNotJudged) {
+    UncertaintyResult result = test::sample_result();
+    result.failed_trials = result.trials / 100 + 1;
+    const Project project = test::sample_project();
+    const EvaluatedAnalysis analysis = test::sample_analysis(result);
+    const auto verdicts = judge(result, project.analyses.front());
+    ASSERT_FALSE(verdicts.empty());
+    for (const RequirementResult& r : verdicts) {
+        EXPECT_EQ(r.not_judged, why_not_judged());
+        EXPECT_FALSE(r.meets_target);
+        EXPECT_EQ(r.decision, RequirementResult::Decision::none);
+    }
+    const std::string report = to_markdown(build_report(project, AssetLibrary{}, {analysis}));
+    EXPECT_TRUE(contains(report, "The requirements are not judged: the result does not represent")) << report;
+    EXPECT_TRUE(contains(report, "| not judged |"));
+    for (const char* verdict : {"| met |", "| not met |", "| accepted |", "| rejected |", "risk"})
+        EXPECT_FALSE(contains(report, verdict)) << verdict;
+    const std::string json = results_json(project, {analysis});
+    EXPECT_TRUE(contains(json, "\"notJudged\": \"the result does not represent the measurand"));
+    EXPECT_TRUE(contains(json, "\"targetMet\": null"));
+    for (const char* key : {"\"targetMet\": true", "\"decision\": \"", "\"conformance\""})
+        EXPECT_FALSE(contains(json, key)) << key;
+    for (const DataTable& table : result_tables(project, analysis))
+        if (table.id == "requirements") EXPECT_TRUE(contains(to_csv(table), "not judged")) << to_csv(table);
 }
 
 TEST(Report, ShowsWhatRemainsWithAContributorHeld) {

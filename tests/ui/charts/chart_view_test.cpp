@@ -50,6 +50,31 @@ TEST_F(ChartViewTest, RubberBandZoomsAndDoubleClickResets) {
     EXPECT_FALSE(view_.is_zoomed());
 }
 
+/// Texts of the ticks of a chart with tenths on its axis.
+QStringList texts_of(const ChartLayout& layout) {
+    QStringList texts;
+    for (const Tick& tick : layout.x.ticks) texts << tick.text;
+    return texts;
+}
+
+TEST_F(ChartViewTest, NumbersHaveTheDecimalMarkOfTheUserInTheWindowAndThePointInReports) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    ChartView german;
+    german.resize(700, 440);
+    german.set_plot(test::all_plots()[0]);
+    german.show();
+    QCoreApplication::processEvents();
+    const QStringList shown = texts_of(german.chart().chart_layout());
+    const QStringList printed =
+        texts_of(layout_chart(test::all_plots()[0], {700, 440}, german.chart().view()));
+    QLocale::setDefault(before);
+    ASSERT_FALSE(shown.isEmpty());
+    EXPECT_TRUE(shown.front().contains(u',')) << shown.front().toStdString();
+    EXPECT_TRUE(printed.front().contains(u'.')) << printed.front().toStdString();
+    EXPECT_EQ(QStringList(shown).replaceInStrings(",", "."), printed);
+}
+
 TEST_F(ChartViewTest, SeriesFollowTheZoom) {
     drag(pixel(-120.4, 0.8), pixel(-119.8, 0.2));
     const QImage image = view_.grab().toImage();

@@ -21,6 +21,7 @@ TEST(LinearTicks, AreStepsOfOneTwoFive) {
     EXPECT_EQ(texts(linear_ticks(1174.88, 1174.96, 4)),
               QStringList({"1174.88", "1174.90", "1174.92", "1174.94", "1174.96"}));
     EXPECT_TRUE(linear_ticks(1.0, 1.0, 5).ticks.empty());
+    EXPECT_EQ(texts(linear_ticks(0.0, 1.0, 4, u',')), QStringList({"0,0", "0,5", "1,0"}));
 }
 
 TEST(LinearTicks, StayInsideTheRangeAndAreNotTooMany) {
@@ -62,6 +63,7 @@ TEST(TickTitles, TellThePower) {
 
 TEST(NumberText, HasTrueMinusAndGroups) {
     EXPECT_EQ(number_text(-0.25, 2), "−0.25");
+    EXPECT_EQ(number_text(-0.25, 2, u','), "−0,25");
     EXPECT_EQ(number_text(-0.001, 2), "0.00");
     EXPECT_EQ(number_text(1234.5, 1), "1234.5");
     EXPECT_EQ(number_text(1234567.0, 0), "1\u202f234\u202f567");

@@ -118,6 +118,7 @@ TEST(Clipboard, NumbersAreNumbersForASpreadsheet) {
     EXPECT_EQ(number_for_programs(QString::fromUtf8("−0,735"), german, "."), "-0.735");
     EXPECT_EQ(number_for_programs(QString::fromUtf8("1\u00a0234\u202f567"), plain, "."), "1234567");
     EXPECT_EQ(number_for_programs(QString::fromUtf8("6.1e−05"), plain, "."), "6.1e-05");
+    EXPECT_EQ(number_for_programs(QString::fromUtf8("−6.1×10⁻⁵"), plain, "."), "-6.1e-5");
     for (const char* text : {"∞", "pose 7", "b₁ₓ", "−", "a−b", "1.2.3", ""})
         EXPECT_EQ(number_for_programs(QString::fromUtf8(text), plain, "."), QString::fromUtf8(text));
     for (const double value : {-1.5, 0.0, 734.25, -6.09e-7, 12345678.5})
