@@ -86,7 +86,7 @@ class AssetLibrary {
 public:
     struct Entry {
         std::string name;
-        const AssetDescriptor* descriptor = nullptr;
+        const AssetDescriptor* descriptor = nullptr;  ///< null: an analysis stands for an asset
         std::shared_ptr<const Asset> asset;
     };
     void add(const std::string& id, Entry entry) { entries_[id] = std::move(entry); }

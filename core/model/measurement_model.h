@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@
 #include "core/text/plot_specification.h"
 
 namespace covaria {
+
+class Asset;  // core/model/asset.h
 
 /// A block of trials, structure of arrays: quantity i of trial t is inputs[i * stride + t], output j is
 /// outputs[j * stride + t]. `stride` is a multiple of 8 and all rows are 64-byte aligned; lanes from `trials`
@@ -76,6 +79,10 @@ public:
     virtual std::vector<DataTable> evaluation() const { return {}; }
     /// The same as charts; ids are unique in the model.
     virtual std::vector<PlotSpecification> figures() const { return {}; }
+
+    /// What stands for an analysis of this model (`id`) where a set-up asks for an asset: its outputs as
+    /// points, or as a robot. Null: nothing does.
+    virtual std::shared_ptr<const Asset> as_asset(const std::string& /*id*/) const { return nullptr; }
 
     MeasurementModel() = default;
     MeasurementModel(const MeasurementModel&) = delete;

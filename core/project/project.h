@@ -63,12 +63,21 @@ struct Requirement {
     bool operator==(const Requirement&) const = default;
 };
 
+/// An input quantity whose value is an output of another analysis: the models are composed.
+struct InputLink {
+    std::string input;  ///< symbol
+    OutputReference output;
+    bool linearised = false;  ///< the other analysis is replaced by its law of propagation, for speed
+    bool operator==(const InputLink&) const = default;
+};
+
 struct AnalysisEntry {
     std::string id = {};
     std::string model = {};  ///< of the model registry
     std::string name = {};
     std::string notes = {};
     Setup setup = {};
+    std::vector<InputLink> links = {};
     std::vector<InputEdit> inputs = {};
     std::vector<CorrelationEdit> correlations = {};
     EvaluationOptions options = {};

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,17 @@ struct UncertaintyComponent {
     /// Of one point, whose coordinates share it only because they do not lie along its direction: an edit of
     /// one of them takes its place there.
     bool local = false;
+    /// Of an asset, or in a chain of models of one of them: one and the same component wherever it occurs in
+    /// a project ("tracker.scale"). Empty: of this set of inputs alone.
+    std::string identity = {};
+};
+
+/// An output of an analysis.
+struct OutputReference {
+    std::string analysis;    ///< its id
+    std::string group = {};  ///< of the output
+    std::string symbol = {};
+    bool operator==(const OutputReference&) const = default;
 };
 
 struct Share {
@@ -71,6 +83,9 @@ struct InputQuantity {
     std::string source =
         {};  ///< JSON pointer of the set-up field the estimate comes from, relative to the set-up
     std::vector<GroupTag> tags = {};  ///< groups of contributions; kept when components are edited
+    /// The set-up says that this output of another analysis is its value; it then has no components here.
+    std::optional<OutputReference> taken_from = {};
+    std::string analysis = {};  ///< in a chain of models: id of the upstream analysis it belongs to
 };
 
 /// Correlation coefficient between two components; copula.h says how they are drawn.
@@ -96,6 +111,7 @@ struct IsotropicVector {
 struct VarianceEstimate {
     std::string id = {};  ///< unique in the set: "plate.x"
     std::vector<std::size_t> components;
+    bool of_asset = false;  ///< as `UncertaintyComponent::identity`: the id names it in all of a project
 };
 
 struct InputSet {
@@ -112,7 +128,7 @@ struct InputSet {
     std::size_t add(InputQuantity quantity, std::vector<UncertaintyComponent> own_components);
     std::size_t find(const std::string& symbol) const;  ///< index of a quantity, or npos
     /// The component rests on the estimate of variance of that id, which is added if it is new.
-    void rest_on_estimate(const std::string& id, std::size_t component);
+    void rest_on_estimate(const std::string& id, std::size_t component, bool of_asset = false);
     /// The estimate of variance that each component rests on, or npos.
     std::vector<std::size_t> estimates_of_components() const;
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);

@@ -28,6 +28,32 @@ DataTable budget_file(const UncertaintyResult& result) {
     return data_table(table);
 }
 
+DataTable links_table(const std::vector<LinkedInput>& linked) {
+    DataTable table = table_with("links", "Input quantities taken from other analyses",
+                                 {"symbol", "name", "unit", "estimate", "u", "degrees of freedom", "analysis",
+                                  "output group", "output", "linearised"});
+    for (const LinkedInput& input : linked)
+        table.rows.push_back(
+            {input.symbol, input.name, input.unit.text(), value_in(input.unit, input.estimate),
+             interval_in(input.unit, input.standard_uncertainty), input.degrees_of_freedom, input.analysis,
+             input.output.group, input.output.symbol, std::string(input.linearised ? "yes" : "no")});
+    return table;
+}
+
+/// Shares of the variance by the analyses of a chain.
+DataTable analyses_table(const UncertaintyResult& result) {
+    DataTable table =
+        table_with("by-analysis", "Shares of the variance by analysis",
+                   {"group", "output", "output unit", "analysis", "contribution", "share of variance"});
+    for (std::size_t j = 0; j < result.outputs.size(); ++j) {
+        const OutputQuantity& q = result.outputs[j].quantity;
+        for (const GroupContribution& g : contributions_by_group(result.budget, j, "analysis"))
+            table.rows.push_back(
+                {q.group, q.symbol, q.unit.text(), g.group, interval_in(q.unit, g.contribution), g.share});
+    }
+    return table;
+}
+
 std::string plain_label(const OutputQuantity& q) {
     return q.group.empty() ? q.symbol : q.symbol + " (" + q.group + ")";
 }
@@ -172,6 +198,10 @@ std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnal
     if (entry && !entry->requirements.empty())
         tables.push_back(requirements_table(result, judge(result, *entry)));
     if (!result.contributors.empty()) tables.push_back(contributors_table(result));
+    if (evaluated.analysis && !evaluated.analysis->linked.empty()) {
+        tables.push_back(links_table(evaluated.analysis->linked));
+        tables.push_back(analyses_table(result));
+    }
     if (evaluated.analysis && evaluated.analysis->model)
         for (DataTable& table : evaluated.analysis->model->evaluation()) tables.push_back(std::move(table));
     for (const auto& study : evaluated.studies) tables.push_back(study_table(*study));

@@ -224,6 +224,33 @@ OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const Requireme
     return json;
 }
 
+OrderedJson links_json(const PreparedAnalysis& analysis) {
+    OrderedJson list = OrderedJson::array();
+    for (const LinkedInput& input : analysis.linked)
+        list.push_back({{"input", input.symbol},
+                        {"analysis", input.analysis},
+                        {"group", input.output.group},
+                        {"output", input.output.symbol},
+                        {"linearised", input.linearised},
+                        {"unit", input.unit.text()},
+                        {"estimate", json_number(input.unit.from_si(input.estimate))},
+                        {"u", json_number(input.unit.interval_from_si(input.standard_uncertainty))}});
+    return list;
+}
+
+/// Shares of the variance by the analyses of a chain.
+OrderedJson shares_json(const UncertaintyResult& result) {
+    OrderedJson list = OrderedJson::array();
+    for (std::size_t j = 0; j < result.outputs.size(); ++j) {
+        const OutputQuantity& q = result.outputs[j].quantity;
+        OrderedJson shares = OrderedJson::object();
+        for (const GroupContribution& g : contributions_by_group(result.budget, j, "analysis"))
+            shares[g.group] = json_number(g.share);
+        list.push_back({{"symbol", q.symbol}, {"group", q.group}, {"shares", std::move(shares)}});
+    }
+    return list;
+}
+
 OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     OrderedJson outputs = OrderedJson::array();
@@ -243,6 +270,10 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     if (!warnings.empty()) json["warnings"] = warnings;
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
+    if (!evaluated.analysis->linked.empty()) {
+        json["links"] = links_json(*evaluated.analysis);
+        json["byAnalysis"] = shares_json(result);
+    }
     if (const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id))
         for (const RequirementResult& r : judge(result, *entry))
             json["requirements"].push_back(requirement_json(evaluated, r));

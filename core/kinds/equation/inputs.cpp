@@ -206,7 +206,7 @@ private:
         if (is_new) {
             const std::string& name = assets_.find(text(row, "instrument"))->name;
             UncertaintyComponent made = component;
-            made.id = id;
+            made.id = made.identity = id;
             made.origin = name + " (" + component.origin + ")";
             made.contributor = text(row, "instrument");
             made.contributor_name = name;

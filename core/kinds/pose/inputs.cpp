@@ -37,6 +37,18 @@ struct MeasuredPoint {
 
 using Shares = std::array<std::vector<Share>, 3>;
 
+/// Of the analysis that measured the point; empty: an instrument or a typed figure did.
+std::optional<OutputReference> output_of(const UncertaintyRule& rule, const std::string& point,
+                                         std::size_t axis) {
+    const auto* source = offers<PointOutputSource>(rule.asset);
+    return source ? source->coordinate(point, axis) : std::nullopt;
+}
+
+/// A point of the moving frame is another one in each pose.
+std::string name_among_all(const PoseSetup& setup, const NominalPoint& point, std::size_t pose) {
+    return pose == 0 ? point.name : point.name + " in " + setup.poses[pose - 1].name;
+}
+
 class InputBuilder {
 public:
     explicit InputBuilder(const PoseSetup& setup) : setup_(setup) {}
@@ -80,6 +92,8 @@ private:
             quantity.shares = shares_[i][c];
             quantity.group = point.pose == 0 ? "base" : setup_.poses[point.pose - 1].name;
             quantity.source = source_path(point);
+            quantity.taken_from =
+                output_of(*point.uncertainty, name_among_all(setup_, point.nominal(), point.pose), c);
             inputs_.quantities.push_back(std::move(quantity));
         }
     }
@@ -107,9 +121,10 @@ private:
                                                         : d.owner;
             const std::size_t before = inputs_.components.size();
             const std::size_t component = component_of(d.component, whose + "." + d.id, rule, !d.point);
+            if (!d.point) inputs_.components[component].identity = inputs_.components[component].id;
             if (!d.estimate.empty() && component == before)
                 inputs_.rest_on_estimate((d.owner.empty() ? rule.asset_id : d.owner) + "." + d.estimate,
-                                         component);
+                                         component, true);
             for (std::size_t k = 0; k < measured.size(); ++k) {
                 const MeasuredPoint& point = points_[measured[k]];
                 const Eigen::Vector3d& direction = d.directions[k];
@@ -245,8 +260,15 @@ Eigen::Isometry3d frame_of(const FrameRule& rule, const std::vector<Eigen::Vecto
 
 void check_measurable(const PoseSetup& setup, Problems& problems) {
     const auto check = [&](const FrameRule& rule, const UncertaintyRule& uncertainty,
-                           const std::vector<Eigen::Vector3d>& points, const std::string& where) {
+                           const std::vector<Eigen::Vector3d>& points, std::size_t pose,
+                           const std::string& where) {
         if (!uncertainty.asset) return;
+        const bool of_analysis = offers<PointOutputSource>(uncertainty.asset) != nullptr;
+        for (std::size_t i = 0; of_analysis && i < points.size(); ++i)
+            if (const std::string name = name_among_all(setup, rule.points[i], pose);
+                !output_of(uncertainty, name, 0))
+                problems.error(
+                    where, "the analysis " + uncertainty.asset_name + " has no point called '" + name + "'");
         const PointUncertaintySource& source = *offers<PointUncertaintySource>(uncertainty.asset);
         const bool world = source.axes() == PointUncertaintySource::Axes::world;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -256,9 +278,9 @@ void check_measurable(const PoseSetup& setup, Problems& problems) {
                                           uncertainty.asset_name + ": " + objection);
         }
     };
-    check(setup.base, setup.base_uncertainty, setup.base_points, "/base_points");
+    check(setup.base, setup.base_uncertainty, setup.base_points, 0, "/base_points");
     for (std::size_t k = 0; k < setup.poses.size(); ++k)
-        check(setup.moving, setup.moving_uncertainty, setup.poses[k].points,
+        check(setup.moving, setup.moving_uncertainty, setup.poses[k].points, k + 1,
               "/poses/rows/" + std::to_string(k));
 }
 
