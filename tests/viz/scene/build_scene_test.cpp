@@ -124,13 +124,13 @@ TEST(BuildScene, CaptionSaysMagnificationAndProbability) {
     const auto setup = test::stewart_setup(100);
     SceneOptions options;
     options.magnification = 2000;
-    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 2000, ellipsoids p = 95 %");
+    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 2000, ellipsoids p = 95\u00a0%");
     options.probability = 0.9973;
     options.magnification = 25000;
     EXPECT_EQ(build_scene(setup.source(), options).caption,
-              "uncertainty × 25\u2009000, ellipsoids p = 99.73 %");
+              "uncertainty × 25\u202f000, ellipsoids p = 99.73\u00a0%");
     options.ellipsoids = false;
-    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 25\u2009000");
+    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 25\u202f000");
     options.clouds = false;
     EXPECT_EQ(build_scene(setup.source(), options).caption, "");
 }
