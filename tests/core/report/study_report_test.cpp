@@ -94,7 +94,7 @@ TEST(StudyJson, NoKeyWithoutStudies) {
 TEST(StudyPlot, SweepHasALinePerOutputOfTheUnit) {
     const PlotSpecification plot = study_plot(sample({5}), {});
     std::vector<std::string> names;
-    for (const PlotSeries& series : plot.series) names.push_back(series.name);
+    for (const PlotSeries& series : plot.series) names.push_back(to_unicode(series.name));
     EXPECT_EQ(names, (std::vector<std::string>{"u(3D), B", "U(x), B", "U(y), B", "U(z), B"}));
     EXPECT_EQ(to_unicode(plot.x.title), "length (mm)");
     EXPECT_DOUBLE_EQ(plot.series[1].y[4], 0.010);
