@@ -1,6 +1,6 @@
 // Input quantities that are outputs of other analyses.
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {

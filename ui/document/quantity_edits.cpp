@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/symbol.h"
+#include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
 #include "ui/theme/strings.h"
 

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/base/symbol.h"
+#include "core/text/symbol.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
