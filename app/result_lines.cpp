@@ -2,8 +2,8 @@
 
 #include "core/project/stated_requirements.h"
 #include "core/report/csv_text.h"
-#include "core/text/numbers.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 namespace {
