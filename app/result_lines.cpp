@@ -14,7 +14,7 @@ std::string met_word(const std::vector<RequirementResult>& verdicts, std::size_t
     for (const RequirementResult& verdict : verdicts) {
         if (verdict.output != output) continue;
         any = true;
-        met = met && verdict.meets_target && verdict.decision != RequirementResult::Decision::reject;
+        met = met && is_met(verdict);
     }
     return any ? (met ? "yes" : "no") : "";
 }
