@@ -39,7 +39,7 @@ Result<Scene> scene_of_study(const EvaluatedAnalysis& evaluated, const PictureRe
         for (const StudyQuantity& quantity : quantities) titles.push_back("\"" + quantity.id + "\"");
         const auto found =
             std::find_if(quantities.begin(), quantities.end(), [&](const StudyQuantity& quantity) {
-                return quantity.id == request.quantity || quantity.title == request.quantity;
+                return quantity.id == request.quantity || to_unicode(quantity.title) == request.quantity;
             });
         if (!request.quantity.empty() && found == quantities.end())
             return fail(ErrorCode::bad_input,

@@ -11,7 +11,7 @@
 #include "app/terminal.h"
 #include "core/base/file_io.h"
 #include "core/project/stated_requirements.h"
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 namespace {

@@ -11,6 +11,7 @@
 #include "core/kinds/models.h"
 #include "core/project/input_edits.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/project/project_file.h"
 #include "core/project/references.h"
 #include "core/project/stated_requirements.h"
@@ -84,6 +85,10 @@ private:
 
     void make_referred(const AssetReference& reference, Problems& problems) {
         const AssetEntry* other = project_.find_asset(reference.id);
+        if (!other && project_.find_analysis(reference.id))
+            problems.error(reference.path, "'" + reference.title + "' refers to the analysis '" +
+                                               reference.id +
+                                               "': only analyses take something from analyses");
         if (!other) return;  // named by check_references
         const auto index = static_cast<std::size_t>(other - project_.assets.data());
         if (states_[index] == State::in_work)
@@ -133,6 +138,49 @@ std::shared_ptr<const MeasurementModel> make_model(const Project& project, const
     return problems.has_errors() ? nullptr : std::shared_ptr<const MeasurementModel>(std::move(model));
 }
 
+// Models of analyses without what they take from each other.
+class OwnModels {
+public:
+    OwnModels(const Project& project, const AssetLibrary& assets) : project_(project), assets_(assets) {}
+
+    // Paths are relative to the analysis.
+    ModelOfAnalysis make(const AnalysisEntry& entry, Problems& problems) {
+        const ModelDescriptor* descriptor = find_model(entry.model);
+        if (!descriptor) {
+            problems.error("/model", unknown_model(entry));
+            return {};
+        }
+        Problems of_setup;
+        ModelOfAnalysis made{make_with_offers(entry, *descriptor, of_setup), {}};
+        if (took_errors(of_setup, "/setup", problems) || !made.model) return {};
+        made.inputs = apply_edits(made.model->inputs(), entry, problems);
+        return made;
+    }
+
+private:
+    std::shared_ptr<const MeasurementModel> make_with_offers(const AnalysisEntry& entry,
+                                                             const ModelDescriptor& descriptor,
+                                                             Problems& problems) {
+        if (std::find(in_work_.begin(), in_work_.end(), entry.id) != in_work_.end()) {
+            problems.error("", "its set-up refers to itself through others");
+            return nullptr;
+        }
+        in_work_.push_back(entry.id);
+        AssetLibrary assets = assets_;
+        add_offering_analyses(
+            project_, entry,
+            [this](const AnalysisEntry& other, Problems& found) { return make(other, found); }, assets,
+            problems);
+        in_work_.pop_back();
+        if (problems.has_errors()) return nullptr;
+        return make_model(project_, entry, descriptor, assets, problems);
+    }
+
+    const Project& project_;
+    const AssetLibrary& assets_;
+    std::vector<std::string> in_work_;
+};
+
 // How many trials an adaptive run needs, in words; a run that would end at its cap is warned of.
 std::string forecast_trials(const MeasurementModel& model, const InputSet& inputs,
                             const EvaluationOptions& options, Problems& problems) {
@@ -161,6 +209,7 @@ std::string analysis_fingerprint(const Project& project, const AnalysisEntry& en
         part.assets.push_back(*project.find_asset(id));
     part.analyses.push_back(entry);
     part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
+    add_used_analyses(project, entry, part);
     return fingerprint(std::move(part));
 }
 
@@ -189,6 +238,7 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
     prepared->inputs = std::move(made.inputs);
     read_requirements(entry, prepared->model->outputs(), problems);
     if (problems.has_errors()) return nullptr;
+    prepared->linked = linked_inputs(*prepared->model);
     warn_without_uncertainty(prepared->inputs, problems);
     prepared->forecast = forecast_trials(*prepared->model, prepared->inputs, entry.options, problems);
     prepared->id = entry.id;
@@ -239,16 +289,11 @@ std::vector<std::string> warnings_of(const Project& project, const std::string& 
 
 ModelOfAnalysis make_model_of(const Project& project, const AnalysisEntry& entry, const AssetLibrary& assets,
                               Problems& problems) {
-    const ModelDescriptor* descriptor = find_model(entry.model);
-    if (!descriptor) {
-        problems.error("/model", unknown_model(entry));
-        return {};
-    }
-    Problems of_setup;
-    ModelOfAnalysis made{make_model(project, entry, *descriptor, assets, of_setup), {}};
-    if (took_errors(of_setup, "/setup", problems) || !made.model) return {};
-    made.inputs = apply_edits(made.model->inputs(), entry, problems);
-    return made;
+    OwnModels models(project, assets);
+    const MakeOwnModel make_own = [&](const AnalysisEntry& other, Problems& found) {
+        return models.make(other, found);
+    };
+    return compose_analysis(project, entry, make_own(entry, problems), make_own, problems);
 }
 
 std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, const AssetLibrary& assets,

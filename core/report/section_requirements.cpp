@@ -4,9 +4,9 @@
 
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -59,7 +59,7 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
     if (!budget || budget->reductions.empty()) return;
     const OutputQuantity& quantity = result.outputs[r.output].quantity;
     TableBuilder table(
-        "reductions-" + evaluated.analysis->id + "-" + file_name_part(quantity.symbol + " " + quantity.group),
+        "reductions-" + evaluated.analysis->id + "-" + id_part(quantity.symbol + " " + quantity.group),
         "What one component alone must be reduced to for U(" + output_label(quantity) +
             ") to meet its target");
     table.text("Component");
@@ -96,7 +96,7 @@ std::string percent(double probability) {
     const double in_percent = 100.0 * probability;
     if (in_percent > 0.0 && in_percent < 0.001) return "< 0.001 %";
     if (in_percent < 100.0 && in_percent > 99.999) return "> 99.999 %";
-    return value_words(std::round(1000.0 * in_percent) / 1000.0) + " %";
+    return format_trimmed(std::round(1000.0 * in_percent) / 1000.0, 6) + " %";
 }
 
 std::string decision_words(const RequirementResult& r) {

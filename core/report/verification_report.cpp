@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/base/symbol.h"
 #include "core/base/version.h"
 #include "core/report/report_parts.h"
 #include "core/report/verification.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 namespace {
@@ -61,7 +61,7 @@ std::string summary(const std::vector<CheckedCase>& cases) {
 }
 
 TableBlock table_of(const CheckedCase& c) {
-    report_parts::TableBuilder table("verification-" + report_parts::file_name_part(c.of.title),
+    report_parts::TableBuilder table("verification-" + report_parts::id_part(c.of.title),
                                      c.of.title + " (" + c.of.source + ")");
     for (const char* head :
          {"Figure", "Unit", "Published", "Reference", "Covaria", "Allowed deviation", "Status"})

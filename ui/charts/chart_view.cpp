@@ -12,6 +12,7 @@
 
 #include "core/report/plots.h"
 #include "ui/charts/chart_painter.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -33,7 +34,7 @@ PlotView inside_whole(PlotView view, const PlotView& whole) {
 }
 
 Theme in_words_of_the_user(const Theme& theme) {
-    return theme.with_decimal_mark(QLocale().decimalPoint().front());
+    return theme.with_numbers(number_locale(QLocale()));
 }
 
 }  // namespace
@@ -67,7 +68,7 @@ void ChartView::replace_chart(PlotSpecification plot) {
     chart_->resize(viewport()->size());
     scene()->setSceneRect(QRectF(QPointF(), viewport()->size()));
     setBackgroundBrush(theme_.neutrals().ground);
-    setAccessibleName(to_qt(chart_->plot().title));
+    setAccessibleName(to_qt(to_unicode(chart_->plot().title)));
     show_read_out({});
 }
 

@@ -75,11 +75,7 @@ Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& 
 }
 
 QString number_text(double value, const QLocale& locale) {
-    QLocale plain = locale;
-    plain.setNumberOptions(QLocale::OmitGroupSeparator);
-    const double magnitude = std::abs(value);
-    const bool fixed = value == 0.0 || (magnitude >= 1e-4 && magnitude < 1e9);
-    return plain.toString(value, fixed ? 'f' : 'e', QLocale::FloatingPointShortest);
+    return to_qt(format_shortest(value)).replace('.', locale.decimalPoint());
 }
 
 QString quantity_text(const Quantity& quantity, const QLocale& locale) {
@@ -96,6 +92,10 @@ double converted(double value, const Unit& from, const Unit& to) {
 double converted_interval(double value, const Unit& from, const Unit& to) {
     if (from == to) return value;
     return QString::number(to.interval_from_si(from.interval_to_si(value)), 'g', 15).toDouble();
+}
+
+Text with_unit(const Text& title, const Unit& unit) {
+    return unit == Unit() ? title : title + (" / " + unit.display());
 }
 
 QString with_unit(const QString& title, const Unit& unit) {

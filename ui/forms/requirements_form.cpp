@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/base/symbol.h"
 #include "core/project/stated_requirements.h"
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
@@ -103,7 +103,7 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
       runner_(runner),
       analysis_(std::move(analysis)),
       layout_(new QFormLayout(this)),
-      outputs_(new QComboBox(this)),
+      outputs_(new TypesetComboBox(this)),
       verdict_(new QLabel(this)),
       jobs_(this, Execution::threads) {
     outputs_->setAccessibleName(tr("Result"));
@@ -227,7 +227,7 @@ void RequirementsForm::refresh_outputs() {
     known_ = std::move(outputs);
     outputs_->clear();
     for (const OutputQuantity& o : known_)
-        outputs_->addItem(to_qt(symbol_to_unicode(o.symbol) + (o.group.empty() ? "" : ", " + o.group)));
+        outputs_->add_item(symbol_text(o.symbol) + (o.group.empty() ? "" : ", " + o.group));
     outputs_->setCurrentIndex(std::max(0, outputs_->findText(before)));
 }
 

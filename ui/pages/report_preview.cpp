@@ -109,10 +109,9 @@ void ReportPreview::refresh() {
     state_->setText(tr("Making the report …"));
     maker_.make(
         document_.snapshot(), results,
-        [this](const ReportDocument& report, const FigurePainters& painters,
+        [this](const ReportDocument& report, const FigurePainters& figures,
                const std::stop_token&) -> JobQueue::Delivery {
-            const PdfOptions options{.paint_plot = painters.paint_plot,
-                                     .render_scene = painters.render_scene};
+            const PdfOptions options{.paint_plot = figures.paint_plot, .render_scene = figures.render_scene};
             return
                 [this, images = page_images(report, options, preview_dots_per_inch)] { show_pages(images); };
         },

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/model/has_layout.h"
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
 #include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/icons.h"

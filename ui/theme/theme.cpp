@@ -59,9 +59,9 @@ Theme Theme::light() {
     return {false, n};
 }
 
-Theme Theme::with_decimal_mark(QChar mark) const {
+Theme Theme::with_numbers(const NumberLocale& numbers) const {
     Theme other = *this;
-    other.decimal_mark_ = mark;
+    other.numbers_ = numbers;
     return other;
 }
 

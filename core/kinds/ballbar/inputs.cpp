@@ -57,6 +57,7 @@ private:
             const std::size_t component =
                 known != shared_.end() ? known->second : add_component(deviation.component, id, instrument());
             shared_[id] = component;
+            inputs_.components[component].identity = id;
             shares.push_back({component, deviation.is_scale ? length : 1.0});
         }
         return shares;
@@ -72,6 +73,7 @@ private:
         add_quantity(std::move(quantity), length.component, setup_.ballbars.id + "." + length.component.id,
                      instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
+        inputs_.components.back().identity = inputs_.components.back().id;
     }
 
     void add_height(std::size_t k) {
@@ -84,6 +86,7 @@ private:
         add_quantity(std::move(quantity), height.component, setup_.ballbars.id + "." + height.component.id,
                      instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
+        inputs_.components.back().identity = inputs_.components.back().id;
     }
 
     void add_reading(const Point& point, std::size_t bar) {

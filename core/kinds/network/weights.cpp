@@ -1,23 +1,17 @@
 // Weights of a network, and whether its targets can be localised at all.
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <cstdio>
 
 #include "core/kinds/instruments/sensor.h"
 #include "core/kinds/network/adjustment.h"
 #include "core/kinds/network/setup.h"
 #include "core/math/decompositions.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::network {
 
 namespace {
-
-std::string rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
 
 std::string names_of(const NetworkSetup& setup, const Target& target) {
     std::string names;
@@ -81,7 +75,8 @@ private:
                     .norm());
         if (u > 0.01 * nearest)
             problems_.warning(path, "target " + target.name + " is hardly localised: in one direction u is " +
-                                        rounded(u) + " m at a distance of " + rounded(nearest) + " m");
+                                        format_short(u) + " m at a distance of " + format_short(nearest) +
+                                        " m");
         if (only_distances(target) && spread_off_a_plane(setup_, target) < 1e-3)
             problems_.warning(path,
                               "the stations that measure target " + target.name +

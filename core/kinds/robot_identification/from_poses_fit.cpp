@@ -3,12 +3,12 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/kinds/robot_identification/input_sensitivity.h"
 #include "core/math/decompositions.h"
 #include "core/math/special_quantiles.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::pose_calibration {
 
@@ -17,12 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-std::string number(double value, const char* format = "%.3g") {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 /// Estimates of all inputs; their deviations are what a trial changes.
 std::vector<double> estimates(const InputSet& inputs) {
@@ -323,7 +317,7 @@ private:
             warn_of_outlier(worst, size[worst]);
         if (s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))
             problems_.warning(
-                "/poses", "the residuals are " + number(s.scatter) +
+                "/poses", "the residuals are " + format_short(s.scatter) +
                               " times as large as the uncertainties of points and readings explain: there "
                               "is more than these (a joint's elasticity, temperature, an outlier), and "
                               "the uncertainty of the parameters is stated too small");
@@ -335,8 +329,9 @@ private:
         const auto m = static_cast<Index>(c_.rows_per_pose());
         const MeasuredPose& pose = c_.poses[static_cast<std::size_t>(row / m)];
         problems_.warning(pose.source, "pose " + pose.name + ": the residual of its " + names[row % m] +
-                                           " is " + number(size) + " times its standard uncertainty (limit " +
-                                           number(c_.statistics.limit) +
+                                           " is " + format_short(size) +
+                                           " times its standard uncertainty (limit " +
+                                           format_short(c_.statistics.limit) +
                                            "). Look at this pose first; hold it back by use = check");
     }
 
@@ -349,7 +344,7 @@ private:
             if (std::abs(s.weakest[i]) > 0.3)
                 names += (names.empty() ? "" : ", ") + c_.unknowns[static_cast<std::size_t>(i)].name();
         problems_.warning(place_, "these poses hardly tell " + names + " apart (condition " +
-                                      number(condition, "%.2g") +
+                                      format_short(condition, 2) +
                                       "): turn more joints further, or hold one of them");
     }
 

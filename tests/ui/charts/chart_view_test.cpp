@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 
 #include "tests/ui/charts/chart_test.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui::chart_view_test {
 namespace {
@@ -53,7 +54,7 @@ TEST_F(ChartViewTest, RubberBandZoomsAndDoubleClickResets) {
 /// Texts of the ticks of a chart with tenths on its axis.
 QStringList texts_of(const ChartLayout& layout) {
     QStringList texts;
-    for (const Tick& tick : layout.x.ticks) texts << tick.text;
+    for (const Tick& tick : layout.x.ticks) texts << to_qt(tick.text);
     return texts;
 }
 
@@ -161,7 +162,7 @@ TEST(ReadOut, KnowsBarsCellsAndPoints) {
     const auto at = [](const PlotSpecification& plot, double x, double y) {
         const PlotGeometry geometry = layout_chart(plot, {900, 560}, whole_view(plot)).geometry;
         const auto found = read_out(plot, geometry, geometry.at(x, y));
-        return found ? found->text.toStdString() : std::string("nothing");
+        return found ? to_unicode(found->text) : std::string("nothing");
     };
     EXPECT_EQ(at(plots[3], 1.0, 0.0), "p₁ₓ: share of the variance = 25.25\u00a0%");
     EXPECT_EQ(at(plots[4], 1.0, 0.0), "x and y: −0.800");

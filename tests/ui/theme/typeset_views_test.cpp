@@ -1,0 +1,132 @@
+// Symbols in tables, heads and lists have real subscripts, while models and clipboard keep plain text.
+#include "ui/theme/typeset_views.h"
+
+#include <gtest/gtest.h>
+
+#include <QStandardItemModel>
+#include <QTableView>
+
+#include "core/text/symbol.h"
+#include "tests/ui/qt_application.h"
+#include "ui/theme/label_text.h"
+#include "ui/theme/theme.h"
+
+namespace covaria::ui::typeset_test {
+namespace {
+
+QImage picture_of(QWidget& widget, const QSize& size = {160, 60}) {
+    widget.resize(size);
+    widget.ensurePolished();
+    return widget.grab().toImage();
+}
+
+/// The lowest row with ink of the text's colour, counted from the top.
+int lowest_ink(const QImage& image) {
+    for (int y = image.height() - 1; y >= 0; --y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qGray(image.pixel(x, y)) < 110) return y;
+    return -1;
+}
+
+QImage cell(const QString& text, QAbstractItemDelegate* delegate) {
+    QStandardItemModel model(1, 1);
+    model.setData(model.index(0, 0), text);
+    QTableView view;
+    view.setShowGrid(false);
+    view.setFrameShape(QFrame::NoFrame);
+    view.horizontalHeader()->hide();
+    view.verticalHeader()->hide();
+    if (delegate) view.setItemDelegate(delegate);
+    view.setModel(&model);
+    return picture_of(view);
+}
+
+class Typeset : public testing::Test {
+protected:
+    Typeset() { apply_theme(*qApp, Theme::light()); }
+};
+
+TEST_F(Typeset, WhatAModelGivesAsTextIsDrawnAsSuch) {
+    QStandardItemModel model(2, 1);
+    model.setData(model.index(0, 0), QStringLiteral("b₁"));
+    model.setData(model.index(0, 0), QVariant::fromValue(symbol_text("b_1")), typeset_role);
+    model.setData(model.index(1, 0), QStringLiteral("b_1"));
+    QTableView view;
+    view.setShowGrid(false);
+    TypesetDelegate delegate;
+    view.setItemDelegate(&delegate);
+    view.setModel(&model);
+    const QImage image = picture_of(view, {240, 160});
+    const auto row = [&](int r) {
+        return image.copy(view.visualRect(model.index(r, 0)).translated(view.viewport()->pos()));
+    };
+    EXPECT_EQ(row(0), row(1));
+}
+
+TEST_F(Typeset, CellsAreDrawnWithLoweredLetters) {
+    TypesetDelegate delegate;
+    const QImage plain = cell(QStringLiteral("b_1z"), nullptr);
+    const QImage typeset = cell(QStringLiteral("b_1z"), &delegate);
+    EXPECT_NE(plain, typeset);
+    const int line = lowest_ink(cell(QStringLiteral("b"), &delegate));
+    EXPECT_GT(lowest_ink(typeset), line) << "the subscript hangs below the line";
+    EXPECT_EQ(cell(QStringLiteral("length"), nullptr), cell(QStringLiteral("length"), &delegate))
+        << "other text looks as ever";
+}
+
+TEST_F(Typeset, HeadsAreDrawnWithLoweredLetters) {
+    const auto head = [](const QString& text, bool typeset) {
+        QStandardItemModel model(0, 1);
+        model.setHorizontalHeaderItem(0, new QStandardItem(text));
+        QTableView view;
+        if (typeset) view.setHorizontalHeader(new TypesetHeader(Qt::Horizontal, &view));
+        view.setModel(&model);
+        view.horizontalHeader()->setHighlightSections(false);
+        view.resize(200, 80);
+        return view.horizontalHeader()->grab().toImage();
+    };
+    EXPECT_NE(head(QStringLiteral("u_y / mm"), true), head(QStringLiteral("u_y / mm"), false));
+    EXPECT_EQ(head(QStringLiteral("Unit"), true).isNull(), false);
+}
+
+TEST_F(Typeset, HeadsLeaveRoomForTheText) {
+    QStandardItemModel model(0, 2);
+    model.setHorizontalHeaderItem(0, new QStandardItem(QStringLiteral("u_one,two,three,four")));
+    TypesetHeader header(Qt::Horizontal);
+    header.setModel(&model);
+    const double width = text_width(running_text("u_one,two,three,four"), header.font());
+    EXPECT_GE(header.sectionSizeHint(0), width);
+    EXPECT_LE(header.sectionSizeHint(0), width + 40);
+}
+
+TEST_F(Typeset, ComboBoxesAreDrawnWithLoweredLetters) {
+    TypesetComboBox typeset;
+    QComboBox plain;
+    for (QComboBox* box : {static_cast<QComboBox*>(&typeset), &plain}) {
+        box->addItem(QStringLiteral("p_1x,1"));
+        box->addItem(QStringLiteral("mean"));
+    }
+    EXPECT_NE(picture_of(typeset), picture_of(plain));
+    EXPECT_EQ(typeset.currentText(), QStringLiteral("p_1x,1"));
+    typeset.setCurrentIndex(1);
+    plain.setCurrentIndex(1);
+    EXPECT_EQ(picture_of(typeset), picture_of(plain));
+}
+
+TEST_F(Typeset, GridLinesAreSeenInBothThemes) {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+        apply_theme(*qApp, theme);
+        QTableView view;
+        view.ensurePolished();
+        QStyleOption option;
+        option.initFrom(&view);
+        const QColor line =
+            QColor::fromRgb(QRgb(view.style()->styleHint(QStyle::SH_Table_GridLineColor, &option, &view)));
+        EXPECT_GT(contrast(line, theme.neutrals().ground), 1.25);
+        EXPECT_LT(contrast(line, theme.neutrals().ground), 2.0) << "quieter than the figures";
+    }
+    apply_theme(*qApp, Theme::light());
+}
+
+}  // namespace
+}  // namespace covaria::ui::typeset_test

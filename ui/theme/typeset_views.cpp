@@ -1,0 +1,157 @@
+// The style draws everything but the text; the text is drawn with its subscripts.
+#include "ui/theme/typeset_views.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QStylePainter>
+#include <cmath>
+
+#include "core/text/symbol.h"
+#include "ui/theme/fonts.h"
+#include "ui/theme/label_text.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+QStyle* style_of(const QWidget* widget) {
+    return widget ? widget->style() : QApplication::style();
+}
+
+/// What a model gives as text with scripts, or what it shows, read as running text.
+Text text_from(const QVariant& typeset, const QVariant& shown) {
+    return typeset.isValid() ? typeset.value<Text>() : running_text(to_std(shown.toString()));
+}
+
+/// Draws `text` in `area` with the painter's pen, shortened where it must be.
+void draw_typeset(QPainter& painter, const Text& text, const QFont& font, const QRect& area,
+                  Qt::Alignment alignment) {
+    const LabelText label(shortened(text, font, area.width()), font);
+    double left = area.left();
+    if (alignment & Qt::AlignRight) left += area.width() - label.width();
+    if (alignment & Qt::AlignHCenter) left += 0.5 * (area.width() - label.width());
+    label.draw(painter, {left, area.top() + 0.5 * (area.height() - label.height())});
+}
+
+QColor text_colour(const QStyleOptionViewItem& option) {
+    const QPalette::ColorGroup group = !(option.state & QStyle::State_Enabled)  ? QPalette::Disabled
+                                       : !(option.state & QStyle::State_Active) ? QPalette::Inactive
+                                                                                : QPalette::Normal;
+    return option.palette.color(
+        group, option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
+}
+
+}  // namespace
+
+void TypesetDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (option->displayAlignment & Qt::AlignRight) option->font = with_tabular_figures(option->font);
+}
+
+void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const {
+    QStyleOptionViewItem cell(option);
+    initStyleOption(&cell, index);
+    const Text text = text_from(index.data(typeset_role), cell.text);
+    if (!text.has_scripts()) {
+        style_of(cell.widget)->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+        return;
+    }
+    QStyle* style = style_of(cell.widget);
+    const QString plain = std::exchange(cell.text, QString());
+    style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+    cell.text = plain;
+    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, cell.widget) + 1;
+    const QRect area = style->subElementRect(QStyle::SE_ItemViewItemText, &cell, cell.widget)
+                           .adjusted(margin, 0, -margin, 0);
+    painter->save();
+    painter->setClipRect(cell.rect);
+    painter->setPen(text_colour(cell));
+    draw_typeset(*painter, text, cell.font, area, cell.displayAlignment);
+    painter->restore();
+}
+
+QSize TypesetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    QStyleOptionViewItem cell(option);
+    initStyleOption(&cell, index);
+    const Text text = text_from(index.data(typeset_role), cell.text);
+    if (text.has_scripts())
+        size.rwidth() += int(
+            std::ceil(text_width(text, cell.font) - QFontMetricsF(cell.font).horizontalAdvance(cell.text)));
+    return size;
+}
+
+TypesetHeader::TypesetHeader(Qt::Orientation orientation, QWidget* parent)
+    : QHeaderView(orientation, parent) {
+    setSectionsClickable(true);
+    setHighlightSections(false);
+}
+
+Text TypesetHeader::text_of(int section) const {
+    if (!model()) return {};
+    return text_from(model()->headerData(section, orientation(), typeset_role),
+                     model()->headerData(section, orientation()));
+}
+
+void TypesetHeader::initStyleOptionForIndex(QStyleOptionHeader* option, int section) const {
+    QHeaderView::initStyleOptionForIndex(option, section);
+    if (text_of(section).has_scripts()) option->text.clear();
+}
+
+void TypesetHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+    painter->save();
+    QHeaderView::paintSection(painter, rect, section);
+    painter->restore();
+    const Text text = text_of(section);
+    if (!text.has_scripts()) return;
+    QStyleOptionHeaderV2 option;
+    initStyleOption(&option);
+    initStyleOptionForIndex(&option, section);
+    option.rect = rect;
+    const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, &option, this);
+    const QRect area =
+        style()->subElementRect(QStyle::SE_HeaderLabel, &option, this).adjusted(margin, 0, -margin, 0);
+    painter->save();
+    painter->setPen(option.palette.color(QPalette::ButtonText));
+    draw_typeset(*painter, text, font(), area, option.textAlignment);
+    painter->restore();
+}
+
+QSize TypesetHeader::sectionSizeFromContents(int section) const {
+    QSize size = QHeaderView::sectionSizeFromContents(section);
+    const Text text = text_of(section);
+    if (!text.has_scripts() || orientation() == Qt::Vertical) return size;
+    const int mark = isSortIndicatorShown() ? style()->pixelMetric(QStyle::PM_HeaderMarkSize) : 0;
+    const int margins = 4 * style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, this);
+    return {int(std::ceil(text_width(text, font()))) + mark + margins, size.height()};
+}
+
+TypesetComboBox::TypesetComboBox(QWidget* parent) : QComboBox(parent) {
+    setItemDelegate(new TypesetDelegate(this));
+}
+
+void TypesetComboBox::add_item(const Text& text, const QVariant& data) {
+    addItem(to_qt(to_unicode(text)), data);
+    setItemData(count() - 1, QVariant::fromValue(text), typeset_role);
+}
+
+void TypesetComboBox::paintEvent(QPaintEvent*) {
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    const Text text = text_from(currentData(typeset_role), option.currentText);
+    if (!text.has_scripts()) {
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+        return;
+    }
+    const QRect area = style()
+                           ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this)
+                           .adjusted(1, 0, -1, 0);
+    painter.setPen(
+        palette().color(isEnabled() ? QPalette::Normal : QPalette::Disabled, QPalette::ButtonText));
+    draw_typeset(painter, text, font(), area, Qt::AlignLeft);
+}
+
+}  // namespace covaria::ui

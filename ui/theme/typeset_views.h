@@ -1,0 +1,48 @@
+// Tables, heads and lists whose symbols have real subscripts. What a model displays is plain text, for
+// copying and for screen readers; `typeset_role` gives the text with its scripts.
+#pragma once
+
+#include <QComboBox>
+#include <QHeaderView>
+
+#include "ui/theme/label_text.h"
+#include "ui/theme/steady_delegate.h"
+
+namespace covaria::ui {
+
+/// Cells: subscripts, and figures of equal width where numbers stand to the right.
+class TypesetDelegate : public SteadyDelegate {
+public:
+    using SteadyDelegate::SteadyDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+};
+
+class TypesetHeader : public QHeaderView {
+public:
+    explicit TypesetHeader(Qt::Orientation orientation, QWidget* parent = nullptr);
+
+protected:
+    void paintSection(QPainter* painter, const QRect& rect, int section) const override;
+    void initStyleOptionForIndex(QStyleOptionHeader* option, int section) const override;
+    QSize sectionSizeFromContents(int section) const override;
+
+private:
+    Text text_of(int section) const;
+};
+
+/// A combo box with typeset entries, in its list too.
+class TypesetComboBox : public QComboBox {
+public:
+    explicit TypesetComboBox(QWidget* parent = nullptr);
+    void add_item(const Text& text, const QVariant& data = {});
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
+}  // namespace covaria::ui
