@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/project/workspace.h"
+#include "core/made/made_project.h"
 #include "core/report/report.h"
 
 namespace covaria {
@@ -24,14 +24,8 @@ struct RunRequest {
     int threads = 0;
 };
 
-/// A loaded project with its assets made.
-struct OpenedProject {
-    Project project;
-    AssetLibrary assets;
-};
-
 /// Prints every problem; an error of the project becomes Error{bad_input}.
-Result<OpenedProject> open_project(const std::string& file);
+Result<MadeProject::Pointer> open_project(const std::string& file);
 
 /// What was evaluated, and what has no results.
 struct Evaluation {
@@ -41,7 +35,7 @@ struct Evaluation {
 
 /// Evaluates the requested analyses one after the other, with progress on a terminal. One that fails is said
 /// and does not keep the others from being evaluated. Errors: an unknown analysis, stopped.
-Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunRequest& request,
+Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,
                                      const std::stop_token& stop);
 /// Error{numeric} that names what failed, if anything did: the command ends with status 1.
 Result<void> check_complete(const Evaluation& evaluation);

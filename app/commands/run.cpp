@@ -38,14 +38,11 @@ Result<void> run(const RunArguments& arguments, const std::stop_token& stop) {
     std::vector<PlannedPicture> pictures;
     if (arguments.pictures) pictures = planned_pictures(analyses);
     for (const PlannedPicture& picture : pictures) listing.files.push_back(listed(picture, analyses));
-    if (auto written =
-            write_result_files(arguments.out, opened->project, opened->assets, analyses, std::move(listing));
-        !written)
+    if (auto written = write_result_files(arguments.out, **opened, analyses, std::move(listing)); !written)
         return written;
     if (auto written = write_pictures(arguments.out, analyses, pictures, stop); !written) return written;
     if (arguments.report)
-        if (auto written = write_reports({opened->project, opened->assets, analyses, evaluation->failed},
-                                         {arguments.out}, stop);
+        if (auto written = write_reports({**opened, analyses, evaluation->failed}, {arguments.out}, stop);
             !written)
             return written;
     return check_complete(*evaluation);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "core/base/error.h"
@@ -12,18 +13,19 @@ namespace covaria {
 
 inline constexpr int project_schema_version = 1;
 
-struct LoadedProject {
-    Project project;    ///< meaningful only if `problems` has no errors
-    Problems problems;  ///< with JSON path, file and line where known
+/// A project as its text says it.
+struct ReadProject {
+    Project project;          ///< meaningful only if `is_project`
+    bool is_project = false;  ///< else the text is no project at all
+    Problems problems;        ///< of reading alone, with JSON path; `locate` adds file and line where known
+    std::function<void(Problems&)> locate;
 };
 
-/// Reads, migrates older versions, reads referenced CSV files, checks everything (setups against schemas,
-/// units, references, edits, correlations, options). An unknown key, a wrong unit, a missing reference, a
-/// newer version: an error.
-LoadedProject load_project(const std::filesystem::path& file);
-/// The same from text; `directory` is where CSV files are looked for; `name` stands for the file in messages.
-LoadedProject parse_project(const std::string& text, const std::filesystem::path& directory,
-                            const std::string& name);
+/// Reads, migrates older versions, reads referenced CSV files; an unknown key, a newer version is an error.
+/// What is read is checked when it is made (core/made/load_project.h). `directory` is where CSV files are
+/// looked for; `name` stands for the file in messages.
+ReadProject read_project(const std::string& text, const std::filesystem::path& directory,
+                         const std::string& name);
 
 /// Where the CSV files of a project file are looked for: beside it, or beside what a link leads to.
 std::filesystem::path project_folder(const std::filesystem::path& file);
@@ -36,5 +38,7 @@ Result<void> save_project(const Project& project, const std::filesystem::path& f
 /// 16 hexadecimal digits over everything that influences numbers (not titles and notes), CSV contents
 /// included.
 std::string fingerprint(const Project& project);
+/// Nothing that influences numbers differs: as fingerprints that are the same, without their texts.
+bool same_numbers(const Project& a, const Project& b);
 
 }  // namespace covaria

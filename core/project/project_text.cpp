@@ -116,4 +116,8 @@ std::string fingerprint(const Project& project) {
     return digits;
 }
 
+bool same_numbers(const Project& a, const Project& b) {
+    return numbers_only(a) == numbers_only(b);
+}
+
 }  // namespace covaria

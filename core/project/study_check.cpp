@@ -5,10 +5,11 @@
 
 #include "core/base/in_quotes.h"
 #include "core/model/words.h"
+#include "core/project/entry_graph.h"
 #include "core/project/json_location.h"
+#include "core/project/project_id.h"
 #include "core/project/registered.h"
 #include "core/project/study_target.h"
-#include "core/project/workspace.h"
 
 namespace covaria {
 

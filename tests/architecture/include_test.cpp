@@ -22,10 +22,10 @@ const fs::path root = COVARIA_SOURCE_DIR;
 const std::vector<std::string> core_order = {
     "core/base",    "core/math",   "core/equation",    "core/random", "core/quantity",
     "core/model",   "core/result", "core/propagation", "core/assets", "core/models",
-    "core/project", "core/study",  "core/report"};
-const std::vector<std::string> ui_order = {"ui/theme",      "ui/charts", "ui/print",      "ui/document",
-                                           "ui/run",        "ui/export", "ui/models",     "ui/forms",
-                                           "ui/scene_view", "ui/pages",  "ui/main_window"};
+    "core/project", "core/made",   "core/study",       "core/report"};
+const std::vector<std::string> ui_order = {"ui/theme",    "ui/charts",     "ui/print",  "ui/jobs",
+                                           "ui/document", "ui/run",        "ui/export", "ui/models",
+                                           "ui/forms",    "ui/scene_view", "ui/pages",  "ui/main_window"};
 
 // core/models and core/assets know no engine, although it stands above them in the list.
 const std::set<std::pair<std::string, std::string>> forbidden = {

@@ -7,8 +7,8 @@
 
 #include "core/assets/registry.h"
 #include "core/models/registry.h"
+#include "core/project/entry_graph.h"
 #include "core/project/references.h"
-#include "core/project/workspace.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {

@@ -1,6 +1,6 @@
 #include "ui/document/unread_texts.h"
 
-#include "core/project/workspace.h"
+#include "core/project/entry_graph.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {

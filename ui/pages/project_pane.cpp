@@ -6,8 +6,8 @@
 #include <QMenu>
 
 #include "core/assets/registry.h"
+#include "core/made/library.h"
 #include "core/models/registry.h"
-#include "core/project/library.h"
 #include "ui/document/project_edits.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/entry_delegate.h"

@@ -107,7 +107,7 @@ void ReportPreview::refresh() {
     }
     old_ = false;
     state_->setText(tr("Making the report …"));
-    maker_.make(document_.snapshot(), results,
+    maker_.make(runner_.made(), results,
                 [this](const ReportDocument& report, const FigurePainters& painters,
                        const std::stop_token&) -> JobQueue::Delivery {
                     const PdfOptions options{.paint_plot = painters.paint_plot,

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/resource_path.h"
+#include "core/made/load_project.h"
 #include "core/project/options_json.h"
 #include "core/project/project_file.h"
 #include "core/project/study_json.h"

@@ -5,6 +5,7 @@
 
 #include "core/assets/registry.h"
 #include "core/models/registry.h"
+#include "tests/core/made.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/project_edits.h"
 #include "ui/models/input_correlation_model.h"
@@ -25,10 +26,8 @@ struct ProjectModelsTest : testing::Test {
         });
     }
     Problems found;
-    Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
-    AnalysisRunner runner{
-        RunBackend{[](const Project&) { return std::map<std::string, Preparation>(); }, {}, {}},
-        Execution::inline_execution};
+    Document document{[this](const MadeProject&) { return found; }, nullptr};
+    AnalysisRunner runner{document.maker(), RunBackend{}, Execution::inline_execution};
 };
 
 TEST_F(ProjectModelsTest, TheTreeFollowsAddingMovingAndRemoving) {
@@ -109,8 +108,7 @@ TEST_F(ProjectModelsTest, ProblemsComeWithTheirPlaceErrorsFirst) {
 
 /// Two quantities with a component each.
 std::shared_ptr<const PreparedAnalysis> prepared() {
-    auto analysis = std::make_shared<PreparedAnalysis>();
-    analysis->id = "a";
+    InputSet inputs;
     for (const char* symbol : {"b_1x", "b_1y", "b_1z"}) {
         UncertaintyComponent component;
         component.id = std::string(symbol) + ".calibration";
@@ -122,9 +120,9 @@ std::shared_ptr<const PreparedAnalysis> prepared() {
         quantity.name = "base point 1";
         quantity.unit = Unit::of("mm");
         quantity.offset = 0.1;
-        analysis->inputs.add(quantity, {component});
+        inputs.add(quantity, {component});
     }
-    return analysis;
+    return analysis_with("a", std::move(inputs));
 }
 
 TEST_F(ProjectModelsTest, InputQuantitiesAreEditedAndReset) {

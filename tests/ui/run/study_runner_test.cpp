@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 #include "ui/run/study_runner.h"
 
 namespace covaria::ui::study_runner_test {
@@ -23,30 +23,32 @@ ProjectSnapshot changed(const ProjectSnapshot& project, const std::function<void
 const QString analysis = QStringLiteral("recommended"), sweep = QStringLiteral("station-angle");
 
 TEST(StudyRunner, ResultIsCurrentUntilSomethingThatMattersChanges) {
-    StudyRunner runner(Execution::inline_execution);
+    ProjectMaker maker(Execution::inline_execution);
+    StudyRunner runner(maker, Execution::inline_execution);
     const ProjectSnapshot project = network();
-    runner.set_project(project);
+    maker.request(project);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::out_of_date);
     runner.run(analysis, sweep);
     ASSERT_TRUE(runner.status(analysis, sweep).is_current());
     EXPECT_EQ(runner.status(analysis, sweep).result->points.size(), 16u);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::up_to_date);
 
-    runner.set_project(changed(project, [](AnalysisEntry& entry) { entry.name = "another name"; }));
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.name = "another name"; }));
     EXPECT_TRUE(runner.status(analysis, sweep).is_current());
-    runner.set_project(changed(project, [](AnalysisEntry& entry) { entry.studies[1].axes[0].values = 4; }));
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.studies[1].axes[0].values = 4; }));
     EXPECT_FALSE(runner.status(analysis, sweep).is_current());
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::out_of_date);
     EXPECT_TRUE(runner.status(analysis, sweep).result) << "the old result is kept";
-    runner.set_project(project);
+    maker.request(project);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::up_to_date) << "undone";
-    runner.set_project(changed(project, [](AnalysisEntry& entry) { entry.studies.clear(); }));
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.studies.clear(); }));
     EXPECT_FALSE(runner.status(analysis, sweep).result);
 }
 
 TEST(StudyRunner, FailureSaysWhy) {
-    StudyRunner runner(Execution::inline_execution);
-    runner.set_project(
+    ProjectMaker maker(Execution::inline_execution);
+    StudyRunner runner(maker, Execution::inline_execution);
+    maker.request(
         changed(network(), [](AnalysisEntry& entry) { entry.studies[1].axes[0].target = "/setup/nothing"; }));
     runner.run(analysis, sweep);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::failed);
@@ -54,8 +56,9 @@ TEST(StudyRunner, FailureSaysWhy) {
 }
 
 TEST(StudyRunner, StopsInTheWorkerThread) {
-    StudyRunner runner(Execution::threads);
-    runner.set_project(changed(network(), [](AnalysisEntry& entry) {
+    ProjectMaker maker(Execution::inline_execution);
+    StudyRunner runner(maker, Execution::threads);
+    maker.request(changed(network(), [](AnalysisEntry& entry) {
         entry.studies[1].method = Method::monte_carlo;
         entry.studies[1].trials = 1'000'000'000;
     }));

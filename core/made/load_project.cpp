@@ -1,0 +1,71 @@
+#include "core/made/load_project.h"
+
+#include <set>
+
+#include "core/base/counted_problems.h"
+#include "core/base/file_io.h"
+#include "core/base/guarded.h"
+
+namespace covaria {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Places where something was not readable. What lies at, above or below them is not reported a second time.
+class UnreadPlaces {
+public:
+    explicit UnreadPlaces(const Problems& read) {
+        for (const Problem& problem : read.items())
+            if (problem.severity == Severity::error && !problem.path.empty()) places_.insert(problem.path);
+    }
+
+    bool touch(const std::string& path) const {
+        const auto below = places_.lower_bound(path + "/");
+        if (places_.contains(path) || (below != places_.end() && below->starts_with(path + "/"))) return true;
+        for (std::size_t end = path.rfind('/'); end != std::string::npos && end > 0;
+             end = path.rfind('/', end - 1))
+            if (places_.contains(path.substr(0, end))) return true;
+        return false;
+    }
+
+private:
+    std::set<std::string> places_;
+};
+
+// What was not readable (a field, a cell of it) is not reported a second time as missing.
+void add_checks(const MadeProject& made, Problems& problems) {
+    const UnreadPlaces unread(problems);
+    for (const Problem& found : made.problems().items())
+        if (!unread.touch(found.path)) problems.add(found);
+}
+
+}  // namespace
+
+LoadedProject parse_project(const std::string& text, const fs::path& directory, const std::string& name) {
+    ReadProject read = read_project(text, directory, name);
+    LoadedProject loaded{std::move(read.project), std::move(read.problems), nullptr};
+    if (read.is_project) {
+        loaded.made = MadeProject::make(loaded.project);
+        add_checks(*loaded.made, loaded.problems);
+    }
+    read.locate(loaded.problems);
+    count_beyond_a_hundred(loaded.problems);
+    return loaded;
+}
+
+LoadedProject load_project(const fs::path& file) {
+    auto read = guarded([&]() -> Result<LoadedProject> {
+        const Result<std::string> text = read_file(file);
+        if (!text) return fail(text.error());
+        remove_leftovers(file.parent_path());
+        return parse_project(*text, project_folder(file), file.string());
+    });
+    if (read && *read) return std::move(**read);
+    const Error error = read ? read->error() : read.error();
+    LoadedProject loaded;
+    loaded.problems.add({Severity::error, error.path, error.message, file.string(), error.line});
+    return loaded;
+}
+
+}  // namespace covaria
