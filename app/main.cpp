@@ -11,7 +11,7 @@
 #include "app/window.h"
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
-#include "core/model/words.h"
+#include "core/setup/message_text.h"
 
 namespace {
 

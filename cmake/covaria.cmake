@@ -87,11 +87,14 @@ function(covaria_folder name)
     endif()
 endfunction()
 
-# covaria_test(name [QT] [DEPENDS ...]): an executable of GoogleTest cases from all *_test.cpp of the current folder.
-# QT: a QApplication lives while the tests run.
+# covaria_test(name [QT] [FOLDERS] [DEPENDS ...]): an executable of GoogleTest cases from all sources of the current folder.
+# QT: a QApplication lives while the tests run. FOLDERS: and of the folders in it.
 function(covaria_test name)
-    cmake_parse_arguments(arg "QT" "" "DEPENDS" ${ARGN})
+    cmake_parse_arguments(arg "QT;FOLDERS" "" "DEPENDS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    if(arg_FOLDERS)
+        file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    endif()
     if(NOT sources)
         return()
     endif()

@@ -8,8 +8,8 @@
 #include "app/project_parts.h"
 #include "app/schema_text.h"
 #include "app/terminal.h"
-#include "core/assets/registry.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 
 namespace covaria {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
-#include "core/assets/urdf.h"
+#include "core/kinds/robot/urdf.h"
 #include "core/made/load_project.h"
 
 namespace covaria {

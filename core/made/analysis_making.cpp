@@ -2,13 +2,13 @@
 
 #include <cctype>
 
-#include "core/model/setup_schema.h"
-#include "core/models/registry.h"
+#include "core/kinds/models.h"
 #include "core/project/input_edits.h"
-#include "core/project/registered.h"
-#include "core/project/requirements.h"
+#include "core/project/kind_lookup.h"
+#include "core/project/stated_requirements.h"
 #include "core/project/study_target.h"
 #include "core/propagation/forecast.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

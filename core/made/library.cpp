@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/assets/registry.h"
 #include "core/base/resource_path.h"
+#include "core/kinds/assets.h"
 #include "core/made/load_project.h"
 #include "core/project/references.h"
 

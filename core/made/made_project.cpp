@@ -5,8 +5,8 @@
 
 #include "core/base/in_quotes.h"
 #include "core/made/project_making.h"
-#include "core/model/words.h"
 #include "core/project/project_id.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

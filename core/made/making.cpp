@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "core/model/words.h"
+#include "core/setup/message_text.h"
 
 namespace covaria::making {
 

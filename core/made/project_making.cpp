@@ -1,9 +1,9 @@
 #include "core/made/project_making.h"
 
-#include "core/assets/registry.h"
+#include "core/kinds/assets.h"
 #include "core/made/analysis_making.h"
-#include "core/model/setup_schema.h"
-#include "core/project/registered.h"
+#include "core/project/kind_lookup.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

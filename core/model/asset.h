@@ -1,90 +1,33 @@
 // Assets: artefacts, instruments, robots, point sets. Defined once in a project, used by many analyses.
 //
-// A model asks an asset for a capability (an interface below), never for its kind. A new capability is added
-// here with its interface; asset kinds live in core/assets.
+// A model asks an asset for a capability (an interface, core/model/capability.h), never for its kind.
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/data_table.h"
 #include "core/base/error.h"
 #include "core/base/plot_specification.h"
-#include "core/model/ballbar.h"
+#include "core/model/capability.h"
 #include "core/model/layout.h"
-#include "core/model/repeatability.h"
-#include "core/model/sensor.h"
-#include "core/model/setup_schema.h"
-#include "core/quantity/input_quantity.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
-
-class SerialRobotSource;      // core/model/serial_robot.h
-class ForceSensorSource;      // core/model/force_sensor.h
-class ForceCalibratorSource;  // core/model/force_sensor.h
-
-/// Deviation of a measured point along one direction, with its distribution.
-struct PointDeviation {
-    std::string id;    ///< "x", "range", "azimuth": unique per point
-    std::string name;  ///< "coordinate x"
-    Eigen::Vector3d direction =
-        Eigen::Vector3d::UnitX();    ///< per unit of the component; need not be a unit vector
-    UncertaintyComponent component;  ///< its id is completed by the model ("b_1." + id)
-    bool common = false;             ///< one and the same draw for all points of a set-up
-    /// Name, unique in the asset, of the estimate of variance that it shares with other deviations and points
-    /// (VarianceEstimate); empty: it shares none.
-    std::string estimate = {};
-};
-
-/// Deviation of several points measured together that one component causes.
-struct JointDeviation {
-    std::string id, name;
-    UncertaintyComponent component;
-    std::optional<std::size_t> point = {};  ///< whose reading it is; empty: of the whole set-up
-    std::string owner = {};  ///< id of the asset whose deviation it is; empty: the asset that is asked
-    std::vector<Eigen::Vector3d> directions;  ///< per unit of the component, one for each point
-    std::string estimate = {};                ///< see PointDeviation
-};
-
-/// Capability "point-uncertainty": what the asset says about the uncertainty of a measured point's
-/// coordinates.
-class PointUncertaintySource {
-public:
-    virtual ~PointUncertaintySource() = default;
-    enum class Axes {
-        own_frame,  ///< directions are along the axes of the frame the points define
-        world,      ///< directions are in the world frame (an instrument that stands somewhere)
-    };
-    virtual Axes axes() const = 0;
-    /// Deviations of a point at p (in the frame that `axes` names).
-    virtual std::vector<PointDeviation> deviations(const Eigen::Vector3d& p) const = 0;
-    /// Deviations of points measured together, from one set-up. Default: each point by itself, `common` ones
-    /// shared by all.
-    virtual std::vector<JointDeviation> joint_deviations(const std::vector<Eigen::Vector3d>& points) const;
-    /// Where the instruments stand that measure a point at p, for its sight lines.
-    virtual std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d&) const { return {}; }
-    /// Why a point at p cannot be measured so; empty if it can.
-    virtual std::string objection(const Eigen::Vector3d&) const { return {}; }
-};
 
 class AssetLibrary;
 
 /// Made from a checked set-up; immutable.
 class Asset {
 public:
+    Asset() = default;
+    Asset(const Asset&) = delete;
+    Asset& operator=(const Asset&) = delete;
     virtual ~Asset() = default;
-    virtual const PointUncertaintySource* point_uncertainty() const { return nullptr; }
-    virtual const SensorSource* sensor() const { return nullptr; }
-    virtual const BallbarSource* ballbars() const { return nullptr; }
-    virtual const RepeatabilitySource* repeatability() const { return nullptr; }
-    virtual const SerialRobotSource* serial_robot() const { return nullptr; }
-    virtual const ForceSensorSource* force_sensor() const { return nullptr; }
-    virtual const ForceCalibratorSource* force_calibrator() const { return nullptr; }
+    const std::vector<const Capability*>& capabilities() const { return capabilities_; }
     /// The asset's own evaluation as tables (budget of calibration, temperature, variability, bias;
     /// observations ...).
     virtual std::vector<DataTable> evaluation() const { return {}; }
@@ -92,7 +35,30 @@ public:
     virtual std::vector<PlotSpecification> figures() const { return {}; }
     /// What to draw when the asset itself is looked at.
     virtual Layout layout() const { return {}; }
+
+protected:
+    /// Said in the constructor, of the asset itself or of a member.
+    void offer(const Capability& capability) { capabilities_.push_back(&capability); }
+
+private:
+    std::vector<const Capability*> capabilities_;
 };
+
+/// The asset as a C (SensorSource ...); null if there is no asset or it cannot do that.
+template <class C>
+const C* offers(const Asset* asset) {
+    if (asset)
+        for (const Capability* capability : asset->capabilities())
+            if (const auto* found = dynamic_cast<const C*>(capability)) return found;
+    return nullptr;
+}
+template <class C, class Owner>
+requires requires(const Owner& owner) {
+    owner.get();
+}
+const C* offers(const Owner& asset) {  // a shared or unique pointer
+    return offers<C>(asset.get());
+}
 
 enum class AssetCategory { artefact, instrument, robot, points };
 
@@ -107,7 +73,7 @@ struct AssetDescriptor {
     std::string summary;
     std::vector<Reference> references;
     std::vector<std::string> notes;
-    std::vector<std::string> capabilities;  ///< "point-uncertainty"
+    std::vector<std::string> capabilities;  ///< PointUncertaintySource::capability ...
     SetupSchema schema;
     /// Null if `problems` got an error. `setup` has passed check_setup; `assets` holds those it refers to.
     std::function<std::unique_ptr<Asset>(const SetupReader& setup, const AssetLibrary& assets,
@@ -133,5 +99,10 @@ public:
 private:
     std::map<std::string, Entry> entries_;
 };
+
+template <class C>
+const C* offers(const AssetLibrary::Entry* entry) {
+    return entry ? offers<C>(entry->asset) : nullptr;
+}
 
 }  // namespace covaria

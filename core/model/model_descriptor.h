@@ -8,7 +8,7 @@
 
 #include "core/model/asset.h"
 #include "core/model/measurement_model.h"
-#include "core/model/setup_schema.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

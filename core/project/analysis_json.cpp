@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/model/words.h"
 #include "core/project/json_location.h"
 #include "core/project/options_json.h"
 #include "core/project/setup_json.h"
 #include "core/project/study_json.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

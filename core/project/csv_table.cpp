@@ -6,8 +6,8 @@
 
 #include "core/base/counted_problems.h"
 #include "core/base/file_io.h"
-#include "core/model/words.h"
 #include "core/project/table_columns.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/model/setup_schema.h"
 #include "core/project/csv_reader.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

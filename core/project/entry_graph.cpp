@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/project/kind_lookup.h"
 #include "core/project/references.h"
-#include "core/project/registered.h"
 
 namespace covaria {
 

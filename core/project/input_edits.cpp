@@ -6,10 +6,10 @@
 
 #include "core/base/in_quotes.h"
 #include "core/base/symbol.h"
-#include "core/model/setup_schema.h"
-#include "core/model/words.h"
 #include "core/project/component_edit.h"
 #include "core/quantity/component_pairs.h"
+#include "core/setup/message_text.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

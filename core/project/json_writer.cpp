@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/model/words.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

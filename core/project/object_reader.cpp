@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/model/words.h"
 #include "core/project/json_location.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <charconv>
 
-#include "core/model/words.h"
 #include "core/project/setup_json.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/model/setup.h"
 #include "core/project/study.h"
 #include "core/propagation/options.h"
 #include "core/quantity/distribution.h"
 #include "core/quantity/input_quantity.h"
+#include "core/setup/setup.h"
 
 namespace covaria {
 

@@ -8,9 +8,9 @@
 #include "core/base/file_io.h"
 #include "core/project/analysis_json.h"
 #include "core/project/json_location.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/migration.h"
 #include "core/project/project_text.h"
-#include "core/project/registered.h"
 #include "core/project/setup_json.h"
 
 namespace covaria {

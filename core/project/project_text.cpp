@@ -3,9 +3,9 @@
 
 #include "core/project/analysis_json.h"
 #include "core/project/json_writer.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/project_file.h"
 #include "core/project/project_text.h"
-#include "core/project/registered.h"
 #include "core/project/setup_json.h"
 
 namespace covaria {

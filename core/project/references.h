@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/setup_schema.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

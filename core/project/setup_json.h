@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/model/setup_schema.h"
 #include "core/project/json_writer.h"
 #include "core/project/object_reader.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

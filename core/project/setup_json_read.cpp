@@ -1,12 +1,12 @@
 // JSON to Setup, field by field as the schema says.
 #include <array>
 
-#include "core/model/words.h"
 #include "core/project/csv_table.h"
 #include "core/project/json_location.h"
 #include "core/project/setup_json.h"
 #include "core/project/table_columns.h"
 #include "core/quantity/distribution.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/model/words.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

@@ -7,8 +7,8 @@
 
 #include "core/base/in_quotes.h"
 #include "core/base/symbol.h"
-#include "core/model/words.h"
-#include "core/project/registered.h"
+#include "core/project/kind_lookup.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 

@@ -1,7 +1,7 @@
 // The changes that a study makes: values of an axis, set-ups and input quantities with one of them.
 #include <cmath>
 
-#include "core/project/registered.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/study_target.h"
 #include "core/propagation/reverse_budget.h"
 

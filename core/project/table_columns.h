@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/model/setup_schema.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria {
 

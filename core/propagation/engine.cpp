@@ -9,7 +9,7 @@
 #include "core/propagation/adaptive.h"
 #include "core/propagation/contributions.h"
 #include "core/propagation/coverage_regions.h"
-#include "core/propagation/evaluation.h"
+#include "core/propagation/engine_parts.h"
 #include "core/propagation/monte_carlo.h"
 #include "core/propagation/propagated.h"
 #include "core/propagation/second_order.h"

@@ -4,7 +4,7 @@
 
 #include "core/propagation/contributions.h"
 #include "core/propagation/coverage_regions.h"
-#include "core/propagation/evaluation.h"
+#include "core/propagation/engine_parts.h"
 #include "core/quantity/isotropic_vector.h"
 #include "core/result/result_line.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/propagation/evaluation.h"
+#include "core/propagation/engine_parts.h"
 
 namespace covaria::detail {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/propagation/internal_sizes.h"
 #include "core/propagation/order_statistics.h"
-#include "core/propagation/settings.h"
 #include "core/propagation/unit_statistics.h"
 
 namespace covaria::detail {

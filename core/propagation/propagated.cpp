@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/propagation/evaluation.h"
+#include "core/propagation/engine_parts.h"
 
 namespace covaria {
 

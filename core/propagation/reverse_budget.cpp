@@ -5,7 +5,7 @@
 #include <functional>
 #include <numeric>
 
-#include "core/propagation/evaluation.h"
+#include "core/propagation/engine_parts.h"
 #include "core/propagation/order_statistics.h"
 #include "core/propagation/parallel_blocks.h"
 #include "core/propagation/trial_block_runner.h"

@@ -1,8 +1,8 @@
 // What the passes over the trials of one evaluation share.
 #pragma once
 
+#include "core/propagation/internal_sizes.h"
 #include "core/propagation/run_monitor.h"
-#include "core/propagation/settings.h"
 #include "core/propagation/trial_block_runner.h"
 
 namespace covaria::detail {

@@ -1,6 +1,6 @@
 // The tables of one analysis for CSV: every output, input, component, budget row, covariance and cell of a
 // histogram.
-#include "core/project/requirements.h"
+#include "core/project/stated_requirements.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
 #include "core/result/representation.h"

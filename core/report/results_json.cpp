@@ -1,12 +1,12 @@
 // results.json: the contract of the command line for scripts (DESIGN 9). No clock, no host: equal runs, equal
 // bytes.
 #include "core/project/project_file.h"
-#include "core/project/requirements.h"
+#include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
 #include "core/report/json_values.h"
 #include "core/report/number_format.h"
 #include "core/report/report.h"
-#include "core/report/study_json.h"
+#include "core/report/study_results_json.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/project/requirements.h"
+#include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
 #include "core/report/number_format.h"
 #include "core/report/report_parts.h"

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "core/propagation/summary.h"
+#include "core/propagation/evaluate_summary.h"
 #include "core/study/study.h"
 
 namespace covaria::detail {

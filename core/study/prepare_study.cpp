@@ -1,8 +1,8 @@
 // The snapshot of a study.
 #include <algorithm>
 
+#include "core/project/kind_lookup.h"
 #include "core/project/project_file.h"
-#include "core/project/registered.h"
 #include "core/study/study.h"
 
 namespace covaria {

@@ -1,8 +1,8 @@
 // CSV tables read by the schemas of all kinds, and robots from URDF.
-#include "core/assets/registry.h"
-#include "core/assets/urdf.h"
 #include "core/base/guarded.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
+#include "core/kinds/robot/urdf.h"
 #include "core/project/csv_table.h"
 #include "tests/fuzz/fuzz.h"
 

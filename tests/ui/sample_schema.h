@@ -2,8 +2,8 @@
 // real model.
 #pragma once
 
-#include "core/model/setup_schema.h"
 #include "core/project/project.h"
+#include "core/setup/setup_schema.h"
 #include "ui/document/setup_address.h"
 
 namespace covaria::ui {

@@ -1,6 +1,6 @@
 #include "ui/document/item_move.h"
 
-#include "core/model/position_edit.h"
+#include "core/setup/position_edit.h"
 
 namespace covaria::ui {
 

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <set>
 
-#include "core/assets/registry.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 #include "core/project/entry_graph.h"
 #include "core/project/references.h"
 #include "ui/theme/strings.h"

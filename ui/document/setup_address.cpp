@@ -3,8 +3,8 @@
 
 #include <charconv>
 
-#include "core/assets/registry.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 
 namespace covaria::ui {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/model/setup_schema.h"
 #include "core/project/project.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria::ui {
 

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "core/model/setup_schema.h"
+#include "core/setup/setup_schema.h"
 
 namespace covaria::ui {
 

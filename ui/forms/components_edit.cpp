@@ -9,7 +9,7 @@
 
 #include "core/base/symbol.h"
 #include "core/project/component_edit.h"
-#include "ui/document/input_edits.h"
+#include "ui/document/quantity_edits.h"
 #include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset.h"

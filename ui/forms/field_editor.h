@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/setup_schema.h"
+#include "core/setup/setup_schema.h"
 #include "ui/document/document.h"
 #include "ui/document/setup_address.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/unit.h"
-#include "core/model/setup_schema.h"
+#include "core/setup/setup_schema.h"
 #include "ui/document/unread_texts.h"
 
 namespace covaria::ui {

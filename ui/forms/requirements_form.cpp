@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/symbol.h"
-#include "core/project/requirements.h"
+#include "core/project/stated_requirements.h"
 #include "core/report/number_format.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/number_words.h"

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/resource_path.h"
-#include "core/models/registry.h"
+#include "core/kinds/models.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "viz/vtk/vtk_version.h"

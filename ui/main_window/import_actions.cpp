@@ -3,8 +3,8 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "core/assets/urdf.h"
 #include "core/base/file_io.h"
+#include "core/kinds/robot/urdf.h"
 #include "ui/document/project_edits.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"

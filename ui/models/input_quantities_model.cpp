@@ -5,7 +5,7 @@
 
 #include "core/base/symbol.h"
 #include "core/report/number_format.h"
-#include "ui/document/input_edits.h"
+#include "ui/document/quantity_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/assets/registry.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 #include "ui/document/project_edits.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"

@@ -5,9 +5,9 @@
 #include <QHeaderView>
 #include <QMenu>
 
-#include "core/assets/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 #include "core/made/library.h"
-#include "core/models/registry.h"
 #include "ui/document/project_edits.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/entry_delegate.h"

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/assets/registry.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 
 namespace covaria {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <thread>
 
-#include "core/propagation/evaluation.h"
+#include "core/propagation/engine_parts.h"
 #include "core/result/representation.h"
 #include "test_models.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/math/special_quantiles.h"
 #include "core/propagation/engine.h"
-#include "core/propagation/summary.h"
+#include "core/propagation/evaluate_summary.h"
 #include "test_models.h"
 
 namespace covaria::test::result_line_test {

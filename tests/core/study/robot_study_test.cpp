@@ -5,7 +5,7 @@
 
 #include "core/made/load_project.h"
 #include "core/study/study.h"
-#include "tests/core/models/robot_project.h"
+#include "tests/core/kinds/robot/robot_project.h"
 
 namespace covaria::robot_study_test {
 namespace {

@@ -11,7 +11,7 @@
 #include "tests/core/made.h"
 #include "tests/ui/qt_application.h"
 #include "tests/ui/sample_schema.h"
-#include "ui/document/input_edits.h"
+#include "ui/document/quantity_edits.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/components_edit.h"
 #include "ui/forms/correlation_edit.h"

@@ -3,8 +3,8 @@
 
 #include <QAbstractItemModelTester>
 
-#include "core/assets/registry.h"
-#include "core/models/registry.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
 #include "tests/core/made.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/project_edits.h"

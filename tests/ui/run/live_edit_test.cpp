@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "core/kinds/models.h"
 #include "core/made/load_project.h"
-#include "core/models/registry.h"
 #include "tests/ui/qt_application.h"
 #include "ui/run/analysis_runner.h"
 

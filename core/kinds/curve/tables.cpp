@@ -1,0 +1,81 @@
+// What a calibration curve says about its points, as tables.
+#include <cmath>
+
+#include "core/kinds/curve/fit.h"
+#include "core/kinds/groups/variance_table.h"
+#include "core/math/special_quantiles.h"
+
+namespace covaria::curve {
+
+namespace {
+
+DataTable points_table_of(const CurveSetup& setup, const Fit& fit) {
+    DataTable points{"points", "Points and their residuals", {}, {}, {}};
+    points.columns = {{"x", setup.x_unit, true},
+                      {"y", setup.y_unit, true},
+                      {"residual", setup.y_unit.interval(), false, 3}};
+    for (std::size_t i = 0; i < setup.points.size(); ++i)
+        points.rows.push_back({setup.points[i].x, setup.points[i].y, fit.residuals[i]});
+    return points;
+}
+
+void judge_stated(const CurveSetup& setup, const Fit& fit, DataTable& summary) {
+    const double nu = setup.degrees_of_freedom();
+    const double limit = chi_squared_quantile(0.95, nu);
+    summary.rows.push_back({std::string("chi-squared"), fit.chi_squared});
+    summary.rows.push_back({std::string("its 95 % quantile"), limit});
+    summary.notes.push_back(
+        fit.chi_squared <= limit
+            ? "The residuals agree with the stated uncertainties."
+            : "The residuals are larger than the stated uncertainties explain: the curve or the "
+              "uncertainties do not describe these points.");
+}
+
+DataTable fit_table_of(const CurveSetup& setup, const Fit& fit) {
+    DataTable summary{"fit", "Fit", {{"what"}, {"value", {}, false, 4}}, {}, {}};
+    const Unit unit = setup.y_unit.interval();
+    const double nu = setup.degrees_of_freedom();
+    if (nu > 0.0)
+        summary.rows.push_back({std::string("standard deviation of the residuals"),
+                                Quantity{unit.interval_from_si(fit.standard_deviation), unit}});
+    summary.rows.push_back({std::string("degrees of freedom"), nu});
+    if (setup.from_residuals)
+        summary.rows.push_back(
+            {std::string("coefficient of determination R²"),
+             fit.sum_of_squares_regression / (fit.sum_of_squares_regression + fit.sum_of_squares)});
+    else if (nu > 0.0)
+        judge_stated(setup, fit, summary);
+    return summary;
+}
+
+DataTable inverse_table_of(const CurveSetup& setup, const Fit& fit,
+                           const std::vector<InversePlace>& inverse) {
+    DataTable table{"inverse", "Inverse use", {}, {}, {}};
+    table.columns = {{"y", setup.y_unit, true}, {"x", setup.x_unit, true}, {"also reached at x"}};
+    for (std::size_t i = 0; i < inverse.size(); ++i) {
+        std::string others;
+        for (const double x : inverse[i].others)
+            others += (others.empty() ? "" : ", ") + place_text(setup.x_unit, x);
+        table.rows.push_back({setup.observations[i].y, fit.polynomials.x_of(inverse[i].t), others});
+        if (inverse[i].outside)
+            table.notes.push_back("The x of y = " + place_text(setup.y_unit, setup.observations[i].y) +
+                                  " lies outside of the points of the calibration.");
+    }
+    return table;
+}
+
+}  // namespace
+
+std::vector<DataTable> curve_evaluation(const CurveSetup& setup, const Fit& fit,
+                                        const std::vector<InversePlace>& inverse) {
+    std::vector<DataTable> tables{points_table_of(setup, fit), fit_table_of(setup, fit)};
+    if (setup.from_residuals)
+        tables.push_back(variance_table("variance", "Analysis of variance of the fit",
+                                        setup.y_unit.interval(),
+                                        {"curve", fit.sum_of_squares_regression, double(setup.degree)},
+                                        {"residuals", fit.sum_of_squares, setup.degrees_of_freedom()}));
+    if (!inverse.empty()) tables.push_back(inverse_table_of(setup, fit, inverse));
+    return tables;
+}
+
+}  // namespace covaria::curve

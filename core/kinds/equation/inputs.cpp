@@ -1,0 +1,277 @@
+// Input quantities of "measurement equation": rows of the table to components of uncertainty.
+#include <algorithm>
+#include <map>
+
+#include "core/base/symbol.h"
+#include "core/equation/operations.h"
+#include "core/kinds/ballbar/ballbar.h"
+#include "core/kinds/equation/observations.h"
+#include "core/kinds/equation/setup.h"
+#include "core/kinds/instruments/sensor.h"
+#include "core/quantity/input_quantity.h"
+#include "core/quantity/statement.h"
+
+namespace covaria::equation_model {
+
+namespace {
+
+const std::string table = "quantities";
+
+std::string row_path(std::size_t row, const std::string& column) {
+    return "/" + table + "/rows/" + std::to_string(row) + "/" + column;
+}
+
+bool is_symbol(const std::string& text) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), [&](char c) {
+        return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+    });
+}
+
+/// A quantity while its rows are read.
+struct Draft {
+    InputQuantity quantity;
+    Unit unit;
+    std::size_t first_row = 0;
+    std::optional<double> estimate;  ///< SI
+    std::size_t components = 0;
+    std::optional<std::size_t> observed;  ///< component from observations
+    std::string estimate_of_variance;     ///< with quantities observed at the same time
+};
+
+class QuantityReader {
+public:
+    QuantityReader(const SetupReader& reader, const AssetLibrary& assets, Problems& problems)
+        : reader_(reader), assets_(assets), problems_(problems), observations_(reader) {}
+
+    StatedQuantities run() {
+        for (std::size_t row = 0; row < reader_.rows(table); ++row) read(row);
+        for (Draft& draft : drafts_) finish(draft);
+        check_observations();
+        correlate();
+        return std::move(result_);
+    }
+
+private:
+    bool empty(std::size_t row, const std::string& column) const {
+        return reader_.cell_empty(table, row, column);
+    }
+    std::string text(std::size_t row, const std::string& column) const {
+        return empty(row, column) ? "" : reader_.cell_text(table, row, column);
+    }
+    std::optional<double> number(std::size_t row, const std::string& column) const {
+        if (empty(row, column)) return std::nullopt;
+        return reader_.cell_number(table, row, column);
+    }
+    void refuse(std::size_t row, const std::string& column, const std::string& message) {
+        problems_.error(row_path(row, column), "'" + text(row, "symbol") + "': " + message);
+    }
+
+    void read(std::size_t row) {
+        const std::string symbol = plain_symbol(text(row, "symbol"));
+        if (!is_symbol(symbol) || equation::is_reserved(symbol))
+            return refuse(
+                row, "symbol",
+                is_symbol(symbol)
+                    ? "the name is one of a function or a word of the equations; choose "
+                      "another"
+                    : "a symbol is made of letters, Greek ones too, digits and '_', a letter first");
+        const Result<Unit> unit = Unit::parse(empty(row, "unit") ? "1" : text(row, "unit"));
+        if (!unit) return refuse(row, "unit", unit.error().message);
+        const auto known = index_.find(symbol);
+        if (known == index_.end()) return first_row(row, symbol, *unit);
+        Draft& draft = drafts_[known->second];
+        if (!empty(row, "value"))
+            return refuse(row, "value",
+                          "only the first row of a symbol has a value; further rows add components");
+        if (unit->dimension() != draft.unit.dimension())
+            return refuse(row, "unit",
+                          "the component is in " + unit->text() + ", the quantity in " + draft.unit.text());
+        component(draft, row, *unit);
+    }
+
+    void first_row(std::size_t row, const std::string& symbol, const Unit& unit) {
+        index_[symbol] = drafts_.size();
+        Draft& draft = drafts_.emplace_back();
+        draft.unit = unit;
+        draft.first_row = row;
+        draft.quantity.symbol = symbol;
+        draft.quantity.name = empty(row, "name") ? symbol : text(row, "name");
+        draft.quantity.unit = unit;
+        draft.quantity.source = "/" + table + "/rows/" + std::to_string(row);
+        if (const auto value = number(row, "value")) draft.estimate = unit.to_si(*value);
+        component(draft, row, unit);
+    }
+
+    void component(Draft& draft, std::size_t row, const Unit& unit) {
+        const std::string kind = text(row, "statement");
+        const bool first = row == draft.first_row;
+        if (kind.empty() || kind == "constant") {
+            if (!first) refuse(row, "statement", "a further row states a component of uncertainty");
+            return;
+        }
+        UncertaintyComponent made;
+        made.name = first || empty(row, "name") ? draft.quantity.name : text(row, "name");
+        made.unit = unit.interval();
+        if (kind == "instrument") return reading(draft, row);
+        const bool done = kind == "observations" || kind == "pooled" ? observed(draft, row, kind, made)
+                                                                     : stated(draft, row, unit, made);
+        if (done) add(draft, row, std::move(made));
+    }
+
+    void add(Draft& draft, std::size_t row, UncertaintyComponent component) {
+        component.id = draft.quantity.symbol + "." + std::to_string(++draft.components);
+        if (!empty(row, "source")) component.origin = text(row, "source");
+        draft.quantity.shares.push_back({result_.inputs.add(std::move(component)), 1.0});
+    }
+
+    bool stated(Draft& draft, std::size_t row, const Unit& unit, UncertaintyComponent& made) {
+        const std::string kind_key = text(row, "statement");
+        const StatementKind& kind = *find_statement(kind_key);
+        const bool absolute = kind_key == "limits";
+        const auto figure = [&](const char* column, bool has_unit) -> std::optional<double> {
+            const auto value = number(row, column);
+            if (!value || !has_unit) return value;
+            return absolute ? unit.to_si(*value) : unit.interval_to_si(*value);
+        };
+        Statement statement{kind_key,          figure("a", kind.a_has_unit), figure("b", kind.b_has_unit),
+                            number(row, "nu"), number(row, "r_u"),           draft.estimate};
+        const auto component = stated_component(statement);
+        if (!component) {
+            refuse(row, "statement", component.error().message);
+            return false;
+        }
+        if (component->estimate) draft.estimate = component->estimate;
+        made.distribution = component->distribution;
+        made.degrees_of_freedom = component->degrees_of_freedom;
+        made.origin = component->words;
+        return true;
+    }
+
+    bool observed(Draft& draft, std::size_t row, const std::string& kind, UncertaintyComponent& made) {
+        const std::string& symbol = draft.quantity.symbol;
+        const auto mean =
+            kind == "pooled" ? observations_.pooled(symbol, number(row, "a")) : observations_.mean_of(symbol);
+        if (!mean) {
+            refuse(row, "statement", mean.error().message);
+            return false;
+        }
+        const double u = draft.unit.interval_to_si(mean->u);
+        if (!draft.estimate && mean->count > 0) draft.estimate = draft.unit.to_si(mean->mean);
+        made.unit = draft.unit.interval();
+        made.type = EvaluationType::type_a;
+        made.degrees_of_freedom = mean->degrees_of_freedom;
+        made.distribution = Distribution::normal(u);
+        made.normal_draws = reader_.text("type_a") == "normal";
+        made.origin = kind == "pooled" ? "pooled standard deviation"
+                                       : "mean of " + std::to_string(mean->count) + " observations";
+        if (kind == "observations") draft.observed = result_.inputs.components.size();
+        return true;
+    }
+
+    /// The instrument's own deviation and those that all its readings share.
+    void reading(Draft& draft, std::size_t row) {
+        const AssetLibrary::Entry* entry = assets_.find(text(row, "instrument"));
+        if (!entry) return refuse(row, "instrument", "the instrument of the project is missing");
+        if (!draft.estimate) return refuse(row, "value", "the reading of an instrument needs a value");
+        if (draft.unit.dimension() != Unit::of("m").dimension())
+            return refuse(row, "unit", "an instrument reads distances here; the unit must be one of length");
+        const double distance = *draft.estimate;
+        if (const SensorSource* sensor = offers<SensorSource>(entry->asset)) {
+            if (!sensor->reads(Observable::distance))
+                return refuse(row, "instrument", entry->name + " reads no distances");
+            const Eigen::Vector3d target(distance, 0.0, 0.0);
+            own_reading(draft, row, *entry, sensor->reading(Observable::distance, target));
+            for (const SystematicDeviation& s : sensor->systematic())
+                share(draft, row, s.component, s.effect(Observable::distance, target));
+        } else if (const BallbarSource* bars = offers<BallbarSource>(entry->asset)) {
+            own_reading(draft, row, *entry, bars->reading(0, distance));
+            for (const SharedLengthDeviation& s : bars->shared())
+                if (s.is_scale || s.bar == 0) share(draft, row, s.component, s.is_scale ? distance : 1.0);
+        }
+    }
+
+    void own_reading(Draft& draft, std::size_t row, const AssetLibrary::Entry& entry,
+                     UncertaintyComponent own) {
+        own.origin = entry.name + " (" + own.origin + ")";
+        own.contributor = text(row, "instrument");
+        own.contributor_name = entry.name;
+        add(draft, row, std::move(own));
+    }
+
+    void share(Draft& draft, std::size_t row, const UncertaintyComponent& component, double factor) {
+        if (factor == 0.0) return;
+        const std::string id = text(row, "instrument") + "." + component.id;
+        const auto [known, is_new] = shared_.try_emplace(id, result_.inputs.components.size());
+        if (is_new) {
+            const std::string& name = assets_.find(text(row, "instrument"))->name;
+            UncertaintyComponent made = component;
+            made.id = id;
+            made.origin = name + " (" + component.origin + ")";
+            made.contributor = text(row, "instrument");
+            made.contributor_name = name;
+            result_.inputs.add(std::move(made));
+        }
+        draft.quantity.shares.push_back({known->second, factor});
+    }
+
+    void finish(Draft& draft) {
+        if (!draft.estimate)
+            return refuse(draft.first_row, "value", "the value is missing, and no statement gives it");
+        draft.quantity.offset = *draft.estimate;
+        result_.inputs.quantities.push_back(draft.quantity);
+        result_.symbols.push_back({draft.quantity.symbol, draft.unit});
+        result_.rows.push_back(draft.first_row);
+    }
+
+    void check_observations() {
+        for (const std::string& quantity : observations_.quantities())
+            if (!index_.contains(quantity))
+                problems_.error("/observations",
+                                "'" + quantity + "' has observations and no row in the table of quantities");
+    }
+
+    /// Means of simultaneous observations have one estimate of their covariance matrix: c^T S c has n - 1
+    /// degrees of freedom for any c.
+    void observed_together(std::size_t i, std::size_t j) {
+        std::string& of_first = drafts_[i].estimate_of_variance;
+        std::string& of_second = drafts_[j].estimate_of_variance;
+        if (of_first.empty()) {
+            of_first = drafts_[i].quantity.symbol + ".observations";
+            result_.inputs.rest_on_estimate(of_first, *drafts_[i].observed);
+        }
+        if (!of_second.empty()) return;
+        of_second = of_first;
+        result_.inputs.rest_on_estimate(of_second, *drafts_[j].observed);
+    }
+
+    void correlate() {
+        for (std::size_t i = 0; i < drafts_.size(); ++i)
+            for (std::size_t j = i + 1; j < drafts_.size(); ++j) {
+                if (!drafts_[i].observed || !drafts_[j].observed) continue;
+                const auto r =
+                    observations_.correlation(drafts_[i].quantity.symbol, drafts_[j].quantity.symbol);
+                if (!r) continue;
+                if (*r != 0.0)
+                    result_.inputs.correlations.push_back({*drafts_[i].observed, *drafts_[j].observed, *r});
+                observed_together(i, j);
+            }
+    }
+
+    const SetupReader& reader_;
+    const AssetLibrary& assets_;
+    Problems& problems_;
+    Observations observations_;
+    std::vector<Draft> drafts_;
+    std::map<std::string, std::size_t> index_;
+    std::map<std::string, std::size_t> shared_;
+    StatedQuantities result_;
+};
+
+}  // namespace
+
+StatedQuantities read_quantities(const SetupReader& reader, const AssetLibrary& assets, Problems& problems) {
+    return QuantityReader(reader, assets, problems).run();
+}
+
+}  // namespace covaria::equation_model

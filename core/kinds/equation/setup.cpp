@@ -1,0 +1,176 @@
+// Reads the set-up of "measurement equation": parses, checks and compiles.
+#include "core/kinds/equation/setup.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/symbol.h"
+#include "core/setup/message_text.h"
+
+namespace covaria::equation_model {
+
+namespace {
+
+/// Names that equations define and no other equation uses.
+std::vector<equation::Definition> last_definitions(const equation::ParsedText& parsed) {
+    std::set<std::string> used;
+    std::vector<equation::Definition> found;
+    for (const equation::Statement& s : parsed.statements)
+        for (std::size_t i = s.first_node; i < s.last_node; ++i) {
+            const equation::Node& node = parsed.nodes[i];
+            const bool own = std::any_of(s.defined.begin(), s.defined.end(),
+                                         [&](const equation::Definition& d) { return d.name == node.text; });
+            if (node.operation == equation::Operation::symbol && !own) used.insert(node.text);
+        }
+    for (const equation::Statement& s : parsed.statements)
+        for (const equation::Definition& d : s.defined)
+            if (!used.contains(d.name)) found.push_back(d);
+    return found;
+}
+
+class SetupBuilder {
+public:
+    SetupBuilder(const SetupReader& reader, Problems& problems) : reader_(reader), problems_(problems) {}
+
+    std::optional<EquationSetup> build(const AssetLibrary& assets) {
+        EquationSetup setup;
+        equation::TextProblems found;
+        const std::string text = reader_.has("equations") ? reader_.text("equations") : "";
+        setup.parsed = equation::parse(text, found);
+        if (found.empty() && setup.parsed.statements.empty())
+            found.push_back({{}, "there is no equation: write one, y = x_1 + x_2"});
+        StatedQuantities stated = read_quantities(reader_, assets, problems_);
+        check_names(setup.parsed, stated);
+        const auto wanted = wanted_outputs(setup.parsed, setup.outputs);
+        if (found.empty() && !problems_.has_errors()) {
+            equation::Compiled compiled = equation::compile(setup.parsed, stated.symbols, wanted, found);
+            setup.program = std::move(compiled.program);
+            for (std::size_t j = 0; j < compiled.output_units.size(); ++j)
+                setup.outputs[j].unit = compiled.output_units[j];
+        }
+        report(found, problems_);
+        setup.inputs = std::move(stated.inputs);
+        if (problems_.has_errors()) return std::nullopt;
+        return setup;
+    }
+
+private:
+    void check_names(const equation::ParsedText& parsed, const StatedQuantities& stated) {
+        std::set<std::string> used;
+        for (const equation::SymbolUse& use : equation::free_symbols(parsed)) used.insert(use.name);
+        for (std::size_t i = 0; i < stated.symbols.size(); ++i) {
+            const std::string& name = stated.symbols[i].name;
+            const std::string path = "/quantities/rows/" + std::to_string(stated.rows[i]) + "/symbol";
+            if (parsed.find(name))
+                problems_.error(path,
+                                "'" + name + "' is defined by an equation: it cannot be a quantity too");
+            else if (!used.contains(name) && !parsed.statements.empty())
+                problems_.warning(path, "no equation uses '" + name + "'");
+        }
+    }
+
+    std::vector<equation::WantedOutput> wanted_outputs(const equation::ParsedText& parsed,
+                                                       std::vector<OutputQuantity>& outputs) {
+        std::vector<equation::WantedOutput> wanted;
+        for (std::size_t row = 0; row < reader_.rows("outputs"); ++row) add_row(parsed, row, wanted, outputs);
+        if (reader_.rows("outputs") > 0) return wanted;
+        for (const equation::Definition& d : last_definitions(parsed)) {
+            wanted.push_back({d.name, std::nullopt});
+            outputs.push_back({.symbol = d.name, .name = d.name});
+        }
+        return wanted;
+    }
+
+    std::string cell(std::size_t row, const std::string& column) const {
+        return reader_.cell_empty("outputs", row, column) ? "" : reader_.cell_text("outputs", row, column);
+    }
+
+    void add_row(const equation::ParsedText& parsed, std::size_t row,
+                 std::vector<equation::WantedOutput>& wanted, std::vector<OutputQuantity>& outputs) {
+        const std::string path = "/outputs/rows/" + std::to_string(row);
+        const std::string symbol = plain_symbol(cell(row, "symbol"));
+        if (!parsed.find(symbol) && !parsed.statements.empty()) {
+            std::vector<std::string> names;
+            for (const equation::Statement& s : parsed.statements)
+                for (const equation::Definition& d : s.defined) names.push_back(d.name);
+            problems_.error(path + "/symbol",
+                            "no equation defines '" + symbol + "'" + did_you_mean(symbol, names));
+        }
+        if (std::any_of(wanted.begin(), wanted.end(), [&](const auto& w) { return w.name == symbol; }))
+            problems_.error(path + "/symbol", "'" + symbol + "' is listed twice");
+        equation::WantedOutput output{symbol, std::nullopt};
+        if (const std::string unit = cell(row, "unit"); !unit.empty()) {
+            const Result<Unit> parsed_unit = Unit::parse(unit);
+            if (parsed_unit)
+                output.unit = *parsed_unit;
+            else
+                problems_.error(path + "/unit", parsed_unit.error().message);
+        }
+        wanted.push_back(output);
+        const std::string name = cell(row, "name");
+        outputs.push_back(
+            {.symbol = symbol,
+             .name = name.empty() ? symbol : name,
+             .group = cell(row, "group"),
+             .role = cell(row, "role") == "intermediate" ? OutputRole::intermediate : OutputRole::measurand});
+    }
+
+    const SetupReader& reader_;
+    Problems& problems_;
+};
+
+SetupTable empty_table(const FieldSpec& field) {
+    SetupTable table;
+    for (const ColumnSpec& column : field.columns) table.units.push_back(column.unit);
+    return table;
+}
+
+bool has_symbol(const SetupTable& table, const std::string& symbol) {
+    return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<SetupCell>& row) {
+        const std::string* text = row.empty() ? nullptr : std::get_if<std::string>(&row.front());
+        return text && plain_symbol(*text) == symbol;
+    });
+}
+
+}  // namespace
+
+std::string path_of(const equation::Place& place) {
+    const std::size_t end = place.column + std::max<std::size_t>(place.length, 1) - 1;
+    return "/equations/" + std::to_string(place.line - 1) + "/" + std::to_string(place.column) + "-" +
+           std::to_string(end);
+}
+
+void report(const equation::TextProblems& found, Problems& problems) {
+    for (const equation::TextProblem& problem : found)
+        problems.error(path_of(problem.place), place_words(problem.place) + problem.message);
+}
+
+std::optional<EquationSetup> read_equation_setup(const SetupReader& reader, const AssetLibrary& assets,
+                                                 Problems& problems) {
+    return SetupBuilder(reader, problems).build(assets);
+}
+
+Setup with_rows_for_names(const Setup& setup) {
+    const SetupSchema schema = equation_schema();
+    const SetupReader reader(schema, setup);
+    equation::TextProblems ignored;
+    const equation::ParsedText parsed = equation::parse(reader.text("equations"), ignored);
+    Setup completed = setup;
+    const auto add_row = [&](const std::string& key, const std::string& symbol) {
+        const FieldSpec& field = *schema.find(key);
+        const auto* given = std::get_if<SetupTable>(&completed.values[key]);
+        SetupTable table = given ? *given : empty_table(field);
+        if (has_symbol(table, symbol)) return;
+        std::vector<SetupCell> row(field.columns.size());
+        row.front() = symbol;
+        table.rows.push_back(std::move(row));
+        completed.values[key] = std::move(table);
+    };
+    for (const equation::SymbolUse& use : equation::free_symbols(parsed)) add_row("quantities", use.name);
+    for (const equation::Definition& d : last_definitions(parsed)) add_row("outputs", d.name);
+    std::erase_if(completed.values,
+                  [](const auto& entry) { return std::holds_alternative<std::monostate>(entry.second); });
+    return completed;
+}
+
+}  // namespace covaria::equation_model

@@ -1,0 +1,44 @@
+// The set-up of "measurement equation" and what it becomes: program, input quantities, outputs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/equation/program.h"
+#include "core/model/asset.h"
+#include "core/model/output_quantity.h"
+#include "core/quantity/input_quantity.h"
+#include "core/setup/setup_schema.h"
+
+namespace covaria::equation_model {
+
+SetupSchema equation_schema();
+
+struct EquationSetup {
+    equation::ParsedText parsed;
+    equation::Program program;
+    InputSet inputs;
+    std::vector<OutputQuantity> outputs;
+};
+
+/// Empty if `problems` got an error.
+std::optional<EquationSetup> read_equation_setup(const SetupReader& reader, const AssetLibrary& assets,
+                                                 Problems& problems);
+
+/// Rows for the names in the equations that no table has yet: quantities without a value, measurands.
+Setup with_rows_for_names(const Setup& setup);
+
+/// Input quantities as the tables state them, with their units.
+struct StatedQuantities {
+    InputSet inputs;
+    std::vector<equation::KnownSymbol> symbols;  ///< of the same quantities
+    std::vector<std::size_t> rows;               ///< of the table, where each is first named
+};
+StatedQuantities read_quantities(const SetupReader& reader, const AssetLibrary& assets, Problems& problems);
+
+/// "/equations/1/14-16": line and columns, from 0 and 1.
+std::string path_of(const equation::Place& place);
+void report(const equation::TextProblems& found, Problems& problems);
+
+}  // namespace covaria::equation_model

@@ -1,0 +1,113 @@
+// A multi-axis force/moment sensor and its calibration (Kim): readings, what follows from them, tables and
+// charts.
+//
+// Readings are ratios (V/V), loads are N or N m; lists over channels follow the table of channels. Equation
+// numbers are those of G.-S. Kim, Uncertainty evaluation of a multi-axis force/moment sensor.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/data_table.h"
+#include "core/base/plot_specification.h"
+#include "core/kinds/force/force_sensor.h"
+#include "core/model/asset.h"
+
+namespace covaria::force {
+
+using Readings = std::array<double, most_channels>;
+
+struct StepReading {
+    int step = 0;
+    double load = 0.0;
+    Readings net{};  ///< Eq 1
+    double time = 0.0;
+};
+
+struct Run {
+    int number = 0;
+    std::optional<Readings> zero_before, zero_after;  ///< as indicated
+    std::vector<StepReading> increasing, decreasing;  ///< by load, rising
+    double time_before = 0.0, time_after = 0.0;       ///< of the unloaded readings, s; NaN: not known
+    const StepReading* decreasing_at(int step) const;
+};
+
+/// All readings while one axis is loaded.
+struct Series {
+    std::vector<Run> preloads;  ///< with one increasing reading each
+    std::vector<Run> runs;
+};
+
+/// What the calibration was meant to be (Kim, section 3 and Fig. 2). Times in s.
+struct Plan {
+    int preloads = 3, runs = 3, steps = 5;
+    bool decreasing = true;
+    double free_time = 120.0, load_time = 30.0;
+};
+
+/// A step of one series, on the channel that is loaded.
+struct StepStatistics {
+    int step = 0;
+    double load = 0.0;
+    double mean = 0.0;             ///< Eq 2
+    double s = 0.0;                ///< Eq 3; 0 with fewer than two runs
+    double n = 0.0;                ///< runs
+    double decreasing_mean = 0.0;  ///< NaN where there is none
+};
+
+/// Values that a certificate or a paper states, to be compared. Not a number: not stated.
+struct StatedRow {
+    std::size_t channel = 0;
+    std::vector<double> values;  ///< in the order of the table's columns, SI
+};
+struct Stated {
+    std::vector<std::string> headers, titles;  ///< keys, and words for people
+    std::vector<Unit> units;
+    std::vector<StatedRow> rows;
+};
+
+struct Calibration {
+    std::vector<ForceChannel> channels;
+    std::vector<std::optional<double>> stated_u_b;  ///< taken instead of Eq 8, where given
+    Plan plan;
+    double resolution = 0.0;
+    std::optional<double> range;  ///< of the indicator
+    double k = 2.0;               ///< coverage factor of Eq 12
+    bool rows_are_loads = false;  ///< of Tables 2 and 4; else rows are sensors
+    bool from_readings = true;
+    bool has_signs = true;
+    std::string calibrator_name;
+    Eigen::MatrixXd rated_outputs;  ///< rows: channels, columns: loads
+    std::vector<Series> series;
+    std::vector<std::vector<StepStatistics>> steps;
+    Stated stated, stated_interference;
+
+    std::size_t size() const { return channels.size(); }
+    std::optional<std::size_t> channel_of(std::size_t axis) const;
+    double u_calibrator(std::size_t h) const;          ///< Eq 5
+    double u_resolution() const;                       ///< Eq 6
+    double u_zero(std::size_t h) const;                ///< Eq 7
+    double u_b_computed(std::size_t h) const;          ///< Eq 8
+    double u_b(std::size_t h) const;                   ///< as stated, else Eq 8
+    double u_c(std::size_t h) const;                   ///< Eq 9
+    double largest_interference(std::size_t h) const;  ///< Eq 11, of the channel's outputs
+    double U(std::size_t h) const;                     ///< Eq 12a
+};
+
+SetupSchema sensor_schema();
+
+/// The readings of the table, by channel and run; `problems` gets what is missing or cannot be.
+void read_series(const SetupReader& setup, Calibration& calibration, Problems& problems);
+/// Eqs 1 to 4, 7, 10, 11 and what they need.
+void evaluate_series(Calibration& calibration, Problems& problems);
+/// Rated outputs, zero errors ... as typed.
+void read_summary(const SetupReader& setup, Calibration& calibration, Problems& problems);
+void read_stated(const SetupReader& setup, Calibration& calibration);
+
+std::vector<DataTable> calibration_tables(const Calibration& calibration);
+DataTable stated_table(const Calibration& calibration);
+std::vector<PlotSpecification> calibration_figures(const Calibration& calibration);
+
+}  // namespace covaria::force

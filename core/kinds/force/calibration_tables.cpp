@@ -1,0 +1,223 @@
+// Tables 1 to 4 of Kim, the steps they follow from, the plan.
+#include <cmath>
+
+#include "core/kinds/force/calibration.h"
+#include "core/quantity/distribution.h"
+#include "core/setup/message_text.h"
+
+namespace covaria::force {
+
+namespace {
+
+const Unit ratio = Unit::of("mV/V");
+const Unit percent = Unit::of("%");
+constexpr int ratio_decimals = 5;  // of mV/V, as indicators show it
+
+std::string key_of(const Calibration& calibration, std::size_t h) {
+    return calibration.channels[h].kind().key;
+}
+
+Quantity in_load_unit(const ForceChannel& channel, double si) {
+    return {channel.load_unit().from_si(si), channel.load_unit()};
+}
+
+TableColumn ratio_column(const char* header, bool is_symbol = false) {
+    return {.header = header, .unit = ratio, .is_symbol = is_symbol, .decimals = ratio_decimals};
+}
+
+DataTable plan_table(const Calibration& calibration) {
+    const Plan& plan = calibration.plan;
+    DataTable table;
+    table.id = "plan";
+    table.title = "Calibration as planned and as read";
+    table.columns = {{.header = "axis"},
+                     {.header = "preloads"},
+                     {.header = "runs"},
+                     {.header = "steps"},
+                     {.header = "decreasing steps"},
+                     {.header = "spread of the preloads", .unit = ratio, .decimals = ratio_decimals}};
+    table.rows.push_back({std::string("planned"), double(plan.preloads), double(plan.runs),
+                          double(plan.steps), plan.decreasing ? double(plan.steps - 1) : 0.0,
+                          std::monostate{}});
+    for (std::size_t c = 0; c < calibration.series.size(); ++c) {
+        const Series& series = calibration.series[c];
+        double low = infinity, high = -infinity;
+        for (const Run& run : series.preloads)
+            for (const StepReading& r : run.increasing) {
+                low = std::min(low, r.net[c]);
+                high = std::max(high, r.net[c]);
+            }
+        std::size_t down = 0;
+        for (const Run& run : series.runs) down = std::max(down, run.decreasing.size());
+        table.rows.push_back({key_of(calibration, c), double(series.preloads.size()),
+                              double(series.runs.size()), double(calibration.steps[c].size()), double(down),
+                              high >= low ? TableCell(high - low) : TableCell()});
+    }
+    table.notes.push_back("Fig. 2: " + readable_number(plan.free_time) + " s without load before a series, " +
+                          readable_number(plan.load_time) + " s at each load.");
+    return table;
+}
+
+DataTable steps_table(const Calibration& calibration) {
+    DataTable table;
+    table.id = "steps";
+    table.title = "Means and standard deviations of the net values (Eqs 1 to 4)";
+    table.columns = {{.header = "axis"},
+                     {.header = "load", .digits = 3},
+                     ratio_column("mean"),
+                     ratio_column("s", true),
+                     ratio_column("u_A", true),
+                     {.header = "n", .is_symbol = true},
+                     ratio_column("mean, decreasing")};
+    for (std::size_t c = 0; c < calibration.size(); ++c)
+        for (const StepStatistics& step : calibration.steps[c])
+            table.rows.push_back(
+                {key_of(calibration, c), in_load_unit(calibration.channels[c], step.load), step.mean, step.s,
+                 step.s / std::sqrt(step.n), step.n,
+                 std::isnan(step.decreasing_mean) ? TableCell() : TableCell(step.decreasing_mean)});
+    return table;
+}
+
+DataTable table_1(const Calibration& calibration) {
+    DataTable table;
+    table.id = "table-1";
+    table.title = "Rated output and non-zero error of each sensor (Kim, Table 1)";
+    table.columns = {{.header = "sensor"},
+                     {.header = "rated load"},
+                     ratio_column("rated output"),
+                     ratio_column("non-zero error")};
+    for (std::size_t h = 0; h < calibration.size(); ++h) {
+        const ForceChannel& channel = calibration.channels[h];
+        table.rows.push_back({key_of(calibration, h), in_load_unit(channel, channel.rated_load),
+                              channel.rated_output, channel.zero});
+    }
+    return table;
+}
+
+/// Tables 2 and 4: in mV/V, or by the rated output of the sensor.
+class InterferenceTable {
+public:
+    InterferenceTable(const Calibration& calibration, bool relative)
+        : calibration_(calibration), relative_(relative) {}
+
+    DataTable build() {
+        DataTable table;
+        table.id = relative_ ? "table-4" : "table-2";
+        table.title = relative_ ? "Interference error in per cent of the rated output (Kim, Table 4)"
+                                : "Interference error of each sensor (Kim, Table 2)";
+        const bool loads = calibration_.rows_are_loads;
+        table.columns = {{.header = loads ? "load" : "sensor"}};
+        for (std::size_t c = 0; c < calibration_.size(); ++c)
+            table.columns.push_back(column(key_of(calibration_, c)));
+        if (!loads) table.columns.push_back(column("largest"));
+        for (std::size_t r = 0; r < calibration_.size(); ++r) table.rows.push_back(row(r, !loads));
+        if (loads) table.rows.push_back(largest_row());
+        table.notes.push_back(loads
+                                  ? "A row is a load, a column the sensor that answers to it."
+                                  : "A row is a sensor, a column the load under which it gives this output.");
+        if (!calibration_.has_signs) table.notes.push_back("Magnitudes: the signs are not known.");
+        return table;
+    }
+
+private:
+    TableColumn column(const std::string& header) const {
+        return {.header = header,
+                .unit = relative_ ? percent : ratio,
+                .decimals = relative_ ? 2 : ratio_decimals};
+    }
+
+    double cell(std::size_t sensor, std::size_t load) const {
+        const double e = calibration_.rated_outputs(Eigen::Index(sensor), Eigen::Index(load));
+        return relative_ ? e / std::abs(calibration_.channels[sensor].rated_output) : e;
+    }
+
+    std::vector<TableCell> row(std::size_t r, bool with_largest) const {
+        std::vector<TableCell> cells{key_of(calibration_, r)};
+        double largest = 0.0;
+        for (std::size_t c = 0; c < calibration_.size(); ++c) {
+            const double e = calibration_.rows_are_loads ? cell(c, r) : cell(r, c);
+            if (c != r) largest = std::max(largest, std::abs(e));
+            cells.push_back(c == r ? TableCell() : TableCell(e));
+        }
+        if (with_largest) cells.push_back(largest);
+        return cells;
+    }
+
+    std::vector<TableCell> largest_row() const {
+        std::vector<TableCell> cells{std::string("largest")};
+        for (std::size_t h = 0; h < calibration_.size(); ++h)
+            cells.push_back(calibration_.largest_interference(h) /
+                            (relative_ ? std::abs(calibration_.channels[h].rated_output) : 1.0));
+        return cells;
+    }
+
+    const Calibration& calibration_;
+    bool relative_;
+};
+
+DataTable table_3(const Calibration& calibration) {
+    DataTable table;
+    table.id = "table-3";
+    table.title = "Uncertainty of the sensors by the paper (Kim, Table 3, Eqs 4 to 12)";
+    table.columns = {{.header = "sensor"},
+                     ratio_column("u_A", true),
+                     ratio_column("u_B", true),
+                     ratio_column("hysteresis"),
+                     ratio_column("interference"),
+                     ratio_column("u_c", true),
+                     ratio_column("U", true),
+                     {.header = "U", .unit = percent, .is_symbol = true, .decimals = 2},
+                     {.header = "U, load", .decimals = 4}};
+    for (std::size_t h = 0; h < calibration.size(); ++h) {
+        const ForceChannel& channel = calibration.channels[h];
+        const double relative = calibration.U(h) / std::abs(channel.rated_output);
+        table.rows.push_back({key_of(calibration, h), channel.u_a, calibration.u_b(h), channel.hysteresis,
+                              calibration.largest_interference(h), calibration.u_c(h), calibration.U(h),
+                              relative, in_load_unit(channel, relative * channel.rated_load)});
+    }
+    const ForceChannel& first = calibration.channels.front();
+    std::string note = "U = hysteresis + interference + k u_c with k = ";
+    note += readable_number(calibration.k);
+    note += ": a linear sum of two largest values and an expanded uncertainty. Type A: n = ";
+    note += readable_number(first.runs) + " runs, " + readable_number(first.degrees_of_freedom);
+    note += " degrees of freedom.";
+    table.notes.push_back(std::move(note));
+    return table;
+}
+
+DataTable parts_table(const Calibration& calibration) {
+    DataTable table;
+    table.id = "type-b";
+    table.title = "Parts of the Type B standard uncertainty (Eqs 5 to 8)";
+    table.columns = {{.header = "sensor"}};
+    for (const char* const header : {"u_CM", "u_r", "u_z", "u_B"})
+        table.columns.push_back({.header = header, .unit = ratio, .is_symbol = true, .decimals = 6});
+    bool any_stated = false;
+    for (std::size_t h = 0; h < calibration.size(); ++h) {
+        table.rows.push_back({key_of(calibration, h), calibration.u_calibrator(h), calibration.u_resolution(),
+                              calibration.u_zero(h), calibration.u_b_computed(h)});
+        any_stated = any_stated || calibration.stated_u_b[h].has_value();
+    }
+    table.notes.push_back("Calibration machine: " + calibration.calibrator_name + ".");
+    if (any_stated)
+        table.notes.push_back("Table 3 takes the Type B standard uncertainties that are stated, not these.");
+    return table;
+}
+
+}  // namespace
+
+std::vector<DataTable> calibration_tables(const Calibration& calibration) {
+    std::vector<DataTable> tables;
+    if (calibration.from_readings) tables.push_back(plan_table(calibration));
+    tables.push_back(table_1(calibration));
+    tables.push_back(InterferenceTable(calibration, false).build());
+    tables.push_back(table_3(calibration));
+    tables.push_back(InterferenceTable(calibration, true).build());
+    tables.push_back(parts_table(calibration));
+    if (calibration.from_readings) tables.push_back(steps_table(calibration));
+    if (!calibration.stated.rows.empty() || !calibration.stated_interference.rows.empty())
+        tables.push_back(stated_table(calibration));
+    return tables;
+}
+
+}  // namespace covaria::force

@@ -1,0 +1,221 @@
+// Fields of "force-moment channels", the GUM's combination of its components, its input quantities.
+#include "core/kinds/force/channels_setup.h"
+
+#include <cmath>
+
+#include "core/kinds/force/force_sensor.h"
+#include "core/math/special_quantiles.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria::force_channels {
+
+SetupSchema schema() {
+    return SetupSchema(
+        {{.key = "sensor",
+          .title = "Sensor",
+          .kind = FieldKind::reference,
+          .help = "The calibrated multi-axis sensor.",
+          .capabilities = {ForceSensorSource::capability},
+          .section = "Sensor"},
+         {.key = "other_loads",
+          .title = "Loads on the other axes",
+          .kind = FieldKind::choice,
+          .help =
+              "What acts on the other axes while a channel is read. Unknown loads are rectangular between "
+              "minus and plus the rated load, one and the same for all channels.",
+          .default_value = std::string("all"),
+          .choices = {{"none", "none: one component alone"},
+                      {"largest", "unknown on one axis, that with the largest interference"},
+                      {"all", "unknown on all other axes"}},
+          .section = "Use"},
+         {.key = "repeatability",
+          .title = "Repeatability",
+          .kind = FieldKind::choice,
+          .help = "The largest standard deviation of all steps, as in the paper, or that pooled over the "
+                  "steps, which has more degrees of freedom.",
+          .default_value = std::string("largest"),
+          .choices = {{"largest", "largest of the steps"}, {"pooled", "pooled over the steps"}},
+          .section = "Method"},
+         {.key = "type_a",
+          .title = "Type A in Monte Carlo",
+          .kind = FieldKind::choice,
+          .help = "Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM "
+                  "101 6.4.9). With n = 3 the latter has no standard deviation: only coverage intervals then "
+                  "mean something.",
+          .default_value = std::string("normal"),
+          .choices = {{"normal", "normal"}, {"student-t", "scaled and shifted t"}},
+          .section = "Method"},
+         {.key = "coverage_factor",
+          .title = "Coverage factor of the comparison",
+          .help = "k of the GUM's columns in the table beside the paper's.",
+          .range = {.low = 0.0, .high = 10.0, .low_open = true},
+          .default_value = Quantity{2.0, Unit()},
+          .section = "Method"}});
+}
+
+std::optional<ChannelSetup> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems) {
+    ChannelSetup read;
+    read.sensor_id = setup.text("sensor");
+    const AssetLibrary::Entry* entry = assets.find(read.sensor_id);
+    if (!offers<ForceSensorSource>(entry)) {
+        problems.error("/sensor", "'" + read.sensor_id + "' is no force/moment sensor");
+        return {};
+    }
+    read.asset = entry->asset;
+    read.sensor_name = entry->name.empty() ? read.sensor_id : entry->name;
+    const std::string others = setup.text("other_loads");
+    read.others = others == "none"      ? OtherLoads::none
+                  : others == "largest" ? OtherLoads::largest
+                                        : OtherLoads::all;
+    read.pooled = setup.text("repeatability") == "pooled";
+    read.student_t = setup.text("type_a") == "student-t";
+    read.k = setup.number("coverage_factor");
+    if (read.pooled && !(read.channels()[0].pooled_degrees_of_freedom > 0.0))
+        problems.warning("/repeatability",
+                         "the sensor's calibration is a summary: there are no steps to pool "
+                         "over, so the largest standard deviation is taken");
+    return read;
+}
+
+std::size_t ChannelSetup::strongest(std::size_t h) const {
+    std::size_t found = h;
+    for (std::size_t c = 0; c < size(); ++c)
+        if (c != h && (found == h || std::abs(e(h, c)) > std::abs(e(h, found)))) found = c;
+    return found;
+}
+
+bool ChannelSetup::interferes(std::size_t h, std::size_t c) const {
+    if (c == h || others == OtherLoads::none) return false;
+    return others == OtherLoads::all || c == strongest(h);
+}
+
+namespace {
+
+double u_repeatability(const ChannelSetup& setup, const ForceChannel& channel) {
+    return setup.pooled ? channel.s_single(true) / std::sqrt(channel.runs) : channel.u_a;
+}
+
+double square(double x) {
+    return x * x;
+}
+
+}  // namespace
+
+Single single_component(const ChannelSetup& setup, std::size_t h) {
+    const ForceChannel& channel = setup.channels()[h];
+    const double u_a = u_repeatability(setup, channel);
+    const double variance =
+        square(u_a) + square(channel.u_calibrator * channel.rated_output) +
+        (square(setup.sensor().resolution()) + square(channel.zero) + square(channel.hysteresis)) / 12.0;
+    Single single{std::sqrt(variance), infinity};
+    if (u_a > 0.0)
+        single.degrees_of_freedom =
+            channel.s_degrees_of_freedom(setup.pooled) * square(variance / square(u_a));
+    return single;
+}
+
+double combined(const ChannelSetup& setup, std::size_t h, OtherLoads others) {
+    ChannelSetup other = setup;
+    other.others = others;
+    double variance = square(single_component(setup, h).u);
+    for (std::size_t c = 0; c < setup.size(); ++c)
+        if (other.interferes(h, c)) variance += square(setup.e(h, c)) / 3.0;
+    return std::sqrt(variance);
+}
+
+double worst_case(const ChannelSetup& setup, std::size_t h) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < setup.size(); ++c)
+        if (c != h) sum += std::abs(setup.e(h, c));
+    return sum;
+}
+
+namespace {
+
+class InputBuilder {
+public:
+    explicit InputBuilder(const ChannelSetup& setup) : setup_(setup) {}
+
+    InputSet build() {
+        for (std::size_t h = 0; h < setup_.size(); ++h) add_reading(h);
+        if (setup_.others != OtherLoads::none && setup_.size() > 1)
+            for (std::size_t c = 0; c < setup_.size(); ++c) add_load(c);
+        return std::move(inputs_);
+    }
+
+private:
+    UncertaintyComponent component(const ForceChannel& channel, const std::string& id,
+                                   const std::string& name, Distribution distribution,
+                                   const std::string& origin) const {
+        const std::string key = channel.kind().key;
+        return {.id = key + "." + id,
+                .name = name + " of " + key,
+                .unit = Unit::of("mV/V"),
+                .distribution = std::move(distribution),
+                .origin = setup_.sensor_name + ": " + origin,
+                .contributor = setup_.sensor_id,
+                .contributor_name = setup_.sensor_name,
+                .tags = {{"source", name}}};
+    }
+
+    UncertaintyComponent repeatability(const ForceChannel& channel) const {
+        const double u = u_repeatability(setup_, channel);
+        const double freedom = channel.s_degrees_of_freedom(setup_.pooled);
+        UncertaintyComponent a =
+            component(channel, "repeatability", "repeatability", Distribution::normal(u), "Eqs 3, 4");
+        a.normal_draws = !setup_.student_t;
+        a.type = EvaluationType::type_a;
+        a.degrees_of_freedom = freedom;
+        return a;
+    }
+
+    void add_reading(std::size_t h) {
+        const ForceChannel& channel = setup_.channels()[h];
+        const auto limits = [](double width) {
+            return Distribution::of(Rectangular{-0.5 * width, 0.5 * width});
+        };
+        const std::string key = channel.kind().key;
+        inputs_.add(
+            InputQuantity{.symbol = std::string("d_") + key,
+                          .name = "net reading of " + key + " at rated load",
+                          .unit = Unit::of("mV/V"),
+                          .offset = channel.rated_output,
+                          .group = key},
+            {repeatability(channel),
+             component(channel, "machine", "calibration machine",
+                       Distribution::normal(channel.u_calibrator * std::abs(channel.rated_output)), "Eq 5"),
+             component(channel, "resolution", "resolution", limits(setup_.sensor().resolution()), "Eq 6"),
+             component(channel, "zero", "non-zero", limits(channel.zero), "Eq 7"),
+             component(channel, "hysteresis", "hysteresis", limits(channel.hysteresis),
+                       "Eq 10, as a rectangular distribution over the loop")});
+    }
+
+    void add_load(std::size_t c) {
+        const ForceChannel& channel = setup_.channels()[c];
+        const std::string key = channel.kind().key;
+        UncertaintyComponent load{.id = key + ".load",
+                                  .name = "unknown load on " + key,
+                                  .unit = Unit::of("%"),
+                                  .distribution = Distribution::of(Rectangular{-1.0, 1.0}),
+                                  .origin = "set-up: unknown between minus and plus the rated load",
+                                  .contributor = "loads on other axes",
+                                  .tags = {{"source", "interference"}}};
+        inputs_.add(InputQuantity{.symbol = std::string("q_") + key,
+                                  .name = "load on " + key + " by its rated load",
+                                  .unit = Unit::of("%"),
+                                  .offset = 0.0,
+                                  .group = "loads"},
+                    {std::move(load)});
+    }
+
+    const ChannelSetup& setup_;
+    InputSet inputs_;
+};
+
+}  // namespace
+
+InputSet inputs(const ChannelSetup& setup) {
+    return InputBuilder(setup).build();
+}
+
+}  // namespace covaria::force_channels

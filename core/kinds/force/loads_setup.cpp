@@ -1,0 +1,250 @@
+// Reads the cases of "force-moment loads"; the calibration matrix by least squares.
+#include "core/kinds/force/loads_setup.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "core/kinds/force/force_sensor.h"
+#include "core/kinds/force/loads_equations.h"
+#include "core/math/decompositions.h"
+#include "core/quantity/distribution.h"
+#include "core/setup/message_text.h"
+
+namespace covaria::force_loads {
+
+namespace {
+
+constexpr double singular = 1e7, badly_conditioned = 100.0;  // condition number of A
+
+/// Slope, and the coefficient of the square, of a channel's readings under one load.
+class Regression {
+public:
+    void add(double load, double reading) {
+        loads_.push_back(load);
+        readings_.push_back(reading);
+    }
+
+    std::optional<Element> fit(bool quadratic) const {
+        const Eigen::Index n = Eigen::Index(loads_.size()), p = quadratic ? 2 : 1;
+        if (n <= p) return {};
+        Eigen::MatrixXd X(n, p);
+        X.col(0) = Eigen::Map<const Eigen::VectorXd>(loads_.data(), n);
+        if (quadratic) X.col(1) = X.col(0).cwiseAbs2();
+        const Eigen::Map<const Eigen::VectorXd> y(readings_.data(), n);
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(X);
+        if (qr.rank() < p) return {};
+        const Eigen::VectorXd beta = qr.solve(y);
+        Element element{beta[0], quadratic ? beta[1] : 0.0, 0.0, 0.0, 0.0, double(n - p)};
+        const double s = (y - X * beta).norm() / std::sqrt(double(n - p));
+        const Eigen::MatrixXd F = s * Eigen::MatrixXd(cholesky((X.transpose() * X).inverse()).matrixL());
+        element.aa = F(0, 0);
+        if (quadratic) {
+            element.ba = F(1, 0);
+            element.bb = F(1, 1);
+        }
+        return element;
+    }
+
+private:
+    std::vector<double> loads_, readings_;
+};
+
+/// The channel that answers as others do: largest part of the direction that A takes to almost nothing.
+std::string channels_alike(const LoadsSetup& setup, const Eigen::VectorXd& null_vector) {
+    std::vector<std::string> names;
+    for (std::size_t c = 0; c < setup.size(); ++c)
+        if (std::abs(null_vector[Eigen::Index(c)]) > 0.3) names.emplace_back(setup.channels()[c].kind().key);
+    return listed(names);
+}
+
+void check_condition(LoadsSetup& setup, Problems& problems) {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(setup.A(), Eigen::ComputeFullV);
+    const Eigen::VectorXd& s = svd.singularValues();
+    setup.condition = s[s.size() - 1] > 0.0 ? s[0] / s[s.size() - 1] : infinity;
+    const std::string alike = channels_alike(setup, svd.matrixV().col(s.size() - 1));
+    if (!(setup.condition < singular))
+        return problems.error("/sensor",
+                              "the calibration matrix is singular: the channels answer to loads on " + alike +
+                                  " alike, so these cannot be told apart");
+    if (setup.condition > badly_conditioned)
+        problems.warning("/sensor", "the calibration matrix has the condition number " +
+                                        readable_number(std::round(setup.condition)) + ": loads on " + alike +
+                                        " are hardly told apart");
+}
+
+/// Rows by decreasing pivots, as partial pivoting would choose them at the estimates.
+std::vector<std::size_t> row_order(Eigen::MatrixXd m) {
+    std::vector<std::size_t> rows(std::size_t(m.rows()));
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
+    for (Eigen::Index k = 0; k < m.rows(); ++k) {
+        Eigen::Index best = 0;
+        m.col(k).tail(m.rows() - k).cwiseAbs().maxCoeff(&best);
+        best += k;
+        m.row(k).swap(m.row(best));
+        std::swap(rows[std::size_t(k)], rows[std::size_t(best)]);
+        for (Eigen::Index i = k + 1; i < m.rows(); ++i) m.row(i) -= m(i, k) / m(k, k) * m.row(k);
+    }
+    return rows;
+}
+
+class CaseReader {
+public:
+    CaseReader(const SetupReader& setup, LoadsSetup& read, Problems& problems)
+        : setup_(setup), read_(read), table_(read.by_loads ? "loads" : "readings"), problems_(problems) {}
+
+    void run() {
+        if (setup_.rows(table_) == 0)
+            return problems_.error("/" + table_, read_.by_loads ? "add a row of loads to be evaluated"
+                                                                : "add a row of readings to be decoupled");
+        for (std::size_t row = 0; row < setup_.rows(table_); ++row) add(row);
+    }
+
+private:
+    void add(std::size_t row) {
+        Case added;
+        added.source = "/" + table_ + "/rows/" + std::to_string(row);
+        added.name = setup_.cell_text(table_, row, "name");
+        for (const Case& known : read_.cases)
+            if (known.name == added.name)
+                return problems_.error(added.source + "/name", "two cases are called '" + added.name + "'");
+        const auto n = Eigen::Index(read_.size());
+        Eigen::VectorXd& given = read_.by_loads ? added.l : added.v;
+        given.setZero(n);
+        for (std::size_t c = 0; c < read_.size(); ++c) {
+            const ForceChannel& channel = read_.channels()[c];
+            const char* const key = channel.kind().key;
+            const double rated = read_.by_loads ? channel.rated_load : channel.rated_output;
+            if (!setup_.cell_empty(table_, row, key))
+                given[Eigen::Index(c)] = setup_.cell_number(table_, row, key) / rated;
+            else if (!read_.by_loads)
+                problems_.error(added.source + "/" + key,
+                                std::string("channel ") + key + " has no reading: all channels are needed");
+        }
+        refuse_other_axes(row, added.source);
+        complete(added);
+        read_.cases.push_back(std::move(added));
+    }
+
+    void refuse_other_axes(std::size_t row, const std::string& source) {
+        for (std::size_t axis = 0; axis < most_channels; ++axis) {
+            const char* const key = force_axes[axis].key;
+            const bool known = std::any_of(read_.channels().begin(), read_.channels().end(),
+                                           [&](const ForceChannel& c) { return c.axis == axis; });
+            if (!known && !setup_.cell_empty(table_, row, key))
+                problems_.error(source + "/" + key, std::string("the sensor has no channel ") + key);
+        }
+    }
+
+    void complete(Case& added) {
+        if (!read_.by_loads) {
+            added.l = decoupled(read_, added.v);
+            if (!added.l.allFinite())
+                return problems_.error(added.source,
+                                       "no load gives these readings by the calibration matrix");
+        } else {
+            const auto n = Eigen::Index(read_.size());
+            added.v = read_.A() * added.l;
+            for (Eigen::Index h = 0; read_.quadratic && h < n; ++h)
+                for (Eigen::Index c = 0; c < n; ++c)
+                    added.v[h] += read_.element(std::size_t(h), std::size_t(c)).b * added.l[c] * added.l[c];
+        }
+        Eigen::Index most = 0;
+        if (added.l.cwiseAbs().maxCoeff(&most) > 1.001)
+            problems_.warning(added.source,
+                              "the load on " + std::string(read_.channels()[std::size_t(most)].kind().key) +
+                                  " is " + readable_number(std::round(100.0 * std::abs(added.l[most]))) +
+                                  " % of its rated load: the calibration says nothing about it");
+    }
+
+    const SetupReader& setup_;
+    LoadsSetup& read_;
+    std::string table_;
+    Problems& problems_;
+};
+
+}  // namespace
+
+Eigen::MatrixXd LoadsSetup::A() const {
+    const auto n = Eigen::Index(size());
+    Eigen::MatrixXd matrix(n, n);
+    for (Eigen::Index i = 0; i < n * n; ++i) matrix(i / n, i % n) = elements[std::size_t(i)].a;
+    return matrix;
+}
+
+double LoadsSetup::scale(std::size_t h, std::size_t c, int power) const {
+    return channels()[h].rated_output / std::pow(channels()[c].rated_load, power);
+}
+
+void fit_matrix(LoadsSetup& setup, Problems& problems) {
+    const std::size_t n = setup.size();
+    std::vector<Regression> regressions(n * n);
+    for (const LoadedReading& r : setup.sensor().increasing())
+        for (std::size_t h = 0; h < n; ++h)
+            regressions[h * n + r.loaded].add(r.load / setup.channels()[r.loaded].rated_load,
+                                              r.net[h] / setup.channels()[h].rated_output);
+    setup.elements.assign(n * n, {});
+    const bool summary = setup.sensor().increasing().empty();
+    for (std::size_t i = 0; i < n * n && !summary; ++i) {
+        const auto element = regressions[i].fit(setup.quadratic);
+        if (!element)
+            return problems.error("/matrix", "loads on " + std::string(setup.channels()[i % n].kind().key) +
+                                                 " are too few for this calibration matrix");
+        setup.elements[i] = *element;
+    }
+    for (std::size_t h = 0; h < n && summary; ++h)
+        for (std::size_t c = 0; c < n; ++c) {
+            const ForceChannel& channel = setup.channels()[h];
+            Element& element = setup.element(h, c);
+            element.a =
+                setup.sensor().rated_outputs()(Eigen::Index(h), Eigen::Index(c)) / channel.rated_output;
+            element.aa = channel.u_a / std::abs(channel.rated_output);
+            element.degrees_of_freedom = channel.degrees_of_freedom;
+        }
+    check_condition(setup, problems);
+    if (!problems.has_errors()) setup.rows = row_order(setup.A());
+}
+
+Eigen::VectorXd decoupled(const LoadsSetup& setup, const Eigen::VectorXd& v) {
+    const std::size_t n = setup.size();
+    const auto a = [&](std::size_t h, std::size_t c) { return setup.element(h, c).a; };
+    const auto b = [&](std::size_t h, std::size_t c) { return setup.element(h, c).b; };
+    Vector<double> readings{};
+    for (std::size_t h = 0; h < n; ++h) readings[h] = v[Eigen::Index(h)];
+    Vector<double> l = Factors<double>(setup.rows, a).solve(readings);
+    const bool found = !setup.quadratic || refine<double>(setup, a, b, readings, l);
+    Eigen::VectorXd loads(static_cast<Eigen::Index>(n));
+    for (std::size_t c = 0; c < n; ++c) loads[Eigen::Index(c)] = found ? l[c] : std::nan("");
+    return loads;
+}
+
+std::optional<LoadsSetup> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems) {
+    LoadsSetup read;
+    read.sensor_id = setup.text("sensor");
+    const AssetLibrary::Entry* entry = assets.find(read.sensor_id);
+    if (!offers<ForceSensorSource>(entry)) {
+        problems.error("/sensor", "'" + read.sensor_id + "' is no force/moment sensor");
+        return {};
+    }
+    read.asset = entry->asset;
+    read.sensor_name = entry->name.empty() ? read.sensor_id : entry->name;
+    read.quadratic = setup.text("matrix") == "quadratic";
+    read.by_loads = setup.text("given") == "loads";
+    read.pooled = setup.text("repeatability") == "pooled";
+    read.student_t = setup.text("type_a") == "student-t";
+    read.full_hysteresis = setup.text("hysteresis") == "full";
+    if (!read.sensor().has_signs())
+        problems.error("/sensor",
+                       "the interference of " + read.sensor_name +
+                           " is known without signs: it cannot be compensated. Give raw readings, or "
+                           "a table with signs");
+    else if (read.quadratic && read.sensor().increasing().empty())
+        problems.error("/matrix",
+                       "quadratic terms need raw readings; " + read.sensor_name + " has a summary only");
+    else
+        fit_matrix(read, problems);
+    if (!problems.has_errors()) CaseReader(setup, read, problems).run();
+    if (problems.has_errors()) return {};
+    return read;
+}
+
+}  // namespace covaria::force_loads

@@ -1,0 +1,125 @@
+// Calibration matrix and decoupled loads as tables; what compensation changes, as bars.
+#include <Eigen/LU>
+#include <cmath>
+
+#include "core/kinds/force/loads_setup.h"
+
+namespace covaria::force_loads {
+
+namespace {
+
+std::string key_of(const LoadsSetup& setup, std::size_t c) {
+    return setup.channels()[c].kind().key;
+}
+
+DataTable matrix_table(const LoadsSetup& setup) {
+    DataTable table;
+    table.id = "matrix";
+    table.title = "Calibration matrix: reading by load";
+    table.columns = {{.header = "channel"}};
+    for (std::size_t c = 0; c < setup.size(); ++c) {
+        const bool moment = setup.channels()[c].kind().is_moment;
+        table.columns.push_back({.header = "load " + key_of(setup, c),
+                                 .unit = Unit::of(moment ? "mV/V/N/m" : "uV/V/N"),
+                                 .decimals = moment ? 6 : 5});
+    }
+    for (std::size_t h = 0; h < setup.size(); ++h) {
+        std::vector<TableCell> row{key_of(setup, h)};
+        for (std::size_t c = 0; c < setup.size(); ++c)
+            row.push_back(setup.element(h, c).a * setup.scale(h, c));
+        table.rows.push_back(std::move(row));
+    }
+    std::string note = "Condition number, by rated outputs and rated loads: ";
+    note += std::to_string(setup.condition).substr(0, 6);
+    note += setup.quadratic ? "; with quadratic terms beside these slopes." : ".";
+    table.notes.push_back(std::move(note));
+    return table;
+}
+
+DataTable inverse_table(const LoadsSetup& setup) {
+    DataTable table;
+    table.id = "decoupling";
+    table.title = "Decoupling matrix: load by reading";
+    table.columns = {{.header = "load"}};
+    for (std::size_t h = 0; h < setup.size(); ++h)
+        table.columns.push_back({.header = "channel " + key_of(setup, h), .digits = 5});
+    const Eigen::MatrixXd inverse = setup.A().inverse();
+    for (std::size_t c = 0; c < setup.size(); ++c) {
+        const ForceChannel& load = setup.channels()[c];
+        const Unit unit = Unit::of(load.kind().is_moment ? "N*m*V/mV" : "N*V/mV");
+        std::vector<TableCell> row{key_of(setup, c)};
+        for (std::size_t h = 0; h < setup.size(); ++h) {
+            const double element = inverse(Eigen::Index(c), Eigen::Index(h)) * load.rated_load /
+                                   setup.channels()[h].rated_output;
+            row.push_back(Quantity{unit.from_si(element), unit});
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+/// Load that the channel alone would tell, by its rated load.
+double uncompensated(const LoadsSetup& setup, const Case& one, std::size_t h) {
+    return one.v[Eigen::Index(h)] / setup.element(h, h).a;
+}
+
+DataTable loads_table(const LoadsSetup& setup) {
+    DataTable table;
+    table.id = "loads";
+    table.title = "Loads with and without compensation of interference";
+    table.columns = {{.header = "case"},
+                     {.header = "load"},
+                     {.header = "reading", .unit = Unit::of("mV/V"), .decimals = 5},
+                     {.header = "compensated", .digits = 6},
+                     {.header = "uncompensated", .digits = 6},
+                     {.header = "difference"},
+                     {.header = "by rated load", .unit = Unit::of("%"), .decimals = 2}};
+    for (const Case& one : setup.cases)
+        for (std::size_t h = 0; h < setup.size(); ++h) {
+            const ForceChannel& channel = setup.channels()[h];
+            const Unit unit = channel.load_unit();
+            const double l = one.l[Eigen::Index(h)], alone = uncompensated(setup, one, h);
+            const auto load = [&](double relative, int digits) {
+                const double step = std::pow(10.0, digits);
+                return Quantity{std::round(unit.from_si(relative * channel.rated_load) * step) / step, unit};
+            };
+            table.rows.push_back({one.name, key_of(setup, h), one.v[Eigen::Index(h)] * channel.rated_output,
+                                  load(l, 6), load(alone, 6), load(alone - l, 5), alone - l});
+        }
+    table.notes.push_back(
+        "Uncompensated: by the slope of the channel's own axis. The uncertainties of both are among the "
+        "results.");
+    return table;
+}
+
+}  // namespace
+
+std::vector<DataTable> tables(const LoadsSetup& setup) {
+    return {matrix_table(setup), inverse_table(setup), loads_table(setup)};
+}
+
+std::vector<PlotSpecification> figures(const LoadsSetup& setup) {
+    constexpr SeriesRole family[] = {SeriesRole::family_1, SeriesRole::family_2, SeriesRole::family_3,
+                                     SeriesRole::family_4};
+    PlotSpecification plot;
+    plot.id = "uncompensated";
+    plot.title = "What interference adds without compensation";
+    plot.x.title = "per cent of rated load";
+    plot.horizontal_bars = true;
+    const std::size_t n = setup.size(), shown = std::min(std::size(family), setup.cases.size());
+    const double width = 0.8 / static_cast<double>(shown);
+    for (std::size_t k = 0; k < shown; ++k) {
+        const Case& one = setup.cases[k];
+        PlotSeries bars{one.name, SeriesKind::bars, family[k], {}, {}, {}, width};
+        for (std::size_t h = 0; h < n; ++h) {
+            bars.x.push_back(100.0 * (uncompensated(setup, one, h) - one.l[Eigen::Index(h)]));
+            bars.y.push_back(static_cast<double>(h) +
+                             (static_cast<double>(k) - 0.5 * static_cast<double>(shown - 1)) * width);
+        }
+        plot.series.push_back(std::move(bars));
+    }
+    for (std::size_t h = 0; h < n; ++h) plot.y.categories.push_back(key_of(setup, h));
+    return {plot};
+}
+
+}  // namespace covaria::force_loads

@@ -1,0 +1,58 @@
+// The set-up of "observations in groups" and its analysis of variance (JCGM 100 H.5).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/data_table.h"
+#include "core/setup/setup_schema.h"
+
+namespace covaria::group_observations {
+
+/// The observations of one day, SI.
+struct Group {
+    std::string name;
+    double count = 0.0;
+    double mean = 0.0;            ///< less the reference: metres that differ by micrometres keep their digits
+    double sum_of_squares = 0.0;  ///< of the deviations from the mean
+};
+
+/// What the mean and its uncertainty are taken from.
+enum class Between {
+    included,    ///< the scatter of the groups' means (JCGM 100 H.5.2.3)
+    components,  ///< the components of variance, which also weight the groups
+    none,        ///< all observations as independent (H.5.2.4)
+};
+
+struct GroupSetup {
+    std::vector<Group> groups;  ///< J
+    double reference = 0.0;     ///< the first value; all means are relative to it
+    Between between = Between::included;
+    std::string symbol, name;
+    Unit unit;
+};
+
+/// Letters as in JCGM 100 H.5.2; with groups of different size as in S. R. Searle, G. Casella, C. E.
+/// McCulloch: Variance Components (1992), 3.6.
+struct Variances {
+    double observations = 0.0;                           ///< N
+    double mean = 0.0;                                   ///< the estimate
+    double s_of_means = 0.0;                             ///< s(Vbar_j), of the means without weights
+    double between_squares = 0.0, within_squares = 0.0;  ///< sums of squares
+    double nu_a = 0.0, nu_b = 0.0;                       ///< J - 1, N - J
+    double group_size = 0.0;  ///< n_0 = (N - sum n_j^2/N)/(J - 1): K for groups of one size
+    double s_a = 0.0;         ///< from the groups' means: root of the mean square between
+    double s_b = 0.0;         ///< within the groups
+    double ratio = 0.0;       ///< F = s_a^2/s_b^2; infinite where s_b is 0
+    double s_between = 0.0;   ///< sqrt((s_a^2 - s_b^2)/n_0), 0 if that is negative
+    double u = 0.0;           ///< of the mean
+    double degrees_of_freedom = 0.0;
+};
+
+SetupSchema group_schema();
+std::optional<GroupSetup> read_group_setup(const SetupReader& reader, Problems& problems);
+Variances variances_of(const GroupSetup& setup);
+std::vector<DataTable> group_evaluation(const GroupSetup& setup, const Variances& v);
+
+}  // namespace covaria::group_observations

@@ -1,0 +1,113 @@
+#include "core/kinds/instruments/sensor.h"
+#include "core/math/decompositions.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace covaria {
+
+Eigen::Isometry3d Station::X_WS() const {
+    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+    X.translation() = Eigen::Vector3d(coordinates[0], coordinates[1], coordinates[2]);
+    X.linear() =
+        station_rotation<double>(angles, Vector3<double>(coordinates[3], coordinates[4], coordinates[5]));
+    return X;
+}
+
+namespace {
+
+/// d(reading)/d(point) in the sensor's axes, a row for every observable.
+Eigen::Matrix3d reading_gradients(const Eigen::Vector3d& v) {
+    const double rho = v.head<2>().norm(), d = v.norm();
+    Eigen::Matrix3d G;
+    G.row(0) = v.transpose() / d;
+    G.row(1) = Eigen::RowVector3d(-v.y(), v.x(), 0.0) / (rho * rho);
+    G.row(2) = Eigen::RowVector3d(-v.x() * v.z(), -v.y() * v.z(), rho * rho) / (rho * d * d);
+    return G;
+}
+
+/// The same where the horizontal distance is next to nothing: the azimuth as its effect across the azimuth
+/// read.
+Eigen::Matrix3d overhead_gradients(const Eigen::Vector3d& v, double azimuth) {
+    Eigen::Matrix3d G;
+    const Eigen::Vector3d across(-std::sin(azimuth), std::cos(azimuth), 0.0);
+    const Eigen::Vector3d along(std::cos(azimuth), std::sin(azimuth), 0.0);
+    G.row(0) = v.transpose() / v.norm();
+    G.row(1) = across.transpose();
+    G.row(2) = -along.transpose() / v.z();
+    return G;
+}
+
+/// d(v)/d(station): six columns, v the target in the sensor's axes.
+Eigen::Matrix<double, 3, 6> station_effect(const Station& station, const Eigen::Vector3d& p) {
+    constexpr double step = 1e-5;
+    Eigen::Matrix<double, 3, 6> K;
+    K.leftCols<3>() = -station.X_WS().linear().transpose();
+    for (std::size_t i = 3; i < 6; ++i) {
+        Station higher = station, lower = station;
+        higher.coordinates[i] += step;
+        lower.coordinates[i] -= step;
+        K.col(static_cast<int>(i)) =
+            (higher.X_WS().inverse() * p - lower.X_WS().inverse() * p) / (2.0 * step);
+    }
+    return K;
+}
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+Eigen::SelfAdjointEigenSolver<Matrix6> correlation_of(const SensorSource& sensor) {
+    Matrix6 R = Matrix6::Identity();
+    for (const StationCorrelation& c : sensor.station_correlations()) {
+        const auto i = static_cast<int>(c.first), j = static_cast<int>(c.second);
+        R(i, j) = R(j, i) = c.coefficient;
+    }
+    return eigen_decomposition(R);
+}
+
+}  // namespace
+
+bool FieldOfView::contains(const Eigen::Vector3d& v) const {
+    constexpr double rounding = 1e-12;
+    const double distance = v.norm();
+    return distance >= nearest && distance <= farthest &&
+           std::abs(std::atan2(v.y(), v.x())) <= azimuth + rounding &&
+           std::abs(std::atan2(v.z(), v.head<2>().norm())) <= elevation + rounding;
+}
+
+bool FieldOfView::is_limited() const {
+    const FieldOfView all;
+    return farthest < all.farthest || azimuth < all.azimuth || elevation < all.elevation;
+}
+
+ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W) {
+    const Eigen::Vector3d v = station.X_WS().inverse() * p_W;
+    return reading_sensitivity(station, p_W, std::atan2(v.y(), v.x()));
+}
+
+ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W, double azimuth) {
+    const Eigen::Isometry3d X_WS = station.X_WS();
+    const Eigen::Vector3d v = X_WS.inverse() * p_W;
+    const double rho = v.head<2>().norm(), d = v.norm();
+    ReadingSensitivity s;
+    s.overhead = rho < near_zenith * d;
+    if (s.overhead) s.azimuth_scale = near_zenith * d;
+    const Eigen::Matrix3d G = s.overhead ? overhead_gradients(v, azimuth) : reading_gradients(v);
+    s.to_point = G * X_WS.linear().transpose();
+    s.to_station = G * station_effect(station, p_W);
+    return s;
+}
+
+bool has_valid_correlation(const SensorSource& sensor) {
+    return correlation_of(sensor).eigenvalues().minCoeff() > -1e-9;
+}
+
+Eigen::Matrix<double, 6, 6> station_factor(const SensorSource& sensor) {
+    const Eigen::SelfAdjointEigenSolver<Matrix6> solver = correlation_of(sensor);
+    Eigen::Matrix<double, 6, 1> u;
+    for (int i = 0; i < 6; ++i)
+        u[i] = sensor.station_components()[static_cast<std::size_t>(i)].distribution.standard_uncertainty();
+    return u.asDiagonal() * solver.eigenvectors() *
+           solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+}  // namespace covaria

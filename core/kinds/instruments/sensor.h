@@ -1,0 +1,101 @@
+// Capability "sensor": an instrument that stands somewhere and reads distances and angles to targets.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/math/rotation.h"
+#include "core/model/capability.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+/// What a sensor reads of a target at v = (x, y, z) in its own axes: |v|, atan2(y, x), atan2(z, hypot(x, y)).
+enum class Observable { distance, azimuth, elevation };
+inline constexpr std::array<Observable, 3> observables{Observable::distance, Observable::azimuth,
+                                                       Observable::elevation};
+
+/// How the three angles of a station turn its axes.
+enum class StationAngles {
+    zyx,  ///< R = Rz(gamma) Ry(beta) Rx(alpha)
+    xyz,  ///< R = Rx(omega) Ry(phi) Rz(kappa), as in photogrammetry (Galetto et al.)
+};
+
+template <class Real>
+Matrix3<Real> station_rotation(StationAngles angles, const Vector3<Real>& a) {
+    if (angles == StationAngles::zyx) return rotation_from_zyx(a);
+    return rotation_x(a[0]) * rotation_y(a[1]) * rotation_z(a[2]);
+}
+
+/// Where a sensor stands: X_W = position + R x_S.
+struct Station {
+    std::array<double, 6> coordinates{};  ///< x, y, z in m, three angles in rad
+    StationAngles angles = StationAngles::zyx;
+    Eigen::Isometry3d X_WS() const;
+};
+
+/// A deviation that all readings of the sensor share: scale, index, axes ...
+struct SystematicDeviation {
+    UncertaintyComponent component;  ///< its id is completed by the model
+    /// Change of a reading of the target at v (sensor's axes, m) per unit; of an azimuth in m across it.
+    double (*effect)(Observable, const Eigen::Vector3d& v) = nullptr;
+};
+
+struct StationCorrelation {
+    std::size_t first = 0, second = 0;  ///< of the six coordinates
+    double coefficient = 0.0;
+};
+
+/// Where a sensor sees targets, in its own axes.
+struct FieldOfView {
+    double nearest = 0.0, farthest = std::numeric_limits<double>::infinity();  ///< m
+    double azimuth = std::numbers::pi, elevation = 0.5 * std::numbers::pi;     ///< half angles about x, rad
+    bool contains(const Eigen::Vector3d& v) const;
+    bool is_limited() const;
+};
+
+class SensorSource : public Capability {
+public:
+    static constexpr const char* capability = "sensor";
+    virtual std::string glyph() const = 0;  ///< see LayoutBody::glyph
+    virtual bool reads(Observable observable) const = 0;
+    virtual const Station& station() const = 0;
+    /// Deviations of the six coordinates of the station.
+    virtual const std::array<UncertaintyComponent, 6>& station_components() const = 0;
+    virtual const std::vector<StationCorrelation>& station_correlations() const = 0;
+    /// Deviation of one reading of the target at v, independent of all others.
+    virtual UncertaintyComponent reading(Observable observable, const Eigen::Vector3d& v) const = 0;
+    virtual const std::vector<SystematicDeviation>& systematic() const = 0;
+    /// Whether a target at v (sensor's axes, m) is in its range and field of view.
+    virtual bool sees(const Eigen::Vector3d& v) const = 0;
+    virtual const FieldOfView& field_of_view() const = 0;
+};
+
+/// Horizontal distance over distance below which a target counts as overhead: its azimuth is then read by its
+/// effect, a displacement in m across the azimuth read.
+inline constexpr double near_zenith = 1e-3;
+
+/// What readings of a target depend on, to first order: a row for every observable.
+struct ReadingSensitivity {
+    Eigen::Matrix3d to_point;                ///< by the target's coordinates in W
+    Eigen::Matrix<double, 3, 6> to_station;  ///< by the six coordinates of the station
+    bool overhead = false;
+    /// What an azimuth's own deviation in rad is multiplied by: 1, overhead the horizontal distance (at least
+    /// near_zenith of the distance).
+    double azimuth_scale = 1.0;
+};
+ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W);
+/// The same for an azimuth that was read, which decides what "across" is where the target is overhead.
+ReadingSensitivity reading_sensitivity(const Station& station, const Eigen::Vector3d& p_W, double azimuth);
+
+/// Whether the correlation coefficients of the station are possible together (no negative eigenvalue).
+bool has_valid_correlation(const SensorSource& sensor);
+/// F with F Fᵀ the covariance of the station's six coordinates: they are F times six independent deviations
+/// of standard uncertainty one.
+Eigen::Matrix<double, 6, 6> station_factor(const SensorSource& sensor);
+
+}  // namespace covaria

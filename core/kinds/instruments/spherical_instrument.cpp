@@ -1,0 +1,372 @@
+// A sensor that stands somewhere and reads a distance, angles, or some of them: laser tracker, total station,
+// scanner, camera, distance meter.
+#include <cmath>
+#include <numbers>
+
+#include "core/kinds/instruments/assets.h"
+#include "core/kinds/instruments/fields.h"
+#include "core/kinds/instruments/linear_reading.h"
+#include "core/kinds/instruments/sensor.h"
+#include "core/kinds/points/point_uncertainty.h"
+#include "core/kinds/points/stated_figure.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+namespace {
+
+constexpr double earth_radius = 6.371e6;  // m
+
+struct Specification {
+    double distance_constant = 0.0;  ///< a, m
+    double distance_scale = 0.0;     ///< b of a + b L
+    double azimuth = 0.0;            ///< rad
+    double elevation = 0.0;          ///< rad
+    double across = 0.0;             ///< constant part across the line of sight, m
+    std::string meaning;
+
+    double figure(Observable observable, const Eigen::Vector3d& v) const {
+        const double distance = v.norm();
+        const double level = std::max(v.head<2>().norm(), near_zenith * distance);
+        switch (observable) {
+            case Observable::distance:
+                return distance_constant + distance_scale * distance;
+            case Observable::azimuth:
+                return azimuth + across / level;
+            case Observable::elevation:
+                return elevation + across / distance;
+        }
+        return 0.0;
+    }
+};
+
+const char* name_of(Observable observable) {
+    static constexpr const char* names[] = {"distance", "azimuth", "elevation"};
+    return names[static_cast<int>(observable)];
+}
+
+// Effects of shared deviations on the readings of a target at v in the sensor's axes; on an azimuth in m
+// across.
+double effect_of_scale(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::distance ? v.norm() : 0.0;
+}
+double effect_of_zero(Observable o, const Eigen::Vector3d&) {
+    return o == Observable::distance ? 1.0 : 0.0;
+}
+double effect_of_index(Observable o, const Eigen::Vector3d&) {
+    return o == Observable::elevation ? 1.0 : 0.0;
+}
+double effect_of_collimation(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::azimuth ? v.norm() : 0.0;
+}
+double effect_of_axis_tilt(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::azimuth ? v.z() : 0.0;
+}
+double effect_of_beam_offset(Observable o, const Eigen::Vector3d&) {
+    return o == Observable::azimuth ? 1.0 : 0.0;
+}
+double effect_of_refraction(Observable o, const Eigen::Vector3d& v) {
+    return o == Observable::elevation ? v.norm() / (2.0 * earth_radius) : 0.0;
+}
+
+struct SharedField {
+    const char* key;
+    const char* name;
+    const char* unit;
+    double (*effect)(Observable, const Eigen::Vector3d&);
+};
+constexpr SharedField shared_fields[] = {
+    {"u_scale", "scale of distances", "ppm", effect_of_scale},
+    {"u_zero", "zero offset of distances", "mm", effect_of_zero},
+    {"u_index", "index of the elevation", "arcsec", effect_of_index},
+    {"u_collimation", "collimation", "arcsec", effect_of_collimation},
+    {"u_axis_tilt", "squareness of the axes", "arcsec", effect_of_axis_tilt},
+    {"u_beam_offset", "offset of the beam", "mm", effect_of_beam_offset},
+    {"u_refraction", "coefficient of refraction", "1", effect_of_refraction}};
+
+UncertaintyComponent typed_component(const std::string& id, const std::string& name, const char* unit,
+                                     double u, const std::string& shape) {
+    return {.id = id,
+            .name = name,
+            .unit = Unit::of(unit),
+            .distribution = distribution_of_shape(shape, u),
+            .origin = "instrument: standard uncertainty"};
+}
+
+/// Everything the set-up says, in SI.
+struct SensorData {
+    Station station;
+    std::array<bool, 3> reads{};
+    std::string glyph;
+    Specification specification;
+    std::array<UncertaintyComponent, 6> station_components;
+    std::vector<StationCorrelation> correlations;
+    std::vector<SystematicDeviation> systematic;
+    FieldOfView view;
+
+    bool locates() const { return reads[0] && reads[1] && reads[2]; }
+};
+
+class PlacedSensor : public SensorSource {
+public:
+    explicit PlacedSensor(SensorData data) : data_(std::move(data)) {}
+    std::string glyph() const override { return data_.glyph; }
+    bool reads(Observable o) const override { return data_.reads[static_cast<std::size_t>(o)]; }
+    const Station& station() const override { return data_.station; }
+    const std::array<UncertaintyComponent, 6>& station_components() const override {
+        return data_.station_components;
+    }
+    const std::vector<StationCorrelation>& station_correlations() const override {
+        return data_.correlations;
+    }
+    const std::vector<SystematicDeviation>& systematic() const override { return data_.systematic; }
+    bool sees(const Eigen::Vector3d& v) const override { return data_.view.contains(v); }
+    const FieldOfView& field_of_view() const override { return data_.view; }
+
+    UncertaintyComponent reading(Observable observable, const Eigen::Vector3d& v) const override {
+        const Specification& s = data_.specification;
+        const char* const units[] = {"mm", "arcsec", "arcsec"};
+        return {.id = name_of(observable),
+                .name = name_of(observable),
+                .unit = Unit::of(units[static_cast<int>(observable)]),
+                .distribution = specified_distribution(s.meaning, s.figure(observable, v)),
+                .origin = "instrument: " + meaning_words(s.meaning)};
+    }
+
+private:
+    SensorData data_;
+};
+
+/// A point that this sensor alone has measured: deviations along and across the line of sight, those of the
+/// sensor and its station common to all points.
+class SphericalSource : public PointUncertaintySource {
+public:
+    explicit SphericalSource(const PlacedSensor& sensor) : sensor_(sensor) {}
+
+    Axes axes() const override { return Axes::world; }
+
+    std::vector<PointDeviation> deviations(const Eigen::Vector3d& p) const override {
+        const LinearReading reading = linear_reading(sensor_.station(), p);
+        const Eigen::Matrix3d moves = reading.to_point.inverse();
+        std::vector<PointDeviation> found;
+        for (Observable o : observables) {
+            UncertaintyComponent component = sensor_.reading(o, reading.v);
+            const std::string id = o == Observable::distance ? "range" : component.id;
+            const std::string name = component.name;
+            component.id = id;
+            found.push_back(
+                {id, name, moves.col(static_cast<int>(o)) * reading.scale(o), std::move(component), false});
+        }
+        const Eigen::Matrix3Xd shared = moves * shared_effects(sensor_, reading);
+        Eigen::Index column = 0;
+        for (UncertaintyComponent& component : shared_components(sensor_)) {
+            const Eigen::Vector3d direction = shared.col(column++);
+            if (!(component.distribution.standard_uncertainty() > 0.0)) continue;
+            const std::string id = component.id, name = component.name;
+            found.push_back({id, name, direction, std::move(component), true});
+        }
+        return found;
+    }
+
+    std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d&) const override {
+        return {sensor_.station().X_WS().translation()};
+    }
+
+    std::string objection(const Eigen::Vector3d& p) const override {
+        const Eigen::Vector3d v = sensor_.station().X_WS().inverse() * p;
+        if (v.norm() == 0.0) return "it is at the place of the instrument";
+        return sensor_.sees(v) ? "" : "it is out of the range or field of view of the instrument";
+    }
+
+private:
+    const PlacedSensor& sensor_;
+};
+
+class SphericalInstrument : public Asset {
+public:
+    explicit SphericalInstrument(SensorData data)
+        : locates_(data.locates()), sensor_(std::move(data)), source_(sensor_) {
+        offer(sensor_);
+        if (locates_) offer(source_);
+    }
+
+    std::vector<DataTable> evaluation() const override {
+        const Unit mm = Unit::of("mm");
+        DataTable table;
+        table.id = "distances";
+        table.title = "Standard uncertainty of one reading, along and across the line of sight";
+        table.columns = {{.header = "distance", .unit = Unit::of("m")}};
+        for (Observable o : observables)
+            if (sensor_.reads(o))
+                table.columns.push_back({.header = o == Observable::distance
+                                                       ? std::string("along")
+                                                       : std::string("across, by ") + name_of(o),
+                                         .unit = mm,
+                                         .digits = 3});
+        for (double distance : {1.0, 2.0, 5.0, 10.0, 20.0}) {
+            std::vector<TableCell> row{distance};
+            for (Observable o : observables) {
+                if (!sensor_.reads(o)) continue;
+                const double u = sensor_.reading(o, Eigen::Vector3d(distance, 0.0, 0.0))
+                                     .distribution.standard_uncertainty();
+                row.push_back(o == Observable::distance ? u : distance * u);
+            }
+            table.rows.push_back(std::move(row));
+        }
+        table.notes.push_back("For a target at the height of the instrument.");
+        return {table};
+    }
+
+    Layout layout() const override {
+        Layout layout;
+        const LayoutSource source{"/station", true};
+        const Eigen::Isometry3d X_WS = sensor_.station().X_WS();
+        layout.bodies.push_back({.name = "instrument",
+                                 .kind = BodyKind::instrument,
+                                 .X_WB = X_WS,
+                                 .glyph = sensor_.glyph(),
+                                 .source = source});
+        layout.points.push_back(
+            {.name = "station", .kind = PointKind::station, .p_W = X_WS.translation(), .source = source});
+        add_view(layout);
+        return layout;
+    }
+
+private:
+    /// Edges of a limited field of view, from the station to the end of the range (or 1 m).
+    void add_view(Layout& layout) const {
+        const FieldOfView& view = sensor_.field_of_view();
+        if (!view.is_limited() || view.azimuth >= 0.5 * std::numbers::pi) return;
+        const Eigen::Isometry3d X_WS = sensor_.station().X_WS();
+        const double length = std::isfinite(view.farthest) ? view.farthest : 1.0;
+        std::array<Eigen::Vector3d, 4> corners;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double azimuth = i == 0 || i == 3 ? -view.azimuth : view.azimuth;
+            const double elevation = i < 2 ? -view.elevation : view.elevation;
+            corners[i] = X_WS * (length * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                                          std::cos(elevation) * std::sin(azimuth),
+                                                          std::sin(elevation)));
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            layout.links.push_back(
+                {"field of view", LinkKind::field_of_view, X_WS.translation(), corners[i], {}});
+            layout.links.push_back(
+                {"field of view", LinkKind::field_of_view, corners[i], corners[(i + 1) % 4], {}});
+        }
+    }
+
+    bool locates_;
+    PlacedSensor sensor_;
+    SphericalSource source_;
+};
+
+std::array<bool, 3> readings_of(const SetupReader& setup) {
+    const std::string kind = setup.text("kind");
+    if (kind == "camera") return {false, true, true};
+    if (kind == "distance-meter") return {true, false, false};
+    if (kind == "generic")
+        return {setup.flag("reads_distance"), setup.flag("reads_azimuth"), setup.flag("reads_elevation")};
+    return {true, true, true};
+}
+
+std::size_t coordinate_index(const std::string& symbol) {
+    std::size_t i = 0;
+    while (symbol != station_coordinates()[i].symbol) ++i;  // a checked choice
+    return i;
+}
+
+void read_station(const SetupReader& setup, SensorData& data, Problems& problems) {
+    data.station.coordinates = setup.pose_coordinates("station");
+    data.station.angles = setup.text("station_angles") == "xyz" ? StationAngles::xyz : StationAngles::zyx;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const StationCoordinate& c = station_coordinates()[i];
+        data.station_components[i] =
+            typed_component(std::string("station.") + c.symbol, std::string("station, ") + c.name, c.unit,
+                            setup.number(c.key), setup.text("station_distribution"));
+    }
+    if (setup.rows("station_correlation") > 0 && setup.text("station_distribution") != "normal")
+        problems.error(
+            "/station_distribution",
+            "correlated coordinates of a station are combinations of independent deviations, which "
+            "are normal: leave the distribution normal, or the correlation out");
+    for (std::size_t row = 0; row < setup.rows("station_correlation"); ++row) {
+        const std::size_t first = coordinate_index(setup.cell_text("station_correlation", row, "first"));
+        const std::size_t second = coordinate_index(setup.cell_text("station_correlation", row, "second"));
+        if (first == second)
+            return problems.error(
+                "/station_correlation/rows/" + std::to_string(row),
+                "a coordinate of the station is correlated with itself; name two different ones");
+        data.correlations.push_back({first, second, setup.cell_number("station_correlation", row, "r")});
+    }
+}
+
+void read_view(const SetupReader& setup, SensorData& data, Problems& problems) {
+    FieldOfView& view = data.view;
+    view.nearest = setup.number("view_nearest");
+    if (setup.has("view_farthest")) view.farthest = setup.number("view_farthest");
+    if (setup.has("view_azimuth")) view.azimuth = 0.5 * setup.number("view_azimuth");
+    if (setup.has("view_elevation")) view.elevation = 0.5 * setup.number("view_elevation");
+    if (!(view.nearest < view.farthest))
+        problems.error("/view_farthest",
+                       "the range ends before it begins: the longest distance must be "
+                       "greater than the shortest");
+}
+
+std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLibrary&, Problems& problems) {
+    SensorData data;
+    data.reads = readings_of(setup);
+    if (!data.reads[0] && !data.reads[1] && !data.reads[2]) {
+        problems.error("/reads_distance", "the sensor reads nothing: choose a distance or an angle");
+        return nullptr;
+    }
+    data.glyph = setup.text("kind") == "generic" ? "total-station" : setup.text("kind");
+    data.specification = {setup.number("distance_constant"), setup.number("distance_scale"),
+                          setup.number("angle_azimuth"),     setup.number("angle_elevation"),
+                          setup.number("across_constant"),   setup.text("meaning")};
+    read_station(setup, data, problems);
+    read_view(setup, data, problems);
+    const bool angles = data.reads[1] || data.reads[2];
+    for (const SharedField& field : shared_fields) {
+        const bool applies =
+            field.effect == effect_of_scale || field.effect == effect_of_zero ? data.reads[0] : angles;
+        const double u = setup.number(field.key);
+        if (!applies || u == 0.0) continue;
+        data.systematic.push_back({typed_component(std::string(field.key).substr(2), field.name, field.unit,
+                                                   u, setup.text("distribution")),
+                                   field.effect});
+    }
+    auto instrument = std::make_unique<SphericalInstrument>(std::move(data));
+    if (!has_valid_correlation(*offers<SensorSource>(instrument)))
+        problems.error(
+            "/station_correlation",
+            "these coefficients are not possible together: their matrix has a negative eigenvalue");
+    return instrument;
+}
+
+}  // namespace
+
+AssetDescriptor spherical_instrument_kind() {
+    AssetDescriptor d;
+    d.kind = "spherical-instrument";
+    d.title = "Tracker, total station, camera or distance meter";
+    d.category = AssetCategory::instrument;
+    d.summary =
+        "A sensor that stands somewhere and reads a distance, two angles, or some of them. Its uncertainty: "
+        "each "
+        "reading for itself, what all its readings share, and where it stands.";
+    d.references = {
+        {"ISO 17123-4, ISO 10360-10"},
+        {"M. Galetto, L. Mastrogiacomo, D. A. Maisano, F. Franceschini: Uncertainty evaluation of "
+         "distributed Large-Scale-Metrology systems by a Monte Carlo approach"}};
+    d.notes = {
+        "The distance has the figure a + b L, each angle its own; these are independent from reading to "
+        "reading. "
+        "Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.",
+        "Only a sensor that reads a distance and both angles can say by itself where a point is."};
+    d.capabilities = {PointUncertaintySource::capability, SensorSource::capability};
+    d.schema = sensor_schema();
+    d.create = create_instrument;
+    return d;
+}
+
+}  // namespace covaria

@@ -1,0 +1,185 @@
+// The set-up of "points from sensors", read, checked, and completed with predicted or given readings.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/kinds/instruments/linear_reading.h"
+#include "core/kinds/instruments/sensor.h"
+#include "core/model/asset.h"
+#include "core/quantity/input_quantity.h"
+#include "core/setup/setup_schema.h"
+
+namespace covaria::network {
+
+/// Enough for every network seen so far, and for rows on the stack of the inner loop.
+inline constexpr std::size_t most_sensors = 40;
+inline constexpr std::size_t most_rows = 3 * most_sensors;
+inline constexpr std::size_t most_joint_rows = 600;
+inline constexpr std::size_t most_shared = 16 * most_sensors;  ///< deviations that readings share
+inline constexpr std::size_t most_joint_targets = most_joint_rows / 3;
+
+enum class Estimator {
+    nonlinear,    ///< weighted least squares of the readings
+    linear,       ///< OLS, then GLS of linearised equations (Galetto et al., Eqs 1-4)
+    linear_start  ///< OLS alone (Eq 3)
+};
+enum class Weights {
+    with_stations,     ///< covariance of readings and stations, all targets of a set-up at once
+    observations_only  ///< of the readings, as in the paper
+};
+
+struct Sensor {
+    std::string id, name;
+    std::shared_ptr<const Asset> asset;
+    const SensorSource& source() const { return *offers<SensorSource>(asset); }
+};
+
+/// What one sensor reads of one target.
+struct Sight {
+    std::size_t sensor = 0;
+    std::array<bool, 3> has{};            ///< by Observable
+    std::array<double, 3> reading{};      ///< estimates, SI
+    std::array<double, 3> u{};            ///< standard uncertainties for the weights, SI
+    std::array<std::size_t, 3> input{};   ///< indices of the input quantities
+    std::array<std::string, 3> source{};  ///< place in the set-up
+    /// So near to the zenith that the azimuth is read by its effect: its input quantity is then the
+    /// displacement across the azimuth `reading[1]`, which is a constant.
+    bool overhead = false;
+};
+
+struct Target {
+    std::string name;
+    Eigen::Vector3d nominal = Eigen::Vector3d::Zero();
+    std::size_t set_up = 0;  ///< which set-up of the sensors it is measured from
+    std::vector<Sight> sights;
+    std::size_t rows = 0;  ///< readings
+    bool has_linear_start = false;
+    bool divided = false;  ///< from the others of its set-up, which are too many to be weighed together
+    /// (JᵀWJ)⁻¹ with weights of its readings alone, by rows.
+    std::array<double, 9> inverse_normal{};
+};
+
+/// Weights of the readings of a target by one sensor, which share nothing with those by others.
+struct WeightBlock {
+    std::vector<std::size_t> rows;  ///< among the readings of the target
+    std::vector<double> weights;    ///< rows x rows of C⁻¹
+};
+
+/// Targets measured while the sensors stood where they stand, estimated together.
+struct JointSetUp {
+    std::size_t index = 0;  ///< of the set-up
+    std::size_t first = 0;  ///< target
+    std::size_t targets = 0;
+    std::vector<std::size_t> bars = {};  ///< scale bars that constrain its targets
+    /// Weights W = diag(1/u) (I − A S) diag(1/u) = C⁻¹ of the readings, then the bars: 1/u; A, readings x
+    /// shared deviations, and S by rows. (JᵀWJ)⁻¹ of the targets by rows. All empty: each target by itself.
+    std::vector<double> by_u = {}, shared = {}, estimate_of_shared = {}, inverse_normal = {};
+    /// Of a target by itself these weights and (JᵀWJ)⁻¹ instead: there were too many to be weighed together.
+    std::vector<WeightBlock> blocks = {};
+    bool together() const { return !inverse_normal.empty(); }
+    bool by_itself() const { return !blocks.empty(); }
+};
+
+struct Distance {
+    std::size_t from = 0, to = 0;
+};
+
+/// A calibrated length between two targets.
+struct ScaleBar {
+    std::size_t from = 0, to = 0;
+    double length = 0.0;            ///< calibrated, m; in a design that of the nominal targets
+    double u = 0.0;                 ///< standard uncertainty, m
+    std::string distribution = {};  ///< shape of its deviation
+    bool constrains = false;        ///< takes part in the estimation; else it is compared with its result
+    std::string name = {};          ///< "scale bar A – B"
+    std::string source = {};        ///< place in the set-up
+    std::size_t input = 0;          ///< index of the input quantity
+};
+
+/// At the target `at`, between the directions to `from` and `to`.
+struct Angle {
+    std::size_t from = 0, at = 0, to = 0;
+};
+
+/// A frame on three targets: origin, a point on +x, a point in the xy-plane at positive y.
+struct TargetFrame {
+    std::string name;
+    std::array<std::size_t, 3> targets{};
+};
+
+struct NetworkSetup {
+    std::vector<Sensor> sensors;
+    std::vector<Target> targets;
+    std::vector<JointSetUp> set_ups;  ///< in the order of the targets
+    std::size_t stations = 1;         ///< set-ups: how often the sensors were located
+    std::vector<Distance> distances;
+    std::vector<ScaleBar> bars;
+    std::vector<Angle> angles;
+    std::vector<TargetFrame> frames;
+    Estimator estimator = Estimator::nonlinear;
+    Weights weights = Weights::with_stations;
+    bool measured = false;  ///< readings were given
+
+    /// How many output quantities there are.
+    std::size_t outputs() const {
+        return 3 * targets.size() + distances.size() + angles.size() + 6 * frames.size() + bars.size();
+    }
+
+    /// Index of the first of six input quantities of a station.
+    std::size_t station_input(std::size_t set_up, std::size_t sensor) const {
+        return 6 * (set_up * sensors.size() + sensor);
+    }
+};
+
+/// X_WF of a frame on targets at their nominal coordinates.
+Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame);
+
+SetupSchema network_schema();
+
+/// Empty if `problems` got an error.
+std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const AssetLibrary& assets,
+                                               Problems& problems);
+
+/// What the readings of a sight depend on, of a target at p.
+LinearReading sensitivity_of(const NetworkSetup& setup, const Sight& sight, const Eigen::Vector3d& p);
+
+/// Readings of the target at p: by Observable, in SI.
+std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d& p);
+
+/// What the readings of a target depend on, to first order; azimuths of overhead sights as their effect in m.
+struct Sensitivities {
+    Eigen::MatrixXd to_point;  ///< rows x 3: design matrix
+    Eigen::MatrixXd
+        shared;  ///< F, rows x m: the covariance of what targets share is F Fᵀ (same columns for all)
+    Eigen::VectorXd u;  ///< of the readings alone, rows
+};
+Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, const Eigen::Vector3d& p);
+/// Of all targets of a set-up, one after the other, then its scale bars; `to_point` has three columns for
+/// each target.
+Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& joint);
+/// Covariance of the readings with what they share (rows x rows).
+Eigen::MatrixXd joint_covariance(const Sensitivities& s);
+
+/// Metres per unit of each reading in its linearised equation: 1, horizontal distance, distance; 0: it has
+/// none.
+Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target);
+
+/// Fills weights; errors where a target cannot be localised, warnings where it hardly can.
+void prepare_weights(NetworkSetup& setup, Problems& problems);
+
+InputSet network_inputs(NetworkSetup& setup);
+
+/// Tables about the network: precision by observations alone and in total; with given readings residuals,
+/// redundancy, outliers, chi-square test.
+std::vector<DataTable> network_evaluation(const NetworkSetup& setup);
+
+/// Warns of given readings that contradict each other more than their uncertainties allow.
+void check_residuals(const NetworkSetup& setup, Problems& problems);
+
+Layout network_layout(const NetworkSetup& setup, std::span<const double> x);
+
+}  // namespace covaria::network

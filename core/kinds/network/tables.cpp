@@ -1,0 +1,315 @@
+// Tables about a network: what its readings alone would give, and what given readings say about themselves.
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "core/kinds/network/adjustment.h"
+#include "core/kinds/network/setup.h"
+#include "core/math/decompositions.h"
+
+namespace covaria::network {
+
+namespace {
+
+constexpr double outlier_limit = 3.29;  // |w| of data snooping at a significance of 0.1 %
+
+using Matrix = Eigen::MatrixXd;
+
+/// First-order propagation of the targets of one set-up.
+struct Precision {
+    Matrix readings_alone;  ///< (JᵀWJ)⁻¹ with weights of the readings, a block for each target: Eq 5
+    Matrix own;             ///< A diag(u): 3 targets x readings
+    Matrix shared;          ///< A F: 3 targets x m
+};
+
+/// What multiplies the residuals in the estimate.
+Matrix gain_of(const NetworkSetup& setup, const JointSetUp& joint, const Sensitivities& s) {
+    if (joint.together()) return least_squares_gain(s.to_point, s.u, s.shared);
+    Matrix weights = s.u.cwiseAbs2().cwiseInverse().asDiagonal();
+    if (setup.estimator == Estimator::linear_start) {
+        Eigen::VectorXd squares(s.u.size());
+        Eigen::Index row = 0;
+        for (std::size_t t = 0; t < joint.targets; ++t) {
+            const Eigen::VectorXd scales = linear_scales(setup, setup.targets[joint.first + t]);
+            squares.segment(row, scales.size()) = scales.cwiseAbs2();
+            row += scales.size();
+        }
+        weights = squares.asDiagonal();
+    }
+    const Matrix JtW = s.to_point.transpose() * weights;
+    return cholesky(JtW * s.to_point).solve(JtW);
+}
+
+Precision precision_of(const NetworkSetup& setup, const JointSetUp& joint) {
+    const Sensitivities s = sensitivities_of(setup, joint);
+    const Matrix A = gain_of(setup, joint, s);
+    const Matrix whitened = s.u.cwiseInverse().asDiagonal() * s.to_point;
+    return {(whitened.transpose() * whitened).inverse(), A * s.u.asDiagonal(), A * s.shared};
+}
+
+struct Variances {
+    double readings_alone = 0.0, total = 0.0;
+};
+
+class PrecisionTable {
+public:
+    explicit PrecisionTable(const NetworkSetup& setup) : setup_(setup) {
+        for (const JointSetUp& joint : setup.set_ups) {
+            for (std::size_t t = 0; t < joint.targets; ++t) joint_of_.push_back(precisions_.size());
+            precisions_.push_back(precision_of(setup, joint));
+        }
+    }
+
+    DataTable make() const {
+        const Unit mm = Unit::of("mm");
+        DataTable table;
+        table.id = "precision";
+        table.title = "Standard uncertainty by the readings alone, and with the stations";
+        table.columns = {{.header = "Quantity"},
+                         {.header = "readings alone (Eq 5)", .unit = mm, .digits = 3},
+                         {.header = "readings and shared deviations, first order", .unit = mm, .digits = 3}};
+        for (std::size_t t = 0; t < setup_.targets.size(); ++t)
+            for (int c = 0; c < 3; ++c)
+                add(table, setup_.targets[t].name + ", " + "xyz"[c],
+                    of_target(t, Eigen::Vector3d(Eigen::Vector3d::Unit(c))));
+        for (const Distance& distance : setup_.distances)
+            add(table,
+                "distance " + setup_.targets[distance.from].name + " to " + setup_.targets[distance.to].name,
+                of_distance(distance));
+        table.notes = {
+            "The precision of the readings is no uncertainty of a position: it leaves out where the sensors "
+            "stand and "
+            "what their readings share. Monte Carlo is in the results."};
+        return table;
+    }
+
+private:
+    static void add(DataTable& table, const std::string& name, const Variances& v) {
+        table.rows.push_back({name, std::sqrt(v.readings_alone), std::sqrt(v.total)});
+    }
+
+    /// Along g, of the target t of the network.
+    struct Along {
+        Eigen::VectorXd own, shared;
+        double readings_alone;
+    };
+    Along along(std::size_t t, const Eigen::Vector3d& g) const {
+        const std::size_t k = joint_of_[t];
+        const auto row = static_cast<Eigen::Index>(3 * (t - setup_.set_ups[k].first));
+        const Precision& p = precisions_[k];
+        return {p.own.middleRows(row, 3).transpose() * g, p.shared.middleRows(row, 3).transpose() * g,
+                g.dot(p.readings_alone.block<3, 3>(row, row) * g)};
+    }
+
+    Variances of_target(std::size_t t, const Eigen::Vector3d& g) const {
+        const Along a = along(t, g);
+        return {a.readings_alone, a.own.squaredNorm() + a.shared.squaredNorm()};
+    }
+
+    Variances of_distance(const Distance& d) const {
+        const Target &from = setup_.targets[d.from], &to = setup_.targets[d.to];
+        const Eigen::Vector3d g = (to.nominal - from.nominal).normalized();
+        const Along a = along(d.from, g), b = along(d.to, g);
+        const double alone = a.readings_alone + b.readings_alone;
+        if (joint_of_[d.from] == joint_of_[d.to])
+            return {alone, (b.own - a.own).squaredNorm() + (b.shared - a.shared).squaredNorm()};
+        const Eigen::VectorXd common = from.set_up == to.set_up ? a.shared : systematic(a.shared);
+        return {alone, a.own.squaredNorm() + b.own.squaredNorm() + a.shared.squaredNorm() +
+                           b.shared.squaredNorm() - 2.0 * common.dot(b.shared)};
+    }
+
+    /// Without the stations: what another set-up has in common.
+    Eigen::VectorXd systematic(Eigen::VectorXd shared) const {
+        Eigen::Index column = 0;
+        for (const Sensor& sensor : setup_.sensors) {
+            column += static_cast<Eigen::Index>(sensor.source().systematic().size());
+            shared.segment<6>(column).setZero();
+            column += 6;
+        }
+        return shared;
+    }
+
+    const NetworkSetup& setup_;
+    std::vector<Precision> precisions_;
+    std::vector<std::size_t> joint_of_;  ///< precision of each target
+};
+
+double residual_of(const Sensor& sensor, const Sight& sight, std::size_t i, const Eigen::Vector3d& p) {
+    const std::array<double, 3> computed = readings_of(sensor.source().station(), p);
+    const double difference = sight.reading[i] - computed[i];
+    if (i != 1) return difference;
+    if (!sight.overhead) return std::remainder(difference, 2.0 * std::numbers::pi);
+    const Eigen::Vector3d v = sensor.source().station().X_WS().inverse() * p;
+    return std::sin(sight.reading[1]) * v.x() - std::cos(sight.reading[1]) * v.y();
+}
+
+/// Residuals of given readings, judged with everything that makes them uncertain, the stations too, whatever
+/// the weights of the estimate (W. Baarda's data snooping, for correlated readings).
+class ResidualTable {
+public:
+    explicit ResidualTable(const NetworkSetup& setup) : setup_(setup) {
+        table_.id = "residuals";
+        table_.title = "Residuals of the readings";
+        table_.columns = {{.header = "Target"},
+                          {.header = "Sensor"},
+                          {.header = "Reading"},
+                          {.header = "residual", .digits = 3},
+                          {.header = "u of the reading", .digits = 2},
+                          {.header = "redundancy", .digits = 2},
+                          {.header = "w", .is_symbol = true, .digits = 3},
+                          {.header = "remark"}};
+        for (const JointSetUp& joint : setup.set_ups) add(joint);
+        finish();
+    }
+
+    DataTable take() { return std::move(table_); }
+
+    void warn(Problems& problems) const {
+        if (!too_large()) return;
+        problems.warning(worst_.source, test_words() +
+                                            " The residuals are larger than the uncertainties "
+                                            "allow; the largest for its uncertainty is the " +
+                                            worst_.name +
+                                            ". Look for mistyped or exchanged readings, or figures of the "
+                                            "instruments that are too small");
+    }
+
+private:
+    struct Worst {
+        double w = 0.0;
+        std::string source = "/readings", name;
+    };
+
+    void add(const JointSetUp& joint) {
+        const Sensitivities s = sensitivities_of(setup_, joint);
+        const Matrix& J = s.to_point;
+        const Matrix C = joint_covariance(s);
+        const Matrix W = C.inverse(), Q = (J.transpose() * W * J).inverse();
+        const Matrix of_residuals = C - J * Q * J.transpose();
+        const Matrix redundancy = of_residuals * W, tested = W * of_residuals * W;
+        const Eigen::VectorXd e = residuals_of(joint, s.u.size());
+        const Eigen::VectorXd We = W * (e - J * (Q * (J.transpose() * (W * e))));
+        chi_square_ += e.dot(We);
+        degrees_ += static_cast<int>(J.rows() - J.cols());
+        Eigen::Index row = 0;
+        for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
+            for (const Sight& sight : setup_.targets[t].sights)
+                for (std::size_t i = 0; i < 3; ++i) {
+                    if (!sight.has[i]) continue;
+                    const double w =
+                        tested(row, row) > 1e-9 * W(row, row) ? We[row] / std::sqrt(tested(row, row)) : 0.0;
+                    add_row(setup_.targets[t], sight, i, {e[row], s.u[row], redundancy(row, row), w});
+                    ++row;
+                }
+        for (const std::size_t b : joint.bars) {
+            const double w =
+                tested(row, row) > 1e-9 * W(row, row) ? We[row] / std::sqrt(tested(row, row)) : 0.0;
+            add_bar(setup_.bars[b], {e[row], s.u[row], redundancy(row, row), w});
+            ++row;
+        }
+    }
+
+    Eigen::VectorXd residuals_of(const JointSetUp& joint, Eigen::Index rows) const {
+        Eigen::VectorXd e(rows);
+        Eigen::Index row = 0;
+        for (std::size_t t = joint.first; t < joint.first + joint.targets; ++t)
+            for (const Sight& sight : setup_.targets[t].sights)
+                for (std::size_t i = 0; i < 3; ++i)
+                    if (sight.has[i])
+                        e[row++] =
+                            residual_of(setup_.sensors[sight.sensor], sight, i, setup_.targets[t].nominal);
+        for (const std::size_t b : joint.bars) {
+            const ScaleBar& bar = setup_.bars[b];
+            e[row++] =
+                bar.length - (setup_.targets[bar.to].nominal - setup_.targets[bar.from].nominal).norm();
+        }
+        return e;
+    }
+
+    struct Numbers {
+        double residual, u, redundancy, w;
+    };
+
+    void add_row(const Target& target, const Sight& sight, std::size_t i, const Numbers& numbers) {
+        static const char* const names[] = {"distance", "azimuth", "elevation"};
+        const Unit unit = Unit::of(i == 0 || (i == 1 && sight.overhead) ? "mm" : "arcsec");
+        const std::string& sensor = setup_.sensors[sight.sensor].name;
+        put(target.name, sensor, names[i], unit, numbers);
+        compare(numbers.w, sight.source[i], std::string(names[i]) + " of " + target.name + " by " + sensor);
+    }
+
+    void add_bar(const ScaleBar& bar, const Numbers& numbers) {
+        put(setup_.targets[bar.from].name + " – " + setup_.targets[bar.to].name, "scale bar", "length",
+            Unit::of("mm"), numbers);
+        compare(numbers.w, bar.source, "length of the " + bar.name);
+    }
+
+    void compare(double w, const std::string& source, const std::string& name) {
+        if (std::abs(w) > worst_.w) worst_ = {std::abs(w), source, name};
+    }
+
+    void put(const std::string& target, const std::string& sensor, const char* reading, const Unit& unit,
+             const Numbers& numbers) {
+        const bool controlled = numbers.redundancy > 1e-6;
+        std::string remark = controlled ? "" : "not controlled";
+        if (controlled && std::abs(numbers.w) > outlier_limit) {
+            remark = "outlier?";
+            ++outliers_;
+        }
+        table_.rows.push_back({target, sensor, std::string(reading),
+                               Quantity{unit.from_si(numbers.residual), unit},
+                               Quantity{unit.from_si(numbers.u), unit}, std::max(0.0, numbers.redundancy),
+                               controlled ? TableCell(numbers.w) : TableCell(), remark});
+    }
+
+    void finish() {
+        if (degrees_ <= 0) {
+            table_.notes.push_back("No redundancy: as many readings as unknowns, so nothing can be checked.");
+            return;
+        }
+        table_.notes.push_back(test_words());
+        table_.notes.push_back(too_large() ? "The residuals are larger than the uncertainties allow."
+                               : p_value() > 0.99
+                                   ? "The residuals are smaller than the uncertainties lead to expect."
+                                   : "The residuals agree with the uncertainties.");
+        if (outliers_ > 0)
+            table_.notes.push_back(
+                std::to_string(outliers_) +
+                " readings have |w| > 3.29 (0.1 %); where several do, look at the largest first.");
+    }
+
+    double p_value() const {
+        return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_), chi_square_));
+    }
+
+    bool too_large() const { return degrees_ > 0 && p_value() < 0.01; }
+
+    std::string test_words() const {
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "Chi-square of the residuals: %.3g with %d degrees of freedom, p = %.2g.", chi_square_,
+                      degrees_, p_value());
+        return text;
+    }
+
+    const NetworkSetup& setup_;
+    DataTable table_;
+    Worst worst_;
+    double chi_square_ = 0.0;
+    int degrees_ = 0, outliers_ = 0;
+};
+
+}  // namespace
+
+void check_residuals(const NetworkSetup& setup, Problems& problems) {
+    ResidualTable(setup).warn(problems);
+}
+
+std::vector<DataTable> network_evaluation(const NetworkSetup& setup) {
+    std::vector<DataTable> tables{PrecisionTable(setup).make()};
+    if (setup.measured) tables.push_back(ResidualTable(setup).take());
+    return tables;
+}
+
+}  // namespace covaria::network

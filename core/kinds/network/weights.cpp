@@ -1,0 +1,291 @@
+// Weights of a network, and whether its targets can be localised at all.
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "core/kinds/instruments/sensor.h"
+#include "core/kinds/network/adjustment.h"
+#include "core/kinds/network/setup.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria::network {
+
+namespace {
+
+std::string rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::string names_of(const NetworkSetup& setup, const Target& target) {
+    std::string names;
+    for (const Sight& sight : target.sights)
+        names += (names.empty() ? "" : ", ") + setup.sensors[sight.sensor].name;
+    return names.empty() ? "no sensor" : names;
+}
+
+bool only_distances(const Target& target) {
+    for (const Sight& sight : target.sights)
+        if (sight.has[1] || sight.has[2]) return false;
+    return true;
+}
+
+/// Smallest over largest extent of the stations: next to 0 where they lie in a plane.
+double spread_off_a_plane(const NetworkSetup& setup, const Target& target) {
+    Eigen::MatrixXd positions(3, static_cast<Eigen::Index>(target.sights.size()));
+    for (std::size_t i = 0; i < target.sights.size(); ++i)
+        positions.col(static_cast<Eigen::Index>(i)) =
+            setup.sensors[target.sights[i].sensor].source().station().X_WS().translation();
+    positions.colwise() -= positions.rowwise().mean().eval();
+    const Eigen::VectorXd values = positions.jacobiSvd().singularValues();
+    return values.size() < 3 || values[0] == 0.0 ? 0.0 : values[2] / values[0];
+}
+
+class WeightMaker {
+public:
+    WeightMaker(NetworkSetup& setup, Problems& problems) : setup_(setup), problems_(problems) {}
+
+    void make(Target& target, const std::string& path) {
+        if (target.rows == 0) return refuse(target, path);
+        Sensitivities s = sensitivities_at(setup_, target, target.nominal);
+        if (!localises(s.to_point)) return refuse(target, path);
+        s.u = weighting_uncertainties(s.to_point, s.u, s.shared);
+        keep_weights(target, s.u);
+        const Eigen::MatrixXd weighted = s.u.cwiseInverse().asDiagonal() * s.to_point;
+        warn(target, path, 1.0 / weighted.jacobiSvd().singularValues()[2]);
+        const Eigen::MatrixXd own =
+            least_squares_gain(s.to_point, s.u, Eigen::MatrixXd(s.u.size(), 0)) * s.u.asDiagonal();
+        Eigen::Map<Eigen::Matrix3d>(target.inverse_normal.data()) = own * own.transpose();
+        find_linear_start(target, s);
+        if (setup_.estimator != Estimator::nonlinear && !target.has_linear_start)
+            return problems_.error(path, "target " + target.name +
+                                             " has no linear equations that localise it (a distance without "
+                                             "angles has none): use the non-linear estimator");
+    }
+
+private:
+    void refuse(const Target& target, const std::string& path) {
+        problems_.error(
+            path, "target " + target.name + " cannot be localised from what " + names_of(setup_, target) +
+                      " read: the readings leave a direction undetermined; add a sensor or a reading");
+    }
+
+    void warn(const Target& target, const std::string& path, double u) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Sight& sight : target.sights)
+            nearest = std::min(
+                nearest,
+                (setup_.sensors[sight.sensor].source().station().X_WS().translation() - target.nominal)
+                    .norm());
+        if (u > 0.01 * nearest)
+            problems_.warning(path, "target " + target.name + " is hardly localised: in one direction u is " +
+                                        rounded(u) + " m at a distance of " + rounded(nearest) + " m");
+        if (only_distances(target) && spread_off_a_plane(setup_, target) < 1e-3)
+            problems_.warning(path,
+                              "the stations that measure target " + target.name +
+                                  " lie in one plane and read distances only: its mirror image behind that "
+                                  "plane fits as well; the one near the nominal coordinates is taken");
+    }
+
+    static void keep_weights(Target& target, const Eigen::VectorXd& u) {
+        Eigen::Index row = 0;
+        for (Sight& sight : target.sights)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (sight.has[i]) sight.u[i] = u[row++];
+    }
+
+    void find_linear_start(Target& target, const Sensitivities& s) {
+        const Eigen::VectorXd scales = linear_scales(setup_, target);
+        const Eigen::VectorXd values = (scales.asDiagonal() * s.to_point).jacobiSvd().singularValues();
+        target.has_linear_start = values.size() == 3 && values[2] > 1e-9 * values[0];
+    }
+
+    NetworkSetup& setup_;
+    Problems& problems_;
+};
+
+std::size_t rows_of(const NetworkSetup& setup, const JointSetUp& joint) {
+    std::size_t rows = joint.bars.size();
+    for (std::size_t t = 0; t < joint.targets; ++t) rows += setup.targets[joint.first + t].rows;
+    return rows;
+}
+
+/// Set-ups with too many readings to estimate all their targets at once: each target by itself.
+void divide_large_set_ups(NetworkSetup& setup, Problems& problems) {
+    std::vector<JointSetUp> divided;
+    for (JointSetUp& joint : setup.set_ups) {
+        const std::size_t rows = rows_of(setup, joint);
+        if (rows <= most_joint_rows) {
+            divided.push_back(std::move(joint));
+            continue;
+        }
+        if (!joint.bars.empty())
+            problems.error(setup.bars[joint.bars.front()].source,
+                           "a calibrated length cannot be a constraint of a set-up with more than " +
+                               std::to_string(most_joint_rows) + " readings (this one has " +
+                               std::to_string(rows) + "): make it a check");
+        problems.warning("/targets", "the " + std::to_string(rows) +
+                                         " readings of one set-up are too many to be weighed together: each "
+                                         "target is estimated from its own readings, weighted with the "
+                                         "stations");
+        for (std::size_t t = 0; t < joint.targets; ++t) {
+            setup.targets[joint.first + t].divided = true;
+            divided.push_back({joint.index, joint.first + t, 1, {}});
+        }
+    }
+    setup.set_ups = std::move(divided);
+}
+
+void assign_scale_bars(NetworkSetup& setup) {
+    for (std::size_t b = 0; b < setup.bars.size(); ++b)
+        for (JointSetUp& joint : setup.set_ups)
+            if (setup.bars[b].constrains && joint.index == setup.targets[setup.bars[b].from].set_up)
+                joint.bars.push_back(b);
+}
+
+void keep_rows(const Eigen::MatrixXd& M, std::vector<double>& rows) {
+    for (Eigen::Index i = 0; i < M.rows(); ++i)
+        for (Eigen::Index k = 0; k < M.cols(); ++k) rows.push_back(M(i, k));
+}
+
+/// Without those that have no uncertainty.
+Eigen::MatrixXd uncertain_columns(const Eigen::MatrixXd& shared) {
+    Eigen::MatrixXd kept(shared.rows(), shared.cols());
+    Eigen::Index column = 0;
+    for (Eigen::Index k = 0; k < shared.cols(); ++k)
+        if (shared.col(k).squaredNorm() > 0.0) kept.col(column++) = shared.col(k);
+    return kept.leftCols(column);
+}
+
+void add_weights(const NetworkSetup& setup, JointSetUp& joint) {
+    const Sensitivities all = sensitivities_of(setup, joint);
+    const Eigen::MatrixXd F = uncertain_columns(all.shared);
+    const Eigen::MatrixXd gain = least_squares_gain(all.to_point, all.u, F);
+    const Eigen::MatrixXd own = gain * all.u.asDiagonal(), shared = gain * F;
+    const Eigen::MatrixXd A = all.u.cwiseInverse().asDiagonal() * F;
+    for (const double u : all.u) joint.by_u.push_back(1.0 / u);
+    keep_rows(A, joint.shared);
+    keep_rows(estimate_of_shared(A), joint.estimate_of_shared);
+    keep_rows(own * own.transpose() + shared * shared.transpose(), joint.inverse_normal);
+}
+
+/// C⁻¹ of readings: W = diag(1/u) (I − A S) diag(1/u).
+Eigen::MatrixXd weights_of(const Eigen::VectorXd& u, const Eigen::MatrixXd& F) {
+    const Eigen::VectorXd by_u = u.cwiseInverse();
+    const Eigen::MatrixXd A = by_u.asDiagonal() * F;
+    const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(u.size(), u.size()) - A * estimate_of_shared(A);
+    return by_u.asDiagonal() * left * by_u.asDiagonal();
+}
+
+/// Of one target. What two sensors share would be no property of either: C falls into blocks.
+void add_blocks(const NetworkSetup& setup, JointSetUp& joint) {
+    const Sensitivities all = sensitivities_of(setup, joint);
+    std::map<std::size_t, std::vector<std::size_t>> rows_of_sensors;
+    std::size_t row = 0;
+    for (const Sight& sight : setup.targets[joint.first].sights)
+        for (const bool has : sight.has)
+            if (has) rows_of_sensors[sight.sensor].push_back(row++);
+    Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
+    for (auto& [sensor, rows] : rows_of_sensors) {
+        const Eigen::MatrixXd J = all.to_point(rows, Eigen::all);
+        const Eigen::MatrixXd W = weights_of(all.u(rows), uncertain_columns(all.shared(rows, Eigen::all)));
+        N += J.transpose() * W * J;
+        WeightBlock& block = joint.blocks.emplace_back();
+        keep_rows(W, block.weights);
+        block.rows = std::move(rows);
+    }
+    keep_rows(N.inverse(), joint.inverse_normal);
+}
+
+}  // namespace
+
+Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target) {
+    Eigen::VectorXd scales(static_cast<Eigen::Index>(target.rows));
+    Eigen::Index row = 0;
+    for (const Sight& sight : target.sights) {
+        const Eigen::Vector3d v =
+            setup.sensors[sight.sensor].source().station().X_WS().inverse() * target.nominal;
+        if (sight.has[0]) scales[row++] = sight.has[1] && sight.has[2] ? 1.0 : 0.0;
+        if (sight.has[1]) scales[row++] = sight.overhead ? 1.0 : v.head<2>().norm();
+        if (sight.has[2]) scales[row++] = sight.has[1] ? v.norm() : 0.0;
+    }
+    return scales;
+}
+
+Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, const Eigen::Vector3d& p) {
+    const auto rows = static_cast<Eigen::Index>(target.rows);
+    Eigen::Index shared = 0;
+    for (const Sensor& sensor : setup.sensors)
+        shared += 6 + static_cast<Eigen::Index>(sensor.source().systematic().size());
+    Sensitivities s{Eigen::MatrixXd(rows, 3), Eigen::MatrixXd::Zero(rows, shared), Eigen::VectorXd(rows)};
+    Eigen::Index row = 0;
+    for (const Sight& sight : target.sights) {
+        Eigen::Index column = 0;
+        for (std::size_t k = 0; k < sight.sensor; ++k)
+            column += 6 + static_cast<Eigen::Index>(setup.sensors[k].source().systematic().size());
+        const SensorSource& source = setup.sensors[sight.sensor].source();
+        const LinearReading reading = sensitivity_of(setup, sight, p);
+        const Eigen::Matrix3Xd effects = shared_effects(source, reading);
+        const Eigen::VectorXd u = shared_uncertainties(source);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!sight.has[i]) continue;
+            const auto g = static_cast<Eigen::Index>(i);
+            s.to_point.row(row) = reading.to_point.row(g);
+            for (Eigen::Index k = 0; k < effects.cols(); ++k)
+                s.shared(row, column + k) = effects(g, k) * u[k];
+            s.u[row++] = sight.u[i];
+        }
+    }
+    return s;
+}
+
+Sensitivities sensitivities_of(const NetworkSetup& setup, const JointSetUp& joint) {
+    const auto rows = static_cast<Eigen::Index>(rows_of(setup, joint));
+    Eigen::Index row = 0;
+    Sensitivities all;
+    all.to_point = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(3 * joint.targets));
+    all.u.resize(rows);
+    for (std::size_t t = 0; t < joint.targets; ++t) {
+        const Target& target = setup.targets[joint.first + t];
+        const Sensitivities one = sensitivities_at(setup, target, target.nominal);
+        all.shared.conservativeResize(rows, one.shared.cols());
+        all.to_point.block(row, static_cast<Eigen::Index>(3 * t), one.u.size(), 3) = one.to_point;
+        all.shared.middleRows(row, one.u.size()) = one.shared;
+        all.u.segment(row, one.u.size()) = one.u;
+        row += one.u.size();
+    }
+    for (const std::size_t b : joint.bars) {
+        const ScaleBar& bar = setup.bars[b];
+        const Eigen::Vector3d along =
+            (setup.targets[bar.to].nominal - setup.targets[bar.from].nominal).normalized();
+        const auto column = [&](std::size_t t) { return static_cast<Eigen::Index>(3 * (t - joint.first)); };
+        all.to_point.block<1, 3>(row, column(bar.from)) = -along.transpose();
+        all.to_point.block<1, 3>(row, column(bar.to)) = along.transpose();
+        all.shared.row(row).setZero();
+        all.u[row++] = bar.u;
+    }
+    return all;
+}
+
+Eigen::MatrixXd joint_covariance(const Sensitivities& s) {
+    Eigen::MatrixXd C = s.shared * s.shared.transpose();
+    C.diagonal() += s.u.cwiseAbs2();
+    return C;
+}
+
+void prepare_weights(NetworkSetup& setup, Problems& problems) {
+    WeightMaker maker(setup, problems);
+    for (std::size_t t = 0; t < setup.targets.size(); ++t)
+        maker.make(setup.targets[t], "/targets/rows/" + std::to_string(t));
+    if (setup.weights == Weights::observations_only || problems.has_errors()) return;
+    assign_scale_bars(setup);
+    divide_large_set_ups(setup, problems);
+    for (JointSetUp& joint : setup.set_ups)
+        joint.targets == 1 && setup.targets[joint.first].divided ? add_blocks(setup, joint)
+                                                                 : add_weights(setup, joint);
+}
+
+}  // namespace covaria::network

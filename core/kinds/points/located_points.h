@@ -1,0 +1,38 @@
+// Input quantities of points that one instrument, or a typed figure, locates.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/asset.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+/// How points are located: a standard uncertainty of every coordinate, or an instrument of the project.
+struct PointLocator {
+    double u_point = 0.0;                     ///< m
+    std::string distribution;                 ///< shape of a deviation with u_point
+    std::shared_ptr<const Asset> instrument;  ///< null: u_point
+    std::string instrument_id, instrument_name;
+};
+
+/// From the fields "point_uncertainty", "u_point" and "instrument". Empty after an error.
+std::optional<PointLocator> read_locator(const SetupReader& setup, const AssetLibrary& assets,
+                                         Problems& problems);
+/// Fields of that name, in the section "Points".
+std::vector<FieldSpec> locator_fields();
+
+struct LocatedPoint {
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    std::string label;        ///< "3,17": part of the symbols
+    std::size_t x_input = 0;  ///< index of x; y and z follow
+};
+
+/// Gives the coordinates of points, measured from one set-up, their components.
+void add_point_components(const PointLocator& locator, const std::vector<LocatedPoint>& points,
+                          InputSet& inputs, Problems& problems);
+
+}  // namespace covaria

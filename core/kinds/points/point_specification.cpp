@@ -1,0 +1,107 @@
+// A manufacturer's figure for the uncertainty of a measured point (Porath et al., section 4).
+#include <array>
+#include <numbers>
+
+#include "core/kinds/points/assets.h"
+#include "core/kinds/points/own_frame_source.h"
+#include "core/kinds/points/point_uncertainty.h"
+#include "core/kinds/points/stated_figure.h"
+
+namespace covaria {
+
+namespace {
+
+constexpr std::array<const char*, 3> point_coordinates{"x", "y", "z"};
+
+SetupSchema specification_schema() {
+    return SetupSchema(
+        {{.key = "figure",
+          .title = "Figure of the data sheet",
+          .help = "The uncertainty or limit that the manufacturer states, the same for x, y and z.",
+          .unit = Unit::of("mm"),
+          .range = {.low = 0.0},
+          .section = "Specification"},
+         meaning_field("Specification"),
+         {.key = "applies_to",
+          .title = "The figure applies to",
+          .kind = FieldKind::choice,
+          .help = "A coordinate of a point, or a length between two points; a length is the "
+                  "difference of two points, so a coordinate has 1/√2 of it.",
+          .default_value = std::string("coordinate"),
+          .choices = {{"coordinate", "a coordinate"}, {"length", "a length between two points"}},
+          .section = "Specification"}});
+}
+
+class PointSpecification : public Asset {
+public:
+    PointSpecification(const Distribution& distribution, std::string meaning)
+        : distribution_(distribution), meaning_(std::move(meaning)) {
+        std::vector<PointDeviation> deviations;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::string name = std::string("coordinate ") + point_coordinates[i];
+            PointDeviation d{
+                point_coordinates[i], name, Eigen::Vector3d::Unit(static_cast<int>(i)), {}, false};
+            d.component = {.id = point_coordinates[i],
+                           .name = name,
+                           .unit = Unit::of("mm"),
+                           .distribution = distribution_,
+                           .origin = "specification: " + meaning_};
+            deviations.push_back(std::move(d));
+        }
+        source_ = OwnFrameSource(std::move(deviations));
+        offer(source_);
+    }
+
+    std::vector<DataTable> evaluation() const override {
+        DataTable table;
+        table.id = "specification";
+        table.title = "Uncertainty of a measured point";
+        table.columns = {{.header = "coordinate"},
+                         {.header = "distribution"},
+                         {.header = "u", .unit = Unit::of("mm"), .is_symbol = true, .digits = 3}};
+        for (const char* coordinate : coordinates)
+            table.rows.push_back(
+                {coordinate, std::string(distribution_.title()), distribution_.standard_uncertainty()});
+        table.notes.push_back("The figure is taken as: " + meaning_ + ".");
+        return {table};
+    }
+
+private:
+    Distribution distribution_;
+    std::string meaning_;
+    OwnFrameSource source_;
+};
+
+std::unique_ptr<Asset> create_specification(const SetupReader& setup, const AssetLibrary&, Problems&) {
+    const std::string meaning = setup.text("meaning");
+    const bool of_length = setup.text("applies_to") == "length";
+    const Distribution distribution = specified_distribution(meaning, setup.number("figure"))
+                                          .scaled(of_length ? 1.0 / std::numbers::sqrt2 : 1.0);
+    const std::string words = meaning_words(meaning) + (of_length ? ", of a length: divided by √2" : "");
+    return std::make_unique<PointSpecification>(distribution, words);
+}
+
+}  // namespace
+
+AssetDescriptor point_specification_kind() {
+    AssetDescriptor d;
+    d.kind = "point-specification";
+    d.title = "Specification of a measured point";
+    d.category = AssetCategory::instrument;
+    d.summary =
+        "One figure of a data sheet for all coordinates: a standard uncertainty or a maximum permissible "
+        "error.";
+    d.references = {
+        {"Porath, Gross, Eger: Experimental-numerical approach to the estimation of uncertainty in "
+         "robot pose measurement, section 4"},
+        {"JCGM 100:2008, 4.3"}};
+    d.notes = {
+        "A specification taken alike in all directions overestimates, by a factor of 2 to 5 in the paper's "
+        "example; an instrument that stands somewhere (spherical instrument) is closer to the truth."};
+    d.capabilities = {PointUncertaintySource::capability};
+    d.schema = specification_schema();
+    d.create = create_specification;
+    return d;
+}
+
+}  // namespace covaria

@@ -1,0 +1,284 @@
+// Input quantities of "pose from points": coordinates in frame 0 and the components they share; warnings.
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "core/kinds/points/point_uncertainty.h"
+#include "core/kinds/points/stated_figure.h"
+#include "core/kinds/pose/equations.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria::pose {
+
+namespace {
+
+constexpr char axis_letters[] = "xyz";
+
+/// A point in frame 0, and how its deviations reach its coordinates.
+struct MeasuredPoint {
+    const FrameRule* rule;
+    const UncertaintyRule* uncertainty;
+    Side side;
+    std::size_t index;  ///< in its frame
+    std::size_t pose;   ///< counts from 1; 0 is the base
+    Eigen::Vector3d p_0;
+    Eigen::Matrix3d axes;  ///< of its uncertainties: the frame that it is a point of, or the base
+
+    const NominalPoint& nominal() const { return rule->points[index]; }
+    bool is_world() const {
+        return offers<PointUncertaintySource>(uncertainty->asset)->axes() ==
+               PointUncertaintySource::Axes::world;
+    }
+    std::string letter() const { return letter_of(side) + "_" + std::to_string(index + 1); }
+    std::string suffix() const { return pose == 0 ? "" : "_" + std::to_string(pose); }
+    std::string symbol() const { return letter() + suffix(); }
+};
+
+using Shares = std::array<std::vector<Share>, 3>;
+
+class InputBuilder {
+public:
+    explicit InputBuilder(const PoseSetup& setup) : setup_(setup) {}
+
+    InputSet build() {
+        list_points(setup_.base, setup_.base_uncertainty, setup_.base_points, 0);
+        for (std::size_t k = 0; k < setup_.poses.size(); ++k)
+            list_points(setup_.moving, setup_.moving_uncertainty, setup_.poses[k].points, k + 1);
+        shares_.resize(points_.size());
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (points_[i].uncertainty->asset)
+                add_asset(points_[i].uncertainty->asset.get());
+            else
+                add_typed(i);
+            add_quantities(i);
+        }
+        return std::move(inputs_);
+    }
+
+private:
+    void list_points(const FrameRule& rule, const UncertaintyRule& uncertainty,
+                     const std::vector<Eigen::Vector3d>& points, std::size_t pose) {
+        const bool along_base = uncertainty.along_base;
+        const Eigen::Matrix3d axes =
+            along_base ? frame_of(setup_.base, setup_.base_points).linear() : frame_of(rule, points).linear();
+        const Side side = pose == 0 ? Side::base : Side::moving;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points_.push_back({&rule, &uncertainty, side, i, pose, points[i], axes});
+    }
+
+    void add_quantities(std::size_t i) {
+        const MeasuredPoint& point = points_[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            InputQuantity quantity;
+            quantity.symbol = point.letter() + axis_letters[c] + point.suffix();
+            quantity.name = point.nominal().name +
+                            (point.pose == 0 ? "" : " in " + setup_.poses[point.pose - 1].name) +
+                            ", coordinate " + axis_letters[c];
+            quantity.unit = Unit::of("mm");
+            quantity.offset = point.p_0[static_cast<int>(c)];
+            quantity.shares = shares_[i][c];
+            quantity.group = point.pose == 0 ? "base" : setup_.poses[point.pose - 1].name;
+            quantity.source = source_path(point);
+            inputs_.quantities.push_back(std::move(quantity));
+        }
+    }
+
+    std::string source_path(const MeasuredPoint& point) const {
+        if (setup_.a_posteriori) return "/measured_points";
+        if (point.pose > 0) return "/poses/rows/" + std::to_string(point.pose - 1);
+        return "/" + prefix_of(point.side) + "_points/rows/" + std::to_string(point.index);
+    }
+
+    /// All points that the asset measures, together, when the first of them is reached.
+    void add_asset(const Asset* asset) {
+        if (!added_.insert(asset).second) return;
+        std::vector<std::size_t> measured;
+        std::vector<Eigen::Vector3d> places;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (points_[i].uncertainty->asset.get() != asset) continue;
+            measured.push_back(i);
+            places.push_back(points_[i].is_world() ? points_[i].p_0 : points_[i].nominal().local);
+        }
+        for (JointDeviation& d : offers<PointUncertaintySource>(asset)->joint_deviations(places)) {
+            const UncertaintyRule& rule = *points_[measured.front()].uncertainty;
+            const std::string whose = d.point           ? points_[measured[*d.point]].symbol()
+                                      : d.owner.empty() ? rule.asset_id
+                                                        : d.owner;
+            const std::size_t before = inputs_.components.size();
+            const std::size_t component = component_of(d.component, whose + "." + d.id, rule, !d.point);
+            if (!d.estimate.empty() && component == before)
+                inputs_.rest_on_estimate((d.owner.empty() ? rule.asset_id : d.owner) + "." + d.estimate,
+                                         component);
+            for (std::size_t k = 0; k < measured.size(); ++k) {
+                const MeasuredPoint& point = points_[measured[k]];
+                const Eigen::Vector3d& direction = d.directions[k];
+                add_shares(measured[k], component,
+                           point.is_world() ? direction : Eigen::Vector3d(point.axes * direction));
+            }
+        }
+    }
+
+    void add_typed(std::size_t i) {
+        const MeasuredPoint& point = points_[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::string axis(1, axis_letters[c]);
+            const std::optional<double>& own = point.nominal().u[c];
+            const bool common = point.uncertainty->common[c] && !own;
+            UncertaintyComponent component{
+                .id = {},
+                .name = "coordinate " + axis,
+                .unit = Unit::of("mm"),
+                .distribution = distribution_of_shape(point.uncertainty->distribution,
+                                                      own.value_or(point.uncertainty->u[c])),
+                .origin = "typed"};
+            const std::string id = (common ? prefix_of(point.side) : point.symbol()) + "." + axis;
+            add_shares(i, component_of(component, id, UncertaintyRule{}, common),
+                       point.axes.col(static_cast<int>(c)));
+        }
+    }
+
+    /// What rounding leaves off the axes of a turned frame is no share.
+    void add_shares(std::size_t point, std::size_t component, const Eigen::Vector3d& direction) {
+        for (int c = 0; c < 3; ++c)
+            if (std::abs(direction[c]) > 1e-14 * direction.norm())
+                shares_[point][static_cast<std::size_t>(c)].push_back({component, direction[c]});
+    }
+
+    /// Index of the component: a new one, or the common one that another point has made.
+    std::size_t component_of(UncertaintyComponent& component, const std::string& id,
+                             const UncertaintyRule& rule, bool common) {
+        component.id = id;
+        if (!rule.asset_id.empty()) component.origin = rule.asset_name + " (" + component.origin + ")";
+        component.contributor = rule.asset_id;
+        component.contributor_name = rule.asset_name;
+        component.local = !common;
+        if (!common) return inputs_.add(std::move(component));
+        const auto [known, is_new] = common_.try_emplace(id, inputs_.components.size());
+        if (is_new) inputs_.add(std::move(component));
+        return known->second;
+    }
+
+    const PoseSetup& setup_;
+    InputSet inputs_;
+    std::vector<MeasuredPoint> points_;
+    std::vector<Shares> shares_;
+    std::set<const Asset*> added_;
+    std::map<std::string, std::size_t> common_;
+};
+
+std::string rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+// Largest standard uncertainty of the frame's coordinates over the height of its triangle.
+void warn_of_large_uncertainty(const PoseSetup& setup, const InputSet& inputs, Side side,
+                               Problems& problems) {
+    const bool of_base = side == Side::base;
+    const FrameRule& rule = of_base ? setup.base : setup.moving;
+    if (rule.least_squares) return;
+    const Eigen::Vector3d d = rule.points[1].local - rule.points[0].local,
+                          e = rule.points[2].local - rule.points[0].local;
+    const double height = d.cross(e).norm() / d.norm();
+    const std::size_t first = of_base ? 0 : 3 * setup.base.points.size();
+    const std::size_t count = 3 * rule.points.size() * (of_base ? 1 : setup.poses.size());
+    double u = 0.0;
+    for (std::size_t i = first; i < first + count; ++i) u = std::max(u, standard_uncertainty_of(inputs, i));
+    if (u > 0.1 * height)
+        problems.warning("/" + prefix_of(side) + "_points",
+                         "the standard uncertainty of a coordinate, " + rounded(1e3 * u) +
+                             " mm, is more than a tenth of the distance of point " + rule.points[2].name +
+                             " from the x-axis, " + rounded(1e3 * height) +
+                             " mm: the law of propagation is not reliable here, look at Monte Carlo");
+}
+
+void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
+    std::vector<Eigen::Vector3d> local;
+    for (const NominalPoint& p : rule.points) local.push_back(p.local);
+    const Eigen::Isometry3d X = frame_of(rule, local);
+    const double angle = Eigen::AngleAxisd(X.linear()).angle(), shift = X.translation().norm();
+    const double size = (local[1] - local[0]).norm();
+    if (angle < 1e-3 && shift < 1e-3 * size) return;
+    problems.warning("/" + prefix_of(side) + "_points",
+                     "the frame made from these points lies " + rounded(1e3 * shift) + " mm and " +
+                         rounded(Unit::of("deg").from_si(angle)) +
+                         "° away from the axes in which they are given, so results differ from the table of "
+                         "poses; check the side of point 3 and the shift of the origin");
+}
+
+void warn_of_singular_orientation(const PoseSetup& setup, std::size_t k, Problems& problems) {
+    constexpr double margin = 0.035;  // 2 degrees
+    const Eigen::Isometry3d X_0b = frame_of(setup.base, setup.base_points);
+    const Eigen::Isometry3d X_0p = frame_of(setup.moving, setup.poses[k].points);
+    const Eigen::Matrix3d R = X_0b.linear().transpose() * X_0p.linear();
+    if (regularity(setup.orientation, R) > margin) return;
+    const std::string where = "/poses/rows/" + std::to_string(k), name = setup.poses[k].name;
+    switch (setup.orientation) {
+        case RotationConvention::zyx:
+            problems.warning(where,
+                             name +
+                                 ": beta is within 2° of ±90°, where Z-Y-X angles are undefined (gimbal "
+                                 "lock); state the orientation as a rotation vector");
+            break;
+        case RotationConvention::zyz:
+            problems.warning(where, name +
+                                        ": beta is within 2° of 0° or 180°, where Z-Y-Z angles are undefined "
+                                        "(gimbal lock); state the orientation as Z-Y-X angles or a rotation "
+                                        "vector");
+            break;
+        case RotationConvention::rotation_vector:
+        case RotationConvention::quaternion:
+            problems.warning(where, name +
+                                        ": the rotation is within 4° of half a turn, where the sign of the "
+                                        "axis is undefined; state the orientation as angles");
+            break;
+    }
+}
+
+}  // namespace
+
+Eigen::Isometry3d frame_of(const FrameRule& rule, const std::vector<Eigen::Vector3d>& q) {
+    std::vector<double> x;
+    for (const Eigen::Vector3d& p : q) x.insert(x.end(), {p.x(), p.y(), p.z()});
+    const Frame<double> f = frame<double>(rule, x.data(), 0);
+    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+    X.linear() = f.R;
+    X.translation() = f.o;
+    return X;
+}
+
+void check_measurable(const PoseSetup& setup, Problems& problems) {
+    const auto check = [&](const FrameRule& rule, const UncertaintyRule& uncertainty,
+                           const std::vector<Eigen::Vector3d>& points, const std::string& where) {
+        if (!uncertainty.asset) return;
+        const PointUncertaintySource& source = *offers<PointUncertaintySource>(uncertainty.asset);
+        const bool world = source.axes() == PointUncertaintySource::Axes::world;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::string objection = source.objection(world ? points[i] : rule.points[i].local);
+            if (!objection.empty())
+                problems.error(where, "point " + rule.points[i].name + " cannot be measured by " +
+                                          uncertainty.asset_name + ": " + objection);
+        }
+    };
+    check(setup.base, setup.base_uncertainty, setup.base_points, "/base_points");
+    for (std::size_t k = 0; k < setup.poses.size(); ++k)
+        check(setup.moving, setup.moving_uncertainty, setup.poses[k].points,
+              "/poses/rows/" + std::to_string(k));
+}
+
+InputSet pose_inputs(const PoseSetup& setup) {
+    return InputBuilder(setup).build();
+}
+
+void warn_about(const PoseSetup& setup, const InputSet& inputs, Problems& problems) {
+    for (Side side : {Side::base, Side::moving}) {
+        warn_of_large_uncertainty(setup, inputs, side, problems);
+        if (!setup.a_posteriori)
+            warn_of_other_axes(side == Side::base ? setup.base : setup.moving, side, problems);
+    }
+    for (std::size_t k = 0; k < setup.poses.size(); ++k) warn_of_singular_orientation(setup, k, problems);
+}
+
+}  // namespace covaria::pose

@@ -1,0 +1,319 @@
+#include "core/kinds/pose/tables.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "core/kinds/pose/equations.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria::pose {
+
+namespace {
+
+constexpr std::size_t most_tested_points = 100;  // the test works on the whole covariance of a set
+constexpr double outlier_limit = 3.29;           // 0.1 %, as for readings of a network (W. Baarda)
+constexpr double level_of_all_sets = 0.01;
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// Root mean square distance after the best rotation and translation of q (from its centroid) onto l.
+double rms_of(const Eigen::Matrix3d& H, double squares, std::size_t n) {
+    Eigen::Matrix3d R;
+    if (!registration<double>(H, R)) return infinity;
+    return std::sqrt(std::max(0.0, squares - 2.0 * (R.transpose() * H).trace()) / static_cast<double>(n));
+}
+
+/// Tries what mixes up coordinates: a mirrored frame 0, and every exchange of two names.
+std::optional<FrameFit::Explanation> explanation_of(const Points& l, const Points& q, double rms) {
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+    double squares = 0.0;
+    for (std::size_t i = 0; i < l.size(); ++i) {
+        H += q[i] * l[i].transpose();
+        squares += q[i].squaredNorm() + l[i].squaredNorm();
+    }
+    std::optional<FrameFit::Explanation> best;
+    double least = rms / 3.0;
+    const auto consider = [&](const Eigen::Matrix3d& other, auto exchanged) {
+        const double found = rms_of(other, squares, l.size());
+        if (found >= least) return;
+        least = found;
+        best = FrameFit::Explanation{found, exchanged};
+    };
+    using Exchanged = std::optional<std::pair<std::size_t, std::size_t>>;
+    consider(-H, Exchanged{});
+    for (std::size_t i = 0; i < l.size(); ++i)
+        for (std::size_t j = i + 1; j < l.size(); ++j)
+            consider(H - (q[i] - q[j]) * (l[i] - l[j]).transpose(), Exchanged{{i, j}});
+    return best;
+}
+
+class Fitting {
+public:
+    Fitting(const FrameRule& rule, const Points& points, const InputSet& inputs, std::size_t first_input,
+            const std::string& set)
+        : rule_(rule), points_(points), inputs_(inputs), first_(first_input) {
+        fit_.set = set;
+    }
+
+    FrameFit fit() {
+        const Eigen::Isometry3d X_0F = frame_of(rule_, points_);
+        R_ = X_0F.linear();
+        double squares = 0.0, scale = 0.0;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            fit_.names.push_back(rule_.points[i].name);
+            fit_.residual.push_back(X_0F.inverse() * points_[i] - rule_.points[i].local);
+            squares += fit_.residual.back().squaredNorm();
+            scale += rule_.centred[i].squaredNorm();
+        }
+        fit_.rms = std::sqrt(squares / static_cast<double>(points_.size()));
+        fit_.u_residual.assign(points_.size(), Eigen::Vector3d::Zero());
+        fit_.redundancy.assign(points_.size(), Eigen::Vector3d::Ones());
+        if (points_.size() <= most_tested_points) {
+            test();
+            if (squares > 1e-18 * scale)
+                fit_.explanation = explanation_of(rule_.centred, centred(), fit_.rms);
+        }
+        return std::move(fit_);
+    }
+
+private:
+    Points centred() const {
+        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+        for (const Eigen::Vector3d& p : points_) mean += p / static_cast<double>(points_.size());
+        Points q;
+        for (const Eigen::Vector3d& p : points_) q.push_back(p - mean);
+        return q;
+    }
+
+    /// What the six parameters of the frame can take up of the coordinates.
+    Eigen::MatrixXd design() const {
+        Eigen::MatrixXd A(3 * points_.size(), 6);
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            for (int k = 0; k < 3; ++k) {
+                const auto row = static_cast<Eigen::Index>(3 * i);
+                A.block<3, 1>(row, k) = Eigen::Vector3d::Unit(k);
+                A.block<3, 1>(row, 3 + k) = Eigen::Vector3d::Unit(k).cross(rule_.centred[i]);
+            }
+        return A;
+    }
+
+    /// Deviations of the coordinates along the axes of the frame, one column for each component.
+    Eigen::MatrixXd deviations() const {
+        std::map<std::size_t, Eigen::Index> columns;
+        for (std::size_t i = first_; i < first_ + 3 * points_.size(); ++i)
+            for (const Share& share : inputs_.quantities[i].shares)
+                columns.emplace(share.component, static_cast<Eigen::Index>(columns.size()));
+        Eigen::MatrixXd F = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * points_.size()),
+                                                  static_cast<Eigen::Index>(columns.size()));
+        for (std::size_t i = 0; i < 3 * points_.size(); ++i)
+            for (const Share& share : inputs_.quantities[first_ + i].shares)
+                F(static_cast<Eigen::Index>(i), columns.at(share.component)) +=
+                    share.factor * inputs_.components[share.component].distribution.standard_uncertainty();
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(3 * i);
+            F.middleRows<3>(row) = (R_.transpose() * F.middleRows<3>(row)).eval();
+        }
+        return F;
+    }
+
+    /// Chi-square of what the frame cannot take up, with its full covariance: that of the weighted
+    /// adjustment, whatever the weights of the fit.
+    void test() {
+        const Eigen::Index n = static_cast<Eigen::Index>(3 * points_.size());
+        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(design());
+        const Eigen::MatrixXd Q = qr.householderQ();
+        const Eigen::MatrixXd rest = Q.rightCols(n - 6);
+        const Eigen::MatrixXd G = rest.transpose() * deviations();
+        const Eigen::MatrixXd of_residuals = rest * G;
+        Eigen::VectorXd e(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const auto point = static_cast<std::size_t>(i / 3);
+            e[i] = fit_.residual[point][i % 3];
+            fit_.u_residual[point][i % 3] = of_residuals.row(i).norm();
+            fit_.redundancy[point][i % 3] = rest.row(i).squaredNorm();
+        }
+        const Eigen::LDLT<Eigen::MatrixXd> ldlt(G * G.transpose());
+        const Eigen::VectorXd D = ldlt.vectorD();
+        Eigen::VectorXd y = ldlt.transpositionsP() * (rest.transpose() * e);
+        ldlt.matrixL().solveInPlace(y);
+        for (Eigen::Index k = 0; k < D.size(); ++k) {
+            if (!(D[k] > 1e-12 * D.maxCoeff())) continue;  // a direction without stated uncertainty
+            fit_.chi_square += y[k] * y[k] / D[k];
+            ++fit_.degrees_of_freedom;
+        }
+    }
+
+    const FrameRule& rule_;
+    const Points& points_;
+    const InputSet& inputs_;
+    std::size_t first_;
+    Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();
+    FrameFit fit_;
+};
+
+struct Largest {
+    std::size_t point = 0;
+    int axis = 0;
+    double normalised = 0.0;
+};
+
+Largest largest_of(const FrameFit& fit) {
+    Largest largest;
+    for (std::size_t i = 0; i < fit.names.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            if (std::abs(fit.normalised(i, c)) > std::abs(largest.normalised))
+                largest = {i, c, fit.normalised(i, c)};
+    return largest;
+}
+
+std::string coordinate_name(const FrameFit& fit, const Largest& at) {
+    return fit.names[at.point] + ", " + "xyz"[at.axis];
+}
+
+std::string figure(double value, const char* unit = "") {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.3g%s", value, unit);
+    return text;
+}
+
+std::string words_of(const FrameFit& fit, const FrameFit::Explanation& explanation) {
+    const std::string change =
+        figure(1e3 * explanation.rms, " mm") + " instead of " + figure(1e3 * fit.rms, " mm");
+    if (!explanation.exchanged)
+        return "the mirrored coordinates leave " + change +
+               ": frame 0 is left-handed, check the signs and the order of its axes";
+    return "with " + fit.names[explanation.exchanged->first] + " and " +
+           fit.names[explanation.exchanged->second] + " exchanged the residuals are " + change +
+           ": check the names";
+}
+
+bool fails(const FrameFit& fit, std::size_t sets) {
+    return fit.degrees_of_freedom > 0 && fit.probability() < level_of_all_sets / static_cast<double>(sets);
+}
+
+DataTable summary_table(const std::vector<FrameFit>& fits) {
+    DataTable table;
+    table.id = "fits";
+    table.title = "Fit of the measured points to their nominal coordinates";
+    table.columns = {{.header = "set"},
+                     {.header = "points"},
+                     {.header = "root mean square residual", .unit = Unit::of("mm"), .digits = 3},
+                     {.header = "redundancy"},
+                     {.header = "chi-square", .digits = 4},
+                     {.header = "p", .is_symbol = true, .digits = 2},
+                     {.header = "largest normalised residual", .digits = 3},
+                     {.header = "of"},
+                     {.header = "remark"}};
+    for (const FrameFit& fit : fits) {
+        const Largest largest = largest_of(fit);
+        const bool tested = fit.degrees_of_freedom > 0;
+        std::string remark = !tested                   ? "not tested"
+                             : fails(fit, fits.size()) ? "residuals larger than stated"
+                                                       : "agrees";
+        if (fit.explanation && (!tested || fails(fit, fits.size())))
+            remark += "; " + words_of(fit, *fit.explanation);
+        table.rows.push_back({fit.set, double(fit.names.size()), fit.rms,
+                              tested ? TableCell(double(fit.degrees_of_freedom)) : TableCell(),
+                              tested ? TableCell(fit.chi_square) : TableCell(),
+                              tested ? TableCell(fit.probability()) : TableCell(),
+                              tested ? TableCell(largest.normalised) : TableCell(),
+                              tested ? TableCell(coordinate_name(fit, largest)) : TableCell(), remark});
+    }
+    table.notes = {
+        "Chi-square of the residuals with the full covariance of the stated uncertainties; nominal "
+        "coordinates "
+        "are taken as exact. p is the probability of a larger value if all is as stated; the test has a "
+        "level of "
+        "1 % for all sets together. Not tested: sets without stated uncertainty, and sets of more than " +
+        std::to_string(most_tested_points) + " points."};
+    return table;
+}
+
+DataTable residual_table(const std::vector<FrameFit>& fits) {
+    DataTable table;
+    table.id = "residuals";
+    table.title = "Residuals of the points, along the axes of their frame";
+    table.columns = {{.header = "set"}, {.header = "point"}};
+    for (const char* axis : {"x", "y", "z"})
+        table.columns.push_back(
+            {.header = std::string("residual ") + axis, .unit = Unit::of("mm"), .digits = 3});
+    for (const char* axis : {"w_x", "w_y", "w_z"})
+        table.columns.push_back({.header = axis, .is_symbol = true, .digits = 3});
+    for (const char* axis : {"x", "y", "z"})
+        table.columns.push_back({.header = std::string("redundancy ") + axis, .digits = 2});
+    table.columns.push_back({.header = "remark"});
+    for (const FrameFit& fit : fits)
+        for (std::size_t i = 0; i < fit.names.size(); ++i) {
+            std::vector<TableCell> row{fit.set, fit.names[i]};
+            bool outlier = false;
+            for (int c = 0; c < 3; ++c) row.emplace_back(fit.residual[i][c]);
+            for (int c = 0; c < 3; ++c) {
+                const double w = fit.normalised(i, c);
+                outlier = outlier || std::abs(w) > outlier_limit;
+                row.push_back(fit.u_residual[i][c] > 0.0 ? TableCell(w) : TableCell());
+            }
+            for (int c = 0; c < 3; ++c)
+                row.push_back(fit.degrees_of_freedom > 0 ? TableCell(fit.redundancy[i][c]) : TableCell());
+            row.emplace_back(std::string(outlier ? "outlier?" : ""));
+            table.rows.push_back(std::move(row));
+        }
+    table.notes = {
+        "Measured less nominal coordinates. w is a residual over its own standard uncertainty; |w| > 3.29 "
+        "(0.1 %) is remarked. Redundancy is the share of an error of the coordinate that stays in its "
+        "residual."};
+    return table;
+}
+
+}  // namespace
+
+double FrameFit::probability() const {
+    const boost::math::chi_squared distribution(degrees_of_freedom);
+    return boost::math::cdf(boost::math::complement(distribution, chi_square));
+}
+
+double FrameFit::normalised(std::size_t point, int axis) const {
+    const double u = u_residual[point][axis];
+    return u > 0.0 ? residual[point][axis] / u : 0.0;
+}
+
+std::vector<FrameFit> frame_fits(const PoseSetup& setup, const InputSet& inputs) {
+    std::vector<FrameFit> fits;
+    if (!setup.a_posteriori) return fits;
+    if (setup.base.least_squares)
+        fits.push_back(Fitting(setup.base, setup.base_points, inputs, 0, "base").fit());
+    if (!setup.moving.least_squares) return fits;
+    const std::size_t per_pose = 3 * setup.moving.points.size();
+    for (std::size_t k = 0; k < setup.poses.size(); ++k)
+        fits.push_back(Fitting(setup.moving, setup.poses[k].points, inputs,
+                               3 * setup.base.points.size() + k * per_pose, setup.poses[k].name)
+                           .fit());
+    return fits;
+}
+
+std::vector<DataTable> fit_tables(const std::vector<FrameFit>& fits) {
+    if (fits.empty()) return {};
+    return {summary_table(fits), residual_table(fits)};
+}
+
+void warn_of_misfits(const std::vector<FrameFit>& fits, Problems& problems) {
+    for (const FrameFit& fit : fits) {
+        const bool failed = fails(fit, fits.size());
+        if (!failed && (fit.degrees_of_freedom > 0 || !fit.explanation)) continue;
+        std::string text = "the points of '" + fit.set + "' do not fit their nominal coordinates";
+        if (failed) {
+            const Largest largest = largest_of(fit);
+            text += " within the stated uncertainties: chi-square " + figure(fit.chi_square) + " with " +
+                    std::to_string(fit.degrees_of_freedom) +
+                    " degrees of freedom; the largest normalised residual is " + figure(largest.normalised) +
+                    " (" + coordinate_name(fit, largest) + ")";
+        }
+        if (fit.explanation) text += "; " + words_of(fit, *fit.explanation);
+        problems.warning("/measured_points", text);
+    }
+}
+
+}  // namespace covaria::pose

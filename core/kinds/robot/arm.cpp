@@ -1,0 +1,58 @@
+#include "core/kinds/robot/arm.h"
+
+#include "core/kinds/robot/layout.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+std::vector<UncertaintyComponent> RobotSource::reading(std::size_t joint) const {
+    std::vector<UncertaintyComponent> components;
+    const auto add = [&](const char* id, double u) {
+        if (u == 0.0) return;
+        components.push_back({.id = id,
+                              .name = std::string(id) + " of joint " + std::to_string(joint + 1),
+                              .unit = data_.joints[joint].reading_unit(),
+                              .distribution = Distribution::normal(u),
+                              .origin = id});
+    };
+    add("encoder", data_.u_encoder.empty() ? 0.0 : data_.u_encoder[joint]);
+    add("repeatability", data_.u_repeatability.empty() ? 0.0 : data_.u_repeatability[joint]);
+    return components;
+}
+
+std::vector<UncertaintyComponent> RobotSource::tool() const {
+    std::vector<UncertaintyComponent> components;
+    static const char* const names[] = {"tool x",
+                                        "tool y",
+                                        "tool z",
+                                        "tool, rotation about x",
+                                        "tool, rotation about y",
+                                        "tool, rotation about z"};
+    for (std::size_t i = 0; i < 6; ++i)
+        components.push_back(
+            {.id = "tool." + std::to_string(i + 1),
+             .name = names[i],
+             .unit = Unit::of(i < 3 ? "mm" : "deg"),
+             .distribution = Distribution::normal(i < 3 ? data_.u_tool_position : data_.u_tool_angle),
+             .origin = "tool: standard uncertainty"});
+    return components;
+}
+
+std::vector<DataTable> RobotAsset::evaluation() const {
+    std::vector<DataTable> tables{parameter_table(source_)};
+    tables.insert(tables.end(), tables_.begin(), tables_.end());
+    return tables;
+}
+
+Layout RobotAsset::layout() const {
+    Layout layout;
+    std::vector<double> q;
+    for (const RobotJoint& joint : source_.joints()) q.push_back(joint.zero);
+    add_arm(source_, q, "", layout);
+    layout.points.push_back({.name = "tool",
+                             .kind = PointKind::tool,
+                             .p_W = source_.X_WB() * link_frames(source_, q).back().translation()});
+    return layout;
+}
+
+}  // namespace covaria

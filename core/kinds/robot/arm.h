@@ -1,0 +1,52 @@
+// A serial robot from plain data, for every kind of asset that is one.
+#pragma once
+
+#include "core/kinds/robot/serial_robot.h"
+#include "core/model/asset.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+struct RobotData {
+    DhConvention convention = DhConvention::modified;
+    std::vector<RobotJoint> joints;
+    Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity(), X_FT = Eigen::Isometry3d::Identity();
+    std::vector<ParameterDeviation> deviations;
+    std::vector<DeviationCorrelation> correlations;
+    std::vector<double> u_encoder, u_repeatability;  ///< of each joint, rad or m
+    double u_tool_position = 0.0, u_tool_angle = 0.0;
+};
+
+class RobotSource : public SerialRobotSource {
+public:
+    explicit RobotSource(RobotData data) : data_(std::move(data)) {}
+    DhConvention convention() const override { return data_.convention; }
+    const std::vector<RobotJoint>& joints() const override { return data_.joints; }
+    const Eigen::Isometry3d& X_WB() const override { return data_.X_WB; }
+    const Eigen::Isometry3d& X_FT() const override { return data_.X_FT; }
+    const std::vector<ParameterDeviation>& deviations() const override { return data_.deviations; }
+    const std::vector<DeviationCorrelation>& correlations() const override { return data_.correlations; }
+    std::vector<UncertaintyComponent> reading(std::size_t joint) const override;
+    std::vector<UncertaintyComponent> tool() const override;
+
+private:
+    RobotData data_;
+};
+
+class RobotAsset : public Asset {
+public:
+    explicit RobotAsset(RobotData data, std::vector<DataTable> tables = {})
+        : source_(std::move(data)), tables_(std::move(tables)) {
+        offer(source_);
+    }
+    /// Parameters first, then what the kind of asset adds.
+    std::vector<DataTable> evaluation() const override;
+    /// The arm at the zero readings.
+    Layout layout() const override;
+
+private:
+    RobotSource source_;
+    std::vector<DataTable> tables_;
+};
+
+}  // namespace covaria

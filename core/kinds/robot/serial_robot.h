@@ -1,0 +1,86 @@
+// Capability of serial robots: an arm of joints in a row, by parameters in a Denavit-Hartenberg convention.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/math/joint_transform.h"
+#include "core/model/capability.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria {
+
+/// "theta", "d", "a", "alpha", "beta".
+const char* symbol_of(JointParameter parameter);
+/// "joint angle", "offset", "link length", "twist", "second twist".
+const char* name_of(JointParameter parameter);
+inline bool is_length(JointParameter p) {
+    return p == JointParameter::d || p == JointParameter::a;
+}
+
+struct RobotJoint {
+    JointValues<double> values;  ///< SI
+    /// The next axis is (nearly) parallel: beta is a parameter and d is 0 by definition.
+    bool parallel = false;
+    bool slides = false;  ///< its reading, a length, adds to d; else an angle that adds to theta
+    double zero = 0.0;    ///< reading at which theta and d hold
+    double direction = 1.0;
+    double low = -std::numeric_limits<double>::infinity();  ///< limits of the reading q
+    double high = std::numeric_limits<double>::infinity();
+
+    bool has(JointParameter p) const {
+        return p == JointParameter::beta ? parallel : !(p == JointParameter::d && parallel);
+    }
+    /// direction (q − zero): what the reading adds.
+    double travel(double q) const { return direction * (q - zero); }
+    Unit reading_unit() const { return Unit::of(slides ? "mm" : "deg"); }
+};
+
+/// One component of the uncertainty of one parameter.
+struct ParameterDeviation {
+    std::size_t joint = 0;
+    JointParameter parameter = JointParameter::theta;
+    UncertaintyComponent component;  ///< its id is completed by the model
+};
+
+/// Between two of the deviations, by index.
+struct DeviationCorrelation {
+    std::size_t first = 0, second = 0;
+    double coefficient = 0.0;
+};
+
+class SerialRobotSource : public Capability {
+public:
+    static constexpr const char* capability = "serial-robot";
+    virtual DhConvention convention() const = 0;
+    virtual const std::vector<RobotJoint>& joints() const = 0;
+    virtual const Eigen::Isometry3d& X_WB() const = 0;  ///< where the base frame stands
+    virtual const Eigen::Isometry3d& X_FT() const = 0;  ///< tool in the frame of the last link
+    virtual const std::vector<ParameterDeviation>& deviations() const = 0;
+    virtual const std::vector<DeviationCorrelation>& correlations() const = 0;
+    /// Deviations of the reading of a joint, drawn anew at each pose: encoder, repeatability.
+    virtual std::vector<UncertaintyComponent> reading(std::size_t joint) const = 0;
+    /// Deviations of x, y, z and of the rotations about x, y, z of the tool in its own frame.
+    virtual std::vector<UncertaintyComponent> tool() const = 0;
+};
+
+/// "q_2", or "s_2" of a joint that slides: symbol and column of a reading.
+std::string reading_symbol(const SerialRobotSource& robot, std::size_t joint);
+
+/// Number from 1 of the first joint that slides; 0: all turn.
+std::size_t first_sliding_joint(const SerialRobotSource& robot);
+
+/// Frames 0 ... n of the arm in the base frame at the readings q, then the tool.
+std::vector<Eigen::Isometry3d> link_frames(const SerialRobotSource& robot, const std::vector<double>& q);
+
+/// Standard uncertainty of a parameter: root sum of squares of its components.
+double standard_uncertainty_of(const SerialRobotSource& robot, std::size_t joint, JointParameter parameter);
+
+/// What a robot's table of results says for each parameter: value, components by source, u, U = 2 u.
+struct DataTable;
+DataTable parameter_table(const SerialRobotSource& robot);
+
+}  // namespace covaria

@@ -1,0 +1,120 @@
+// Reads the joints of a URDF file.
+#include <cstdio>
+#include <map>
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+
+#include "core/base/in_quotes.h"
+#include "core/base/unit.h"
+#include "core/kinds/robot/urdf_chain.h"
+#include "core/math/rotation.h"
+#include "core/setup/message_text.h"
+
+namespace covaria::urdf {
+
+namespace {
+
+Result<Eigen::Vector3d> vector_in(const pugi::xml_attribute& attribute, const Eigen::Vector3d& otherwise) {
+    if (!attribute) return otherwise;
+    std::istringstream text(attribute.value());
+    Eigen::Vector3d v;
+    if (text >> v[0] >> v[1] >> v[2]) return v;
+    return fail(ErrorCode::bad_input, std::string("'") + attribute.value() + "' is not three numbers");
+}
+
+JointKind kind_of(const Joint& joint) {
+    if (joint.type == "fixed") return JointKind::fixed;
+    if (!joint.follows.empty()) return JointKind::other;
+    return joint.turns() ? JointKind::rotating : joint.slides() ? JointKind::sliding : JointKind::other;
+}
+
+Result<Joint> joint_in(const pugi::xml_node& node) {
+    Joint joint{.name = node.attribute("name").value(),
+                .type = node.attribute("type").value(),
+                .parent = node.child("parent").attribute("link").value(),
+                .child = node.child("child").attribute("link").value()};
+    if (joint.parent.empty() || joint.child.empty())
+        return fail(ErrorCode::bad_input, "joint " + joint.name + " does not say which links it joins");
+    const auto xyz = vector_in(node.child("origin").attribute("xyz"), Eigen::Vector3d::Zero());
+    const auto rpy = vector_in(node.child("origin").attribute("rpy"), Eigen::Vector3d::Zero());
+    const auto axis = vector_in(node.child("axis").attribute("xyz"), Eigen::Vector3d::UnitX());
+    for (const auto* v : {&xyz, &rpy, &axis})
+        if (!*v) return fail(ErrorCode::bad_input, "joint " + joint.name + ": " + v->error().message);
+    joint.X_PJ.translation() = *xyz;
+    joint.X_PJ.linear() = rotation_from_zyx<double>(*rpy);
+    const bool directed = joint.turns() || joint.slides();
+    if (directed && !(axis->norm() > 1e-9))
+        return fail(ErrorCode::bad_input, "joint " + joint.name + ": its axis has no direction");
+    if (directed) joint.axis = axis->normalized();
+    if (const pugi::xml_node mimic = node.child("mimic")) joint.follows = mimic.attribute("joint").value();
+    if (node.child("mimic") && joint.follows.empty()) joint.follows = "another one";
+    joint.kind = kind_of(joint);
+    joint.low = node.child("limit").attribute("lower").as_double();
+    joint.high = node.child("limit").attribute("upper").as_double();
+    joint.limited = directed && joint.type != "continuous" && joint.low < joint.high;
+    return joint;
+}
+
+}  // namespace
+
+void Joint::freeze(double value) {
+    if (slides()) X_PJ = X_PJ * Eigen::Translation3d(value * axis);
+    if (turns()) X_PJ = X_PJ * Eigen::AngleAxisd(value, axis);
+    kind = JointKind::fixed;
+}
+
+Result<Robot> read(const std::string& xml) {
+    pugi::xml_document document;
+    const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
+    if (!parsed)
+        return fail(ErrorCode::bad_input, std::string("not readable as XML: ") + parsed.description() +
+                                              ", at character " + std::to_string(parsed.offset));
+    const pugi::xml_node root = document.child("robot");
+    if (!root) return fail(ErrorCode::bad_input, "no URDF: its root element <robot> is missing");
+    if (xml.find("<xacro:") != std::string::npos)
+        return fail(ErrorCode::bad_input,
+                    "the file has xacro macros: expand them first (xacro FILE > arm.urdf)");
+    Robot robot{.name = root.attribute("name").value()};
+    std::set<std::string> children;
+    for (const pugi::xml_node& node : root.children("joint")) {
+        auto joint = joint_in(node);
+        if (!joint) return fail(joint.error());
+        if (!children.insert(joint->child).second)
+            return fail(ErrorCode::bad_input,
+                        "link " + joint->child + " hangs on two joints; URDF describes trees");
+        robot.joints.push_back(std::move(*joint));
+    }
+    return robot;
+}
+
+Result<std::vector<Remark>> freeze(Robot& robot, const std::vector<FrozenJoint>& frozen) {
+    std::map<std::string, Joint*> by_name;
+    std::vector<std::string> names;
+    for (Joint& joint : robot.joints) {
+        by_name[joint.name] = &joint;
+        if (joint.kind != JointKind::fixed) names.push_back(joint.name);
+    }
+    std::vector<Remark> remarks;
+    for (const FrozenJoint& wanted : frozen) {
+        const auto found = by_name.find(wanted.name);
+        if (found == by_name.end())
+            return fail(ErrorCode::not_found, "there is no joint " + in_quotes(wanted.name) + " to freeze" +
+                                                  did_you_mean(wanted.name, names));
+        Joint& joint = *found->second;
+        if (joint.kind == JointKind::fixed)
+            return fail(ErrorCode::bad_input, "joint " + wanted.name + " does not move, or is frozen twice");
+        if (!joint.slides() && !joint.turns() && wanted.value != 0.0)
+            return fail(ErrorCode::bad_input, "joint " + wanted.name + " is of the type " + joint.type +
+                                                  ": it can be frozen at 0 only");
+        const double value = Unit::of(joint.slides() ? "mm" : "deg").to_si(wanted.value);
+        char text[64];
+        std::snprintf(text, sizeof text, "frozen at %.10g%s", wanted.value, joint.slides() ? " mm" : "°");
+        const bool beyond = joint.limited && (value < joint.low || value > joint.high);
+        remarks.push_back({joint.name, text + std::string(beyond ? ", beyond its limits" : "")});
+        joint.freeze(value);
+    }
+    return remarks;
+}
+
+}  // namespace covaria::urdf

@@ -1,0 +1,217 @@
+// Identification of an arm by least squares from measured positions or poses of its tool. Shared by the asset
+// and the measurement model.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/kinds/points/located_points.h"
+#include "core/kinds/robot/fields.h"
+#include "core/kinds/robot/serial_robot.h"
+#include "core/kinds/robot_identification/identified_parameters.h"
+#include "core/math/rotation.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria::pose_calibration {
+
+/// Parameters of the joints, place of the base, place of the ball or tool on the last link.
+inline constexpr std::size_t most_unknowns = 5 * most_joints + 12;
+inline constexpr std::size_t no_input = InputSet::npos;
+
+enum class UnknownKind { base, tool, parameter };
+
+/// One number that the fit finds.
+struct Unknown {
+    UnknownKind kind = UnknownKind::parameter;
+    IdentifiedParameter parameter = {};  ///< of a joint
+    std::size_t coordinate = 0;          ///< of base or tool: x, y, z, rotations about x, y, z
+    std::string name() const;
+};
+
+struct MeasuredPose {
+    std::string name;
+    std::string source = {};
+    bool check = false;  ///< held back from the fit
+    std::vector<double> q = {};
+    std::vector<Turn<double>> turns = {};  ///< of each joint, from its zero reading
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+    std::size_t first_input = 0;                        ///< x, y, z, then rotations about the tool's axes
+    std::array<std::size_t, most_joints> reading = {};  ///< index of an uncertain reading, or no_input
+};
+
+/// What the fit leaves over.
+struct FitStatistics {
+    Eigen::VectorXd residuals, u_residuals;    ///< of all rows of the fit; u: what they should scatter by
+    Eigen::VectorXd deviations, u_deviations;  ///< of check poses: calculated less measured, x y z each
+    Eigen::VectorXd before;                    ///< the same with the nominal parameters
+    Eigen::MatrixXd covariance;                ///< of the unknowns
+    Eigen::VectorXd singular_values;           ///< of the weighted Jacobian with columns of length one
+    Eigen::VectorXd weakest;                   ///< direction of the unknowns that belongs to the last
+    double scatter = 0.0;  ///< root mean square of residuals over what their uncertainties explain
+    double limit = 0.0;    ///< of |residual|/u, family-wise 5 %
+};
+
+struct Calibration {
+    std::shared_ptr<const Asset> nominal;
+    PointLocator locator;
+    double u_angle = 0.0;  ///< of a measured orientation, about each axis
+    bool with_orientation = false, simulated = false, base_fitted = true, tool_fitted = true;
+    std::vector<MeasuredPose> poses;  ///< those of the fit first
+    std::size_t fitted_poses = 0;
+    Eigen::Isometry3d X_MB = Eigen::Isometry3d::Identity();  ///< base in the measuring frame, fitted
+    Eigen::Isometry3d X_FT = Eigen::Isometry3d::Identity();  ///< ball or tool, fitted
+    std::vector<Unknown> unknowns;
+    std::vector<double> solution;  ///< at the estimates; rotations of base and tool are from X_MB, X_FT on
+    std::vector<HeldParameter> held;
+    Eigen::MatrixXd gain;         ///< unknowns by rows of the fit
+    std::vector<double> weights;  ///< of the rows of the fit
+    FitStatistics statistics;
+    InputSet inputs;
+
+    const SerialRobotSource& robot() const { return *offers<SerialRobotSource>(nominal); }
+    std::size_t rows_per_pose() const { return with_orientation ? 6 : 3; }
+    std::size_t rows() const { return fitted_poses * rows_per_pose(); }
+    /// Joint parameters among the unknowns; base and tool come first.
+    std::vector<IdentifiedParameter> parameters() const;
+    std::size_t first_parameter() const;
+};
+
+/// Fields; the field that refers to the nominal robot is called "nominal".
+std::vector<FieldSpec> fields();
+/// Empty if `problems` got an error.
+std::optional<Calibration> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems);
+/// Parameters, what is held and why, observability, residuals, check poses.
+std::vector<DataTable> tables(const Calibration& c);
+Layout layout(const Calibration& c);
+/// The arm with the identified parameters and their full covariance, standing where the base was found.
+RobotData identified(const Calibration& c);
+
+/// The arm of one trial: joints at their zero readings, base and tool.
+template <class Real>
+struct CalibratedArm {
+    std::array<JointTransform<Real>, most_joints> T;
+    Matrix3<Real> R_MB, R_FT;
+    Vector3<Real> p_MB, p_FT;
+};
+
+namespace detail {
+
+template <class Real>
+Matrix3<Real> constant(const Eigen::Matrix3d& M) {
+    Matrix3<Real> result;
+    for (int i = 0; i < 9; ++i) result(i / 3, i % 3) = Real(M(i / 3, i % 3));
+    return result;
+}
+
+}  // namespace detail
+
+/// `v[i]`: value of unknown i.
+template <class Real, class Values>
+CalibratedArm<Real> arm_of(const Calibration& c, const Values& v) {
+    CalibratedArm<Real> arm;
+    Vector3<Real> base(Real(0.0), Real(0.0), Real(0.0)), tool = base;
+    for (int k = 0; k < 3; ++k) {
+        arm.p_MB[k] = Real(c.X_MB.translation()[k]);
+        arm.p_FT[k] = Real(c.X_FT.translation()[k]);
+    }
+    const auto& joints = c.robot().joints();
+    std::array<JointValues<Real>, most_joints> joint;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        for (JointParameter p : joint_parameters) joint[j][p] = Real(joints[j].values[p]);
+    for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
+        const Unknown& u = c.unknowns[i];
+        const auto k = static_cast<Eigen::Index>(u.coordinate);
+        if (u.kind == UnknownKind::parameter)
+            joint[u.parameter.joint][u.parameter.parameter] = v[i];
+        else if (u.kind == UnknownKind::base)
+            (k < 3 ? arm.p_MB[k] : base[k - 3]) = v[i];
+        else
+            (k < 3 ? arm.p_FT[k] : tool[k - 3]) = v[i];
+    }
+    for (std::size_t j = 0; j < joints.size(); ++j) arm.T[j] = joint_transform(joint[j], joints[j].parallel);
+    arm.R_MB = detail::constant<Real>(c.X_MB.linear());
+    if (c.base_fitted) arm.R_MB = (arm.R_MB * rotation_from_zyx<Real>(base)).eval();
+    arm.R_FT = detail::constant<Real>(c.X_FT.linear());
+    if (c.tool_fitted && c.with_orientation) arm.R_FT = (arm.R_FT * rotation_from_zyx<Real>(tool)).eval();
+    return arm;
+}
+
+/// Measured less calculated of one pose in `r`: x, y, z, then the rotation vector in the axes of the tool (to
+/// first order, which is what a residual needs). `x[i]`: input quantity i.
+template <class Real, class In>
+void residuals(const Calibration& c, const MeasuredPose& pose, const CalibratedArm<Real>& arm, const In& x,
+               Real* r) {
+    const SerialRobotSource& robot = c.robot();
+    Vector3<Real> p = arm.p_FT;
+    Matrix3<Real> R = arm.R_FT;
+    for (std::size_t j = robot.joints().size(); j-- > 0;) {
+        JointTransform<Real> joint = arm.T[j];
+        Turn<Real> turn(Real(pose.turns[j].c), Real(pose.turns[j].s));
+        if (pose.reading[j] != no_input) {
+            const RobotJoint& given = robot.joints()[j];
+            turn = Turn<Real>(Real(Real(given.direction) * (Real(x[pose.reading[j]]) - Real(given.zero))));
+        }
+        joint.theta = joint.theta * turn;
+        apply(robot.convention(), joint, p);
+        if (c.with_orientation) apply_to_axes(robot.convention(), joint, R);
+    }
+    p = (arm.R_MB * p + arm.p_MB).eval();
+    for (std::size_t k = 0; k < 3; ++k)
+        r[k] = Real(x[pose.first_input + k]) - p[static_cast<Eigen::Index>(k)];
+    if (!c.with_orientation) return;
+    const std::size_t i = pose.first_input + 3;
+    const Matrix3<Real> measured = detail::constant<Real>(pose.R) *
+                                   rotation_from_zyx<Real>({Real(x[i]), Real(x[i + 1]), Real(x[i + 2])});
+    const Matrix3<Real> turned = (arm.R_MB * R).transpose() * measured;
+    r[3] = Real(0.5) * (turned(2, 1) - turned(1, 2));
+    r[4] = Real(0.5) * (turned(0, 2) - turned(2, 0));
+    r[5] = Real(0.5) * (turned(1, 0) - turned(0, 1));
+}
+
+/// Steps with the gain at the estimates; each reduces what is missing by the factor by which the gain changes
+/// within a trial (below 1e-3), so four leave rounding.
+inline constexpr int gain_steps = 4;
+
+/// Unknowns in their order (rotations of base and tool as angles of their pose), then the deviations of the
+/// check poses, calculated less measured.
+template <class Real, class In, class Set>
+mask_of<Real> evaluate(const Calibration& c, const In& x, Set set) {
+    using namespace real_functions;
+    const std::size_t n = c.unknowns.size(), m = c.rows_per_pose();
+    std::array<Real, most_unknowns> v, step;
+    for (std::size_t i = 0; i < n; ++i) v[i] = Real(c.solution[i]);
+    std::array<Real, 6> r;
+    for (int k = 0; k < gain_steps; ++k) {
+        const CalibratedArm<Real> arm = arm_of<Real>(c, v);
+        for (std::size_t i = 0; i < n; ++i) step[i] = Real(0.0);
+        for (std::size_t pose = 0; pose < c.fitted_poses; ++pose) {
+            residuals<Real>(c, c.poses[pose], arm, x, r.data());
+            for (std::size_t row = 0; row < m; ++row) {
+                const double* column = &c.gain(0, static_cast<Eigen::Index>(pose * m + row));
+                for (std::size_t i = 0; i < n; ++i) step[i] += Real(column[i]) * r[row];
+            }
+        }
+        for (std::size_t i = 0; i < n; ++i) v[i] += step[i];
+    }
+    Real last(0.0);
+    for (std::size_t i = 0; i < n; ++i) last += step[i] * step[i];
+    const CalibratedArm<Real> arm = arm_of<Real>(c, v);
+    const Vector3<Real> base = zyx_from_rotation(arm.R_MB), tool = zyx_from_rotation(arm.R_FT);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Unknown& u = c.unknowns[i];
+        const bool turns = u.kind != UnknownKind::parameter && u.coordinate >= 3;
+        const auto k = static_cast<Eigen::Index>(u.coordinate) - 3;
+        set(i, turns ? (u.kind == UnknownKind::base ? base[k] : tool[k]) : v[i]);
+    }
+    for (std::size_t pose = c.fitted_poses; pose < c.poses.size(); ++pose) {
+        residuals<Real>(c, c.poses[pose], arm, x, r.data());
+        for (std::size_t k = 0; k < 3; ++k) set(n + 3 * (pose - c.fitted_poses) + k, Real(-r[k]));
+    }
+    return last < Real(1e-20);
+}
+
+}  // namespace covaria::pose_calibration

@@ -1,0 +1,197 @@
+// What a calibration says: parameters with their covariance, observability, residuals, check poses, picture.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/kinds/robot/layout.h"
+#include "core/kinds/robot_identification/from_poses.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria::pose_calibration {
+
+namespace {
+
+using Eigen::Index;
+
+std::vector<double> parameter_values(const Calibration& c) {
+    return {c.solution.begin() + static_cast<std::ptrdiff_t>(c.first_parameter()), c.solution.end()};
+}
+
+Eigen::MatrixXd parameter_covariance(const Calibration& c) {
+    const auto n = static_cast<Index>(c.unknowns.size() - c.first_parameter());
+    return c.statistics.covariance.bottomRightCorner(n, n);
+}
+
+/// The unknown with which unknown i is correlated most.
+std::pair<std::size_t, double> partner_of(const Eigen::MatrixXd& C, std::size_t i) {
+    std::pair<std::size_t, double> most{i, 0.0};
+    for (Index k = 0; k < C.cols(); ++k) {
+        const auto row = static_cast<Index>(i);
+        const double scale = std::sqrt(C(row, row) * C(k, k));
+        if (k == row || !(scale > 0.0)) continue;
+        if (const double r = C(row, k) / scale; std::abs(r) > std::abs(most.second))
+            most = {static_cast<std::size_t>(k), r};
+    }
+    return most;
+}
+
+DataTable observability_table(const Calibration& c) {
+    const FitStatistics& s = c.statistics;
+    DataTable table;
+    table.id = "observability";
+    table.title = "Observability";
+    table.columns = {{.header = "quantity"}, {.header = "value", .digits = 3}};
+    const double smallest = s.singular_values[s.singular_values.size() - 1];
+    const auto add = [&](const char* name, TableCell value) {
+        table.rows.push_back({std::string(name), std::move(value)});
+    };
+    add("coordinates in the fit", std::to_string(c.rows()));
+    add("unknowns (rank)", std::to_string(c.unknowns.size()));
+    add("degrees of freedom", std::to_string(c.rows() - c.unknowns.size()));
+    add("condition of the fit", s.singular_values[0] / smallest);
+    add("smallest singular value", smallest);
+    add("residuals over what uncertainties explain", s.scatter);
+    std::string names;
+    for (Index i = 0; i < s.weakest.size(); ++i)
+        if (std::abs(s.weakest[i]) > 0.3)
+            names += (names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name();
+    table.notes = {"Singular values are those of the weighted Jacobian with columns of length one.",
+                   "Least well told apart: " + names + "."};
+    return table;
+}
+
+DataTable coupling_table(const Calibration& c) {
+    DataTable table;
+    table.id = "coupling";
+    table.title = "Strongest correlation of each unknown";
+    table.columns = {{.header = "unknown", .is_symbol = true},
+                     {.header = "coupled with", .is_symbol = true},
+                     {.header = "r", .is_symbol = true, .digits = 3}};
+    for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
+        const auto [other, r] = partner_of(c.statistics.covariance, i);
+        if (other != i) table.rows.push_back({c.unknowns[i].name(), c.unknowns[other].name(), r});
+    }
+    return table;
+}
+
+DataTable residual_table(const Calibration& c) {
+    const Unit um = Unit::of("um");
+    DataTable table;
+    table.id = "residuals";
+    table.title = "Residuals of the fit, measured less calculated";
+    table.columns = {{.header = "pose"}};
+    for (const char* axis : {"x", "y", "z"})
+        table.columns.push_back({.header = axis, .unit = um, .is_symbol = true, .digits = 3});
+    table.columns.push_back({.header = "largest over its u", .digits = 2});
+    table.columns.push_back({.header = "outlier test"});
+    const auto m = static_cast<Index>(c.rows_per_pose());
+    const FitStatistics& s = c.statistics;
+    for (std::size_t k = 0; k < c.fitted_poses; ++k) {
+        const Index row = static_cast<Index>(k) * m;
+        double largest = 0.0;
+        for (Index i = row; i < row + m; ++i)
+            if (s.u_residuals[i] > 0.0)
+                largest = std::max(largest, std::abs(s.residuals[i]) / s.u_residuals[i]);
+        table.rows.push_back({c.poses[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2],
+                              largest, std::string(largest > s.limit ? "outlier" : "")});
+    }
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "A residual beyond %.2f times its own standard uncertainty is an outlier: 5 %% for all "
+                  "residuals together (Bonferroni).",
+                  s.limit);
+    table.notes = {text};
+    return table;
+}
+
+DataTable check_table(const Calibration& c) {
+    const Unit um = Unit::of("um");
+    DataTable table;
+    table.id = "check-poses";
+    table.title = "Poses held back from the fit, calculated less measured";
+    table.columns = {{.header = "pose"}, {.header = "nominal, distance", .unit = um, .digits = 3}};
+    for (const char* axis : {"x", "y", "z"})
+        table.columns.push_back({.header = axis, .unit = um, .is_symbol = true, .digits = 3});
+    table.columns.insert(table.columns.end(), {{.header = "distance", .unit = um, .digits = 3},
+                                               {.header = "U (k = 2), largest", .unit = um, .digits = 2},
+                                               {.header = "E_n, largest", .digits = 2}});
+    const FitStatistics& s = c.statistics;
+    for (std::size_t k = c.fitted_poses; k < c.poses.size(); ++k) {
+        const Index row = 3 * static_cast<Index>(k - c.fitted_poses);
+        const Eigen::Vector3d d = s.deviations.segment<3>(row), u = s.u_deviations.segment<3>(row);
+        const double ratio = d.cwiseAbs().cwiseQuotient(2.0 * u.cwiseMax(1e-300)).maxCoeff();
+        table.rows.push_back({c.poses[k].name, s.before.segment<3>(row).norm(), d.x(), d.y(), d.z(), d.norm(),
+                              2.0 * u.maxCoeff(), ratio});
+    }
+    table.notes = {
+        "Nominal: the same base and ball fitted with the nominal parameters. E_n = |d|/U: below 1 the "
+        "pose agrees with the calibration."};
+    return table;
+}
+
+}  // namespace
+
+std::string Unknown::name() const {
+    static const char* const coordinates[] = {
+        "x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
+    if (kind == UnknownKind::parameter) return parameter.symbol();
+    return std::string(kind == UnknownKind::base ? "base " : "tool ") + coordinates[coordinate];
+}
+
+std::size_t Calibration::first_parameter() const {
+    std::size_t first = 0;
+    while (first < unknowns.size() && unknowns[first].kind != UnknownKind::parameter) ++first;
+    return first;
+}
+
+std::vector<IdentifiedParameter> Calibration::parameters() const {
+    std::vector<IdentifiedParameter> found;
+    for (const Unknown& u : unknowns)
+        if (u.kind == UnknownKind::parameter) found.push_back(u.parameter);
+    return found;
+}
+
+std::vector<DataTable> tables(const Calibration& c) {
+    std::vector<DataTable> all{
+        identified_table(c.robot(), c.parameters(), parameter_values(c), parameter_covariance(c)),
+        held_table(c.held), observability_table(c), coupling_table(c)};
+    if (!c.simulated) all.push_back(residual_table(c));
+    if (c.fitted_poses < c.poses.size()) all.push_back(check_table(c));
+    return all;
+}
+
+/// The arm as identified in its first pose, and all measured points; some of them with their uncertainty.
+Layout layout(const Calibration& c) {
+    Layout layout;
+    RobotData data = identified(c);
+    data.X_FT = c.X_FT;
+    add_arm(RobotSource(std::move(data)), c.poses.front().q, "", layout);
+    const std::size_t every = std::max<std::size_t>(1, c.poses.size() / 6);
+    for (std::size_t k = 0; k < c.poses.size(); ++k) {
+        const MeasuredPose& pose = c.poses[k];
+        const bool shown = k % every == every / 2;
+        LayoutPoint point{.name = pose.check || shown ? pose.name : "",
+                          .kind = pose.check ? PointKind::ball : PointKind::target,
+                          .p_W = pose.p};
+        point.source.path = pose.source;
+        if (shown) point.inputs = {{pose.first_input, pose.first_input + 1, pose.first_input + 2}};
+        layout.points.push_back(std::move(point));
+    }
+    return layout;
+}
+
+RobotData identified(const Calibration& c) {
+    RobotData data = identified_robot(c.robot(), c.parameters(), parameter_values(c), parameter_covariance(c),
+                                      "identification from measured poses");
+    data.X_WB = c.X_MB;
+    for (std::size_t j = 0; j < data.joints.size(); ++j)
+        for (const UncertaintyComponent& component : c.robot().reading(j))
+            (component.id == "encoder" ? data.u_encoder : data.u_repeatability).resize(data.joints.size());
+    for (std::size_t j = 0; j < data.joints.size(); ++j)
+        for (const UncertaintyComponent& component : c.robot().reading(j))
+            (component.id == "encoder" ? data.u_encoder : data.u_repeatability)[j] =
+                component.distribution.standard_uncertainty();
+    return data;
+}
+
+}  // namespace covaria::pose_calibration

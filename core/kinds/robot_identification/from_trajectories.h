@@ -1,0 +1,81 @@
+// Identification of an arm by joint trajectories: points measured while one joint after the other turns
+// (circle point analysis; Wen et al., 2.1.2 to 2.1.4). Shared by the asset and the measurement model.
+#pragma once
+
+#include <optional>
+
+#include "core/kinds/points/located_points.h"
+#include "core/kinds/robot/fields.h"
+#include "core/kinds/robot/serial_robot.h"
+#include "core/kinds/robot_identification/identified_parameters.h"
+#include "core/math/axis_frames.h"
+#include "core/math/circle_fit.h"
+#include "core/model/output_quantity.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria::circle_points {
+
+/// Points measured while one joint turns.
+struct Trajectory {
+    std::vector<Eigen::Vector3d> points;  ///< world frame, m
+    std::vector<std::size_t> rows;        ///< of the table; empty when simulated
+    std::size_t first_input = 0;          ///< index of x of the first point; three for each
+    CircleShape shape;
+};
+
+struct Identification {
+    std::shared_ptr<const Asset> nominal;
+    PointLocator locator;
+    PlaneFit plane = PlaneFit::total_least_squares;
+    bool simulated = false;
+    std::vector<Trajectory> trajectories;  ///< one for each joint
+    AxisStructure structure;
+    std::vector<IdentifiedParameter> parameters;
+    std::vector<HeldParameter> missing;
+    InputSet inputs;
+
+    const SerialRobotSource& robot() const { return *offers<SerialRobotSource>(nominal); }
+};
+
+/// Fields; the field that refers to the nominal robot is called "nominal".
+std::vector<FieldSpec> fields();
+/// Empty if `problems` got an error.
+std::optional<Identification> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems);
+
+/// Circles of all joints, then the parameters in the order of `parameters`, and the radii.
+template <class Real, class In, class Set>
+mask_of<Real> evaluate(const Identification& id, const In& x, Set set) {
+    const std::size_t n = id.trajectories.size();
+    std::array<AxisLine<Real>, most_joints> axes;
+    std::array<AxisFrame<Real>, most_joints> frames;
+    mask_of<Real> valid(true);
+    for (std::size_t j = 0; j < n; ++j) {
+        const Trajectory& t = id.trajectories[j];
+        const auto point = [&](std::size_t k) {
+            const std::size_t i = t.first_input + 3 * k;
+            return Vector3<Real>(Real(x[i]), Real(x[i + 1]), Real(x[i + 2]));
+        };
+        const SpaceCircle<Real> circle = fit_circle<Real>(t.shape.start, point, t.points.size(), id.plane);
+        axes[j] = {circle.centre, circle.normal};
+        valid = valid && circle.converged;
+        set(id.parameters.size() + j, circle.radius);
+    }
+    frames_from_axes(axes.data(), n, id.structure, frames.data());
+    std::size_t out = 0;
+    for (std::size_t j = 0; j + 1 < n; ++j) {
+        const JointValues<Real> v = parameters_between(frames[j], frames[j + 1], id.structure.pair(j));
+        for (; out < id.parameters.size() && id.parameters[out].joint == j; ++out)
+            set(out, v[id.parameters[out].parameter]);
+    }
+    return valid;
+}
+
+/// Parameters at the estimates of the inputs, in SI, angles next to the nominal ones. Empty: no value.
+std::optional<std::vector<double>> estimates(const Identification& id);
+/// Circles, parameters beside the nominal ones, what is not identified and why.
+std::vector<DataTable> tables(const Identification& id);
+Layout layout(const Identification& id);
+/// The arm with the identified parameters and their full covariance.
+std::optional<RobotData> identified(const Identification& id, Problems& problems);
+
+}  // namespace covaria::circle_points

@@ -1,0 +1,348 @@
+// Reads the points of the joint trajectories, checks them, decides on the structure of the arm.
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "core/kinds/robot/serial_robot.h"
+#include "core/kinds/robot_identification/from_trajectories.h"
+#include "core/quantity/input_quantity.h"
+
+namespace covaria::circle_points {
+
+namespace {
+
+std::string joint_name(std::size_t j) {
+    return "joint " + std::to_string(j + 1);
+}
+
+std::string millimetres(double m) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g mm", 1e3 * m);
+    return text;
+}
+
+std::string degrees(double rad) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g°", rad * 180.0 / std::numbers::pi);
+    return text;
+}
+
+class Reading {
+public:
+    Reading(const SetupReader& setup, const AssetLibrary& assets, Problems& problems)
+        : setup_(setup), assets_(assets), problems_(problems) {}
+
+    std::optional<Identification> read() {
+        if (!read_assets()) return {};
+        id_.plane = setup_.text("plane") == "total" ? PlaneFit::total_least_squares : PlaneFit::equation_1;
+        id_.simulated = setup_.text("data") == "simulated";
+        id_.trajectories.resize(id_.robot().joints().size());
+        if (id_.simulated)
+            simulate();
+        else
+            read_points();
+        if (problems_.has_errors()) return {};
+        add_inputs();
+        for (std::size_t j = 0; j < id_.trajectories.size(); ++j) shape(j);
+        if (problems_.has_errors()) return {};
+        decide_structure();
+        if (problems_.has_errors()) return {};
+        list_parameters();
+        return std::move(id_);
+    }
+
+private:
+    bool read_assets() {
+        const AssetLibrary::Entry* robot = assets_.find(setup_.text("nominal"));
+        if (!offers<SerialRobotSource>(robot)) {
+            problems_.error("/nominal", "'" + setup_.text("nominal") + "' is no serial robot");
+            return false;
+        }
+        id_.nominal = robot->asset;
+        if (id_.robot().convention() == DhConvention::craig)
+            problems_.error(
+                "/nominal",
+                "parameters are identified by Eq 5: describe the nominal robot in that convention, not "
+                "in Craig's");
+        if (const std::size_t sliding = first_sliding_joint(id_.robot()); sliding > 0)
+            problems_.error("/nominal",
+                            "joint " + std::to_string(sliding) +
+                                " slides and draws no circle: take an arm without it, as it stands "
+                                "during the measurement");
+        if (id_.robot().joints().size() < 2)
+            problems_.error("/nominal", "an arm of one joint has no parameters between two axes");
+        if (auto locator = read_locator(setup_, assets_, problems_)) id_.locator = std::move(*locator);
+        return !problems_.has_errors();
+    }
+
+    void simulate() {
+        const SerialRobotSource& robot = id_.robot();
+        const double range = setup_.number("half_range");
+        const auto count = static_cast<std::size_t>(setup_.integer("point_count"));
+        const Eigen::Vector3d ball = setup_.pose("ball").translation();
+        std::vector<double> zero;
+        for (const RobotJoint& joint : robot.joints()) zero.push_back(joint.zero);
+        for (std::size_t j = 0; j < robot.joints().size(); ++j)
+            for (std::size_t k = 0; k < count; ++k) {
+                std::vector<double> q = zero;
+                const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+                q[j] += robot.joints()[j].direction * range * (2.0 * share - 1.0);
+                const std::vector<Eigen::Isometry3d> frames = link_frames(robot, q);
+                id_.trajectories[j].points.push_back(robot.X_WB() * frames[q.size()] * ball);
+            }
+    }
+
+    void read_points() {
+        readings_.resize(id_.trajectories.size());
+        for (std::size_t row = 0; row < setup_.rows("points"); ++row) {
+            const std::string path = "/points/rows/" + std::to_string(row);
+            const auto j = static_cast<std::size_t>(setup_.cell_number("points", row, "joint")) - 1;
+            if (j >= id_.trajectories.size()) {
+                problems_.error(path + "/joint", "the robot has no " + joint_name(j));
+                continue;
+            }
+            id_.trajectories[j].points.push_back(setup_.cell_vector("points", row, "x"));
+            id_.trajectories[j].rows.push_back(row);
+            if (!setup_.cell_empty("points", row, "q"))
+                readings_[j].push_back(setup_.cell_number("points", row, "q"));
+        }
+        for (std::size_t j = 0; j < id_.trajectories.size(); ++j)
+            if (id_.trajectories[j].points.size() < 3)
+                problems_.error("/points", joint_name(j) + " has " +
+                                               std::to_string(id_.trajectories[j].points.size()) +
+                                               " points; a circle needs three or more");
+    }
+
+    void add_inputs() {
+        std::vector<LocatedPoint> points;
+        for (std::size_t j = 0; j < id_.trajectories.size(); ++j) {
+            id_.trajectories[j].first_input = id_.inputs.quantities.size();
+            for (std::size_t k = 0; k < id_.trajectories[j].points.size(); ++k)
+                points.push_back(add_point(j, k));
+        }
+        add_point_components(id_.locator, points, id_.inputs, problems_);
+    }
+
+    LocatedPoint add_point(std::size_t j, std::size_t k) {
+        static const char* const axes[] = {"x", "y", "z"};
+        const Trajectory& t = id_.trajectories[j];
+        LocatedPoint point{t.points[k], std::to_string(j + 1) + "," + std::to_string(k + 1),
+                           id_.inputs.quantities.size()};
+        for (int c = 0; c < 3; ++c) {
+            InputQuantity quantity{
+                .symbol = std::string(axes[c]) + "_" + point.label,
+                .name = joint_name(j) + ", point " + std::to_string(k + 1) + ", " + axes[c],
+                .unit = Unit::of("mm"),
+                .offset = t.points[k][c],
+                .group = joint_name(j)};
+            if (!t.rows.empty()) quantity.source = "/points/rows/" + std::to_string(t.rows[k]);
+            quantity.tags = {{"trajectory", joint_name(j)}};
+            id_.inputs.quantities.push_back(std::move(quantity));
+        }
+        return point;
+    }
+
+    /// Root mean square of the standard uncertainties of the coordinates of a trajectory.
+    double noise_of(const Trajectory& t) const {
+        double squares = 0.0;
+        for (std::size_t i = 0; i < 3 * t.points.size(); ++i)
+            squares += std::pow(standard_uncertainty_of(id_.inputs, t.first_input + i), 2);
+        return std::sqrt(squares / static_cast<double>(3 * t.points.size()));
+    }
+
+    void shape(std::size_t j) {
+        Trajectory& t = id_.trajectories[j];
+        t.shape = circle_shape(t.points);
+        const double u = std::max(noise_of(t), 1e-9);
+        const std::string place = id_.simulated ? "/ball" : "/points";
+        if (t.shape.extents[0] < 10.0 * u)
+            return problems_.error(place,
+                                   "the ball hardly moves while " + joint_name(j) +
+                                       " turns: it lies on the axis of that joint and draws no circle. Fix "
+                                       "the ball off the axis");
+        if (t.shape.extents[1] < 2.0 * u)
+            return problems_.error(place,
+                                   "the points of " + joint_name(j) +
+                                       " lie on a straight line, as far as their uncertainty lets it be "
+                                       "seen: no circle goes through them. Turn the joint further");
+        if (t.shape.extents[1] < 10.0 * u)
+            problems_.warning(place,
+                              "the arc of " + joint_name(j) + " over " + degrees(t.shape.arc) +
+                                  " is short for the uncertainty of its points: its axis will be known "
+                                  "poorly");
+        orient(j);
+        refine(j);
+        const Eigen::Vector3d n = t.shape.start.axes.col(2);
+        const double distance = std::abs(n.dot(t.shape.start.centre));
+        if (id_.plane == PlaneFit::equation_1 && distance < 0.02 * t.shape.start.radius)
+            problems_.warning(
+                "/plane", "the plane of " + joint_name(j) + " passes the origin at " + millimetres(distance) +
+                              ": Eq 1 excludes planes through the origin and fails near it. Use "
+                              "total least squares");
+    }
+
+    /// Normal along the positive direction of the joint: by the readings where they are given, else by the
+    /// order of the points.
+    void orient(std::size_t j) {
+        Trajectory& t = id_.trajectories[j];
+        double sign = id_.robot().joints()[j].direction;
+        if (!id_.simulated && readings_[j].size() == t.points.size())
+            sign *= readings_[j].back() >= readings_[j].front() ? 1.0 : -1.0;
+        else
+            sign = 1.0;
+        if (id_.simulated) sign = 1.0;
+        if (sign > 0.0) return;
+        t.shape.start.axes.col(1) *= -1.0;
+        t.shape.start.axes.col(2) *= -1.0;
+    }
+
+    /// The geometric fit from the algebraic start, so that trials start at the estimate.
+    void refine(std::size_t j) {
+        Trajectory& t = id_.trajectories[j];
+        const auto point = [&](std::size_t k) { return Vector3<double>(t.points[k]); };
+        SpaceCircle<double> circle{};
+        for (int k = 0; k < 5; ++k) {
+            circle = fit_circle<double>(t.shape.start, point, t.points.size(), id_.plane);
+            if (!circle.centre.allFinite() || !circle.normal.allFinite()) break;
+            t.shape.start.centre = circle.centre;
+            t.shape.start.radius = circle.radius;
+            Eigen::Matrix3d& axes = t.shape.start.axes;
+            axes.col(2) = circle.normal;
+            axes.col(0) = (axes.col(0) - circle.normal * circle.normal.dot(axes.col(0))).normalized();
+            axes.col(1) = axes.col(2).cross(axes.col(0));
+        }
+        if (!circle.converged)
+            problems_.error(id_.simulated ? "/half_range" : "/points",
+                            "no circle fits the points of " + joint_name(j) + "; look for exchanged points");
+    }
+
+    /// Directions of the nominal axes and x-axes, in the base frame.
+    struct NominalFrames {
+        std::vector<Eigen::Vector3d> z, x;
+    };
+    NominalFrames nominal_frames() const {
+        std::vector<double> zero;
+        for (const RobotJoint& joint : id_.robot().joints()) zero.push_back(joint.zero);
+        NominalFrames found;
+        for (const Eigen::Isometry3d& X : link_frames(id_.robot(), zero)) {
+            found.z.push_back(X.linear().col(2));
+            found.x.push_back(X.linear().col(0));
+        }
+        return found;
+    }
+
+    void decide_structure() {
+        const std::size_t n = id_.trajectories.size();
+        const NominalFrames nominal = nominal_frames();
+        const auto axis = [&](std::size_t j) -> Eigen::Vector3d {
+            return id_.trajectories[j].shape.start.axes.col(2);
+        };
+        Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+        for (std::size_t j = 0; j < n; ++j) H += axis(j) * nominal.z[j].transpose();
+        const Eigen::Matrix3d R = rotation_nearest(H);
+        for (std::size_t j = 0; j < n; ++j)
+            if (axis(j).dot(R * nominal.z[j]) < 0.0)
+                problems_.error(
+                    id_.simulated ? "/nominal" : "/points",
+                    "the points of " + joint_name(j) +
+                        " run against the positive direction of the joint: reverse their order, or give "
+                        "its readings");
+        const double limit = std::sin(setup_.number("parallel_limit"));
+        const RobotJoint& first = id_.robot().joints()[0];
+        id_.structure.theta_1 = first.values.theta;
+        id_.structure.d_1 = first.values.d;
+        for (std::size_t j = 0; j + 1 < n; ++j) {
+            const double sine = axis(j).cross(axis(j + 1)).norm();
+            id_.structure.parallel.push_back(sine < limit);
+            id_.structure.opposite.push_back(axis(j).dot(axis(j + 1)) < 0.0);
+            warn_of_parallel(j, sine, sine < limit);
+        }
+        decide_sides(R, nominal);
+    }
+
+    static Eigen::Matrix3d rotation_nearest(const Eigen::Matrix3d& H) {
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        Eigen::Vector3d d = Eigen::Vector3d::Ones();
+        d[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+        return svd.matrixU() * d.asDiagonal() * svd.matrixV().transpose();
+    }
+
+    void warn_of_parallel(std::size_t j, double sine, bool parallel) {
+        if (parallel == id_.robot().joints()[j].parallel) return;
+        const std::string names =
+            "the axes of joints " + std::to_string(j + 1) + " and " + std::to_string(j + 2);
+        if (parallel)
+            problems_.warning("/nominal",
+                              names + " are nearly parallel (" + degrees(std::asin(sine)) +
+                                  "): they are described by beta with d = 0, because the place of "
+                                  "their common perpendicular is hardly determined");
+        else
+            problems_.warning("/nominal",
+                              names + " are " + degrees(std::asin(std::min(1.0, sine))) +
+                                  " apart: they are described by d without beta, although the nominal "
+                                  "robot has beta");
+    }
+
+    void decide_sides(const Eigen::Matrix3d& R, const NominalFrames& nominal) {
+        const std::size_t n = id_.trajectories.size();
+        id_.structure.side.assign(n - 1, 1.0);
+        std::array<AxisLine<double>, most_joints> axes;
+        std::array<AxisFrame<double>, most_joints> frames;
+        for (std::size_t j = 0; j < n; ++j) {
+            const CircleStart& start = id_.trajectories[j].shape.start;
+            axes[j] = {start.centre, start.axes.col(2)};
+        }
+        frames_from_axes(axes.data(), n, id_.structure, frames.data());
+        for (std::size_t j = 0; j + 1 < n; ++j) {
+            const Eigen::Vector3d x = R * nominal.x[j + 1];
+            if (frames[j + 1].x.dot(x) < 0.0) id_.structure.side[j] = -1.0;
+            if (!frames[j + 1].x.allFinite())
+                problems_.error("/points", "the axes of joints " + std::to_string(j + 1) + " and " +
+                                               std::to_string(j + 2) +
+                                               " are the same line: nothing tells their "
+                                               "frames apart");
+        }
+    }
+
+    void list_parameters() {
+        const std::size_t n = id_.trajectories.size();
+        for (std::size_t j = 0; j < n; ++j)
+            for (JointParameter p : joint_parameters) {
+                const IdentifiedParameter parameter{j, p};
+                const std::string reason = reason_against(j, p);
+                const bool exists = p != JointParameter::beta || (j + 1 < n && id_.structure.parallel[j]);
+                if (reason.empty() && exists) id_.parameters.push_back(parameter);
+                if (!reason.empty() && exists) id_.missing.push_back({parameter.symbol(), reason});
+            }
+        id_.missing.push_back({"tool", "one ball is one point: it has no orientation"});
+    }
+
+    std::string reason_against(std::size_t j, JointParameter p) const {
+        const std::size_t n = id_.trajectories.size();
+        const bool place = p == JointParameter::theta || p == JointParameter::d;
+        if (j == 0 && place)
+            return "places the base frame on axis 1: by definition, as nominal; it would need a measured "
+                   "base";
+        if (j + 1 == n)
+            return "places the frame of the last link, which no axis follows: by definition, as nominal";
+        if (p == JointParameter::d && id_.structure.parallel[j])
+            return "the axis is parallel to the next: 0 by definition, or beta and d would describe the same";
+        return {};
+    }
+
+    const SetupReader& setup_;
+    const AssetLibrary& assets_;
+    Problems& problems_;
+    Identification id_;
+    std::vector<std::vector<double>> readings_;  ///< measured, of each joint
+};
+
+}  // namespace
+
+std::optional<Identification> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems) {
+    return Reading(setup, assets, problems).read();
+}
+
+}  // namespace covaria::circle_points

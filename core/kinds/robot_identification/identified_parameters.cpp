@@ -1,0 +1,97 @@
+#include "core/kinds/robot_identification/identified_parameters.h"
+#include "core/kinds/robot/serial_robot.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace covaria {
+
+namespace {
+
+TableCell cell(JointParameter p, double si) {
+    const Unit unit = Unit::of(is_length(p) ? "mm" : "deg");
+    return Quantity{unit.interval_from_si(si), unit};
+}
+
+/// Deviations of parameters with an uncertainty; `drawn` gets their index among the parameters.
+std::vector<ParameterDeviation> deviations_of(const std::vector<IdentifiedParameter>& found,
+                                              const Eigen::MatrixXd& covariance, const std::string& origin,
+                                              std::vector<Eigen::Index>& drawn) {
+    std::vector<ParameterDeviation> deviations;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const double variance = covariance(row, row);
+        if (!(variance > 0.0)) continue;
+        drawn.push_back(row);
+        const std::string symbol = found[i].symbol();
+        deviations.push_back({found[i].joint,
+                              found[i].parameter,
+                              {.id = symbol + ".identification",
+                               .name = symbol + ", identification",
+                               .unit = Unit::of(is_length(found[i].parameter) ? "mm" : "deg"),
+                               .distribution = Distribution::normal(std::sqrt(variance)),
+                               .origin = origin}});
+    }
+    return deviations;
+}
+
+}  // namespace
+
+double next_to(double nominal, JointParameter parameter, double value) {
+    if (is_length(parameter)) return value;
+    return nominal + std::remainder(value - nominal, 2.0 * std::numbers::pi);
+}
+
+DataTable identified_table(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
+                           const std::vector<double>& values, const Eigen::MatrixXd& covariance) {
+    DataTable table;
+    table.id = "identified";
+    table.title = "Identified parameters beside the nominal ones";
+    table.columns = {{.header = "parameter", .is_symbol = true},
+                     {.header = "nominal"},
+                     {.header = "identified", .digits = 8},
+                     {.header = "difference", .digits = 4}};
+    if (covariance.size() > 0) table.columns.push_back({.header = "u", .is_symbol = true, .digits = 2});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const JointParameter p = found[i].parameter;
+        const double before = nominal.joints()[found[i].joint].values[p];
+        std::vector<TableCell> row{found[i].symbol(), cell(p, before), cell(p, values[i]),
+                                   cell(p, values[i] - before)};
+        const auto k = static_cast<Eigen::Index>(i);
+        if (covariance.size() > 0) row.push_back(cell(p, std::sqrt(covariance(k, k))));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+DataTable held_table(const std::vector<HeldParameter>& held) {
+    DataTable table;
+    table.id = "not-identified";
+    table.title = "What these points cannot tell";
+    table.columns = {{.header = "parameter", .is_symbol = true}, {.header = "reason"}};
+    for (const HeldParameter& h : held) table.rows.push_back({h.parameter, h.reason});
+    return table;
+}
+
+RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
+                           const std::vector<double>& values, const Eigen::MatrixXd& covariance,
+                           const std::string& origin) {
+    RobotData data;
+    data.convention = nominal.convention();
+    data.joints = nominal.joints();
+    data.X_WB = nominal.X_WB();
+    data.X_FT = nominal.X_FT();
+    for (std::size_t i = 0; i < found.size(); ++i)
+        data.joints[found[i].joint].values[found[i].parameter] = values[i];
+    std::vector<Eigen::Index> drawn;
+    data.deviations = deviations_of(found, covariance, origin, drawn);
+    for (std::size_t a = 0; a < drawn.size(); ++a)
+        for (std::size_t b = a + 1; b < drawn.size(); ++b) {
+            const double scale = std::sqrt(covariance(drawn[a], drawn[a]) * covariance(drawn[b], drawn[b]));
+            const double r = covariance(drawn[a], drawn[b]) / scale;
+            if (std::abs(r) > 1e-12) data.correlations.push_back({a, b, r});
+        }
+    return data;
+}
+
+}  // namespace covaria

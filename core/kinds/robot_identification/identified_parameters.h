@@ -1,0 +1,36 @@
+// Parameters of an arm that an identification finds: their tables, and the arm that carries them with their
+// covariance. Shared by all ways of identification.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/data_table.h"
+#include "core/kinds/robot/arm.h"
+#include "core/kinds/robot/serial_robot.h"
+
+namespace covaria {
+
+struct IdentifiedParameter {
+    std::size_t joint = 0;
+    JointParameter parameter = JointParameter::theta;
+    std::string symbol() const { return std::string(symbol_of(parameter)) + "_" + std::to_string(joint + 1); }
+};
+
+/// A parameter that stays as it is, and why.
+struct HeldParameter {
+    std::string parameter, reason;
+};
+
+/// Value next to the nominal one: angles without whole turns in between.
+double next_to(double nominal, JointParameter parameter, double value);
+/// "nominal", "identified", "difference", and u where `covariance` is not empty. Values in SI.
+DataTable identified_table(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
+                           const std::vector<double>& values, const Eigen::MatrixXd& covariance = {});
+DataTable held_table(const std::vector<HeldParameter>& held);
+/// The nominal arm with the found values and their full covariance: one deviation for each, correlated.
+RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
+                           const std::vector<double>& values, const Eigen::MatrixXd& covariance,
+                           const std::string& origin);
+
+}  // namespace covaria

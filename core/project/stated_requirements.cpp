@@ -1,0 +1,121 @@
+#include "core/project/stated_requirements.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/in_quotes.h"
+#include "core/base/symbol.h"
+#include "core/setup/message_text.h"
+#include "core/setup/setup_schema.h"
+
+namespace covaria {
+
+namespace {
+
+class RequirementReader {
+public:
+    RequirementReader(const Requirement& typed, const OutputQuantity& output, std::string path,
+                      Problems& problems)
+        : typed_(typed), output_(output), path_(std::move(path)), problems_(problems) {}
+
+    void read(OutputRequirement& made) {
+        made.guard_factor = typed_.guard_factor;
+        made.target_uncertainty =
+            interval(typed_.target_uncertainty, "targetUncertainty", "target uncertainty");
+        made.lower_limit = value(typed_.lower_limit, "lowerLimit", "lower limit");
+        made.upper_limit = value(typed_.upper_limit, "upperLimit", "upper limit");
+        made.prior_mean = value(typed_.prior_mean, "priorMean", "mean of the prior");
+        made.prior_standard_deviation = interval(typed_.prior_standard_deviation, "priorStandardDeviation",
+                                                 "standard deviation of the prior");
+        check(made);
+    }
+
+private:
+    std::string title(const std::string& what) const { return what + " of " + output_.symbol; }
+
+    /// A width, greater than zero; the unit of a temperature may be K or degC.
+    std::optional<double> interval(const std::optional<Quantity>& typed, const char* key,
+                                   const std::string& what) {
+        if (!typed) return std::nullopt;
+        const std::string objection = unit_objection(title(what), *typed, output_.unit);
+        if (!objection.empty())
+            problems_.error(path_ + "/" + key, objection);
+        else if (!(typed->value > 0))
+            problems_.error(path_ + "/" + key, "the " + title(what) + " must be greater than zero");
+        return typed->unit.interval_to_si(typed->value);
+    }
+
+    std::optional<double> value(const std::optional<Quantity>& typed, const char* key,
+                                const std::string& what) {
+        if (!typed) return std::nullopt;
+        const std::string objection = unit_objection(title(what), *typed, output_.unit);
+        if (!objection.empty()) problems_.error(path_ + "/" + key, objection);
+        return typed->si();
+    }
+
+    void check(const OutputRequirement& made) {
+        if (made.lower_limit && made.upper_limit && !(*made.lower_limit < *made.upper_limit))
+            problems_.error(path_ + "/upperLimit",
+                            "the " + title("upper limit") + " must be above the lower limit");
+        if (!std::isfinite(made.guard_factor) || std::abs(made.guard_factor) > 10.0)
+            problems_.error(path_ + "/guardFactor",
+                            "the guard factor of " + output_.symbol +
+                                " must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance");
+        if (made.prior_mean.has_value() != made.prior_standard_deviation.has_value())
+            problems_.error(path_,
+                            "the prior of " + output_.symbol + " needs both a mean and a standard deviation");
+        if (made.prior_mean && !made.lower_limit && !made.upper_limit)
+            problems_.error(
+                path_, "the prior of " + output_.symbol + " is of use only with a tolerance: give a limit");
+    }
+
+    const Requirement& typed_;
+    const OutputQuantity& output_;
+    std::string path_;
+    Problems& problems_;
+};
+
+}  // namespace
+
+std::vector<RequirementResult> judge(const UncertaintyResult& result, const AnalysisEntry& entry) {
+    std::vector<OutputQuantity> outputs;
+    for (const OutputResult& output : result.outputs) outputs.push_back(output.quantity);
+    std::vector<OutputRequirement> readable;
+    for (const Requirement& typed : entry.requirements) {
+        AnalysisEntry one;
+        one.requirements = {typed};
+        Problems problems;
+        const auto read = read_requirements(one, outputs, problems);
+        if (!problems.has_errors()) readable.insert(readable.end(), read.begin(), read.end());
+    }
+    return judge(result, readable);
+}
+
+std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
+                                                 const std::vector<OutputQuantity>& outputs,
+                                                 Problems& problems) {
+    std::vector<OutputRequirement> all;
+    for (std::size_t i = 0; i < entry.requirements.size(); ++i) {
+        const Requirement& typed = entry.requirements[i];
+        const std::string path = "/requirements/" + std::to_string(i);
+        const auto output =
+            std::find_if(outputs.begin(), outputs.end(), [&](const OutputQuantity& candidate) {
+                return candidate.group == typed.group && candidate.symbol == typed.symbol;
+            });
+        if (output == outputs.end()) {
+            const std::string where = typed.group.empty() ? "" : " in " + in_quotes(typed.group);
+            std::vector<std::string> known;
+            for (const OutputQuantity& candidate : outputs) known.push_back(candidate.symbol);
+            problems.error(path, "the model has no output quantity " + in_quotes(typed.symbol) + where +
+                                     did_you_mean(plain_symbol(typed.symbol), known));
+            continue;
+        }
+        OutputRequirement made;
+        made.output = static_cast<std::size_t>(output - outputs.begin());
+        RequirementReader(typed, *output, path, problems).read(made);
+        all.push_back(made);
+    }
+    return all;
+}
+
+}  // namespace covaria

@@ -1,0 +1,142 @@
+// The law of propagation and the moments of Monte Carlo, for some outputs.
+#include "core/propagation/evaluate_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/propagation/adaptive.h"
+#include "core/propagation/draw_plan.h"
+#include "core/propagation/engine_parts.h"
+#include "core/propagation/interval_collector.h"
+#include "core/propagation/moments.h"
+#include "core/propagation/take_trials.h"
+#include "core/propagation/trial_block_runner.h"
+#include "core/result/result_line.h"
+
+namespace covaria {
+
+namespace {
+
+using namespace detail;
+
+/// What makes the result lines of the chosen outputs.
+class SummaryMaker {
+public:
+    SummaryMaker(const MeasurementModel& model, const InputSet& inputs,
+                 const std::vector<std::size_t>& outputs, const EvaluationOptions& options,
+                 const LawOfPropagation& law)
+        : inputs_(inputs), outputs_(outputs), options_(options), law_(law) {
+        line_.coverage_probability = options.coverage_probability;
+        line_.fixed_coverage_factor = options.coverage_factor;
+        for (const std::size_t j : outputs)
+            line_.outputs.push_back(
+                output_result(model.outputs()[j], law, static_cast<Eigen::Index>(j), options));
+        const std::vector<Eigen::Index> chosen(outputs.begin(), outputs.end());
+        covariance_ = law.covariance(chosen, chosen);
+    }
+
+    /// False: stopped.
+    Result<bool> add_trials(const TrialSource& source, const std::function<bool(std::uint64_t)>& advance) {
+        Moments moments(estimates());
+        const std::size_t bytes = EngineSettings{}.tail_bytes / std::max<std::size_t>(1, outputs_.size());
+        std::vector<IntervalCollector> collectors(outputs_.size(),
+                                                  IntervalCollector(options_.coverage_probability, bytes));
+        if (!run(source, &moments, collectors, advance)) return false;
+        if (moments.count() < 2) return fail(ErrorCode::numeric, "no trial has a value");
+        std::vector<std::optional<CoverageInterval>> intervals(outputs_.size());
+        const auto take = [&] {
+            for (std::size_t k = 0; k < collectors.size(); ++k)
+                if (!intervals[k]) intervals[k] = collectors[k].interval();
+        };
+        take();
+        if (std::find(intervals.begin(), intervals.end(), std::nullopt) != intervals.end()) {
+            if (!run(source, nullptr, collectors, advance)) return false;
+            take();
+        }
+        failed_trials_ = options_.trials - moments.count();
+        covariance_ = moments.covariance();
+        line_.trials = options_.trials;
+        const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
+        for (std::size_t k = 0; k < outputs_.size(); ++k) {
+            MonteCarloOutput trials;
+            trials.mean = moments.mean(static_cast<Eigen::Index>(k));
+            trials.standard_uncertainty = std::sqrt(moments.variance(static_cast<Eigen::Index>(k)));
+            trials.symmetric = *intervals[k];
+            OutputResult& output = line_.outputs[k];
+            take_trials(output, std::move(trials), least[outputs_[k]], line_);
+        }
+        return true;
+    }
+
+    EvaluationSummary take() {
+        EvaluationSummary summary{estimates(), estimates(), estimates(), covariance_, failed_trials_};
+        for (std::size_t k = 0; k < line_.outputs.size(); ++k) {
+            OutputResult& output = line_.outputs[k];
+            if (!output.monte_carlo) state_expanded_uncertainty(output, line_);
+            const auto index = static_cast<Eigen::Index>(k);
+            summary.standard_uncertainty(index) = output.standard_uncertainty;
+            summary.expanded_uncertainty(index) = output.expanded_uncertainty;
+        }
+        return summary;
+    }
+
+private:
+    Eigen::VectorXd estimates() const {
+        Eigen::VectorXd y(static_cast<Eigen::Index>(line_.outputs.size()));
+        for (Eigen::Index k = 0; k < y.size(); ++k)
+            y(k) = line_.outputs[static_cast<std::size_t>(k)].estimate;
+        return y;
+    }
+
+    /// The trials in order; only the chosen outputs are looked at. `moments` null: tails once more.
+    bool run(const TrialSource& source, Moments* moments, std::vector<IntervalCollector>& collectors,
+             const std::function<bool(std::uint64_t)>& advance) const {
+        TrialBlockRunner runner(source);
+        TrialRows chosen(outputs_.size()), scratch(outputs_.size());
+        for (std::uint64_t first = 0; first < options_.trials; first += block_trials) {
+            runner.run(first, std::min<std::uint64_t>(block_trials, options_.trials - first));
+            for (std::size_t k = 0; k < outputs_.size(); ++k) {
+                std::copy_n(runner.output(outputs_[k]), padded_to_lanes(runner.valid()), chosen.row(k));
+                collectors[k].add(chosen.row(k), runner.valid());
+            }
+            if (moments) moments->add(chosen.data(), runner.valid(), scratch);
+            if (!advance(moments ? runner.trials() : 0)) return false;
+        }
+        return true;
+    }
+
+    const InputSet& inputs_;
+    const std::vector<std::size_t>& outputs_;
+    const EvaluationOptions& options_;
+    const LawOfPropagation& law_;
+    UncertaintyResult line_;
+    Eigen::MatrixXd covariance_;
+    std::uint64_t failed_trials_ = 0;
+};
+
+}  // namespace
+
+Result<EvaluationSummary> evaluate_summary(const MeasurementModel& model, const InputSet& inputs,
+                                           const std::vector<std::size_t>& outputs,
+                                           const EvaluationOptions& options,
+                                           const std::function<bool(std::uint64_t)>& advance) {
+    const auto correlations = checked_correlations(model, inputs);
+    if (!correlations) return fail(correlations.error());
+    const auto law = law_of_propagation(model, inputs, *correlations);
+    if (!law) return fail(law.error());
+    SummaryMaker maker(model, inputs, outputs, options, *law);
+    bool finished = true;
+    if (options.method == Method::first_order) {
+        finished = advance(1);
+    } else {
+        const DrawPlan plan(inputs, *correlations);
+        const auto added = maker.add_trials({&model, &plan, options.seed, law->estimate}, advance);
+        if (!added) return fail(added.error());
+        finished = *added;
+    }
+    if (!finished) return fail(ErrorCode::cancelled, "the evaluation was stopped");
+    return maker.take();
+}
+
+}  // namespace covaria

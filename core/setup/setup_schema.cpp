@@ -1,0 +1,43 @@
+#include "core/setup/setup_schema.h"
+
+#include <algorithm>
+
+namespace covaria {
+
+const FieldSpec* SetupSchema::find(const std::string& key) const {
+    const auto found = std::find_if(fields_.begin(), fields_.end(),
+                                    [&](const FieldSpec& field) { return field.key == key; });
+    return found == fields_.end() ? nullptr : &*found;
+}
+
+std::size_t SetupSchema::column(const FieldSpec& table, const std::string& key) {
+    const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                    [&](const ColumnSpec& column) { return column.key == key; });
+    return found == table.columns.end() ? npos : static_cast<std::size_t>(found - table.columns.begin());
+}
+
+std::vector<std::string> SetupSchema::keys() const {
+    std::vector<std::string> keys;
+    for (const FieldSpec& field : fields_) keys.push_back(field.key);
+    return keys;
+}
+
+const SetupValue& value_of(const FieldSpec& field, const Setup& setup) {
+    const auto given = setup.values.find(field.key);
+    const bool absent = given == setup.values.end() || std::holds_alternative<std::monostate>(given->second);
+    return absent ? field.default_value : given->second;
+}
+
+bool is_shown(const SetupSchema& schema, const FieldSpec& field, const Setup& setup) {
+    if (!field.shown_if) return true;
+    const FieldSpec* decides = schema.find(field.shown_if->key);
+    if (!decides || !is_shown(schema, *decides, setup)) return false;
+    const SetupValue& value = value_of(*decides, setup);
+    std::string word;
+    if (const bool* flag = std::get_if<bool>(&value)) word = *flag ? "true" : "false";
+    if (const std::string* text = std::get_if<std::string>(&value)) word = *text;
+    const auto& words = field.shown_if->values;
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace covaria
