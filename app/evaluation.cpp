@@ -1,8 +1,11 @@
 #include "app/evaluation.h"
 
 #include "app/terminal.h"
+#include "core/base/file_io.h"
 #include "core/base/guarded.h"
 #include "core/made/load_project.h"
+#include "core/project/project_file.h"
+#include "core/project/set_values.h"
 #include "core/result/representation.h"
 #include "core/study/study.h"
 
@@ -88,7 +91,7 @@ private:
         if (!result) return fail(result.error());
         EvaluatedAnalysis evaluated{
             prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};
-        for (const Problem& problem : problems.items()) evaluated.warnings.push_back(problem.message);
+        evaluated.warnings = made_->warnings_of(id);
         return evaluated;
     }
 
@@ -139,14 +142,34 @@ private:
     std::stop_token stop_;
 };
 
+/// The lines of problems are those of the file, so there are none where values were set.
+Result<LoadedProject> load_with_values(const std::string& file, const std::vector<std::string>& values) {
+    std::vector<ValueAt> places;
+    for (const std::string& value : values) {
+        auto place = value_at(value);
+        if (!place) return fail(place.error());
+        places.push_back(std::move(*place));
+    }
+    const auto text = read_file(file);
+    if (!text) return fail(text.error());
+    const auto changed = with_values(*text, places);
+    if (!changed) return fail(changed.error());
+    LoadedProject loaded = parse_project(*changed, project_folder(file), file);
+    for (Problem& problem : loaded.problems.items())
+        if (problem.file == file) problem.line = 0;
+    return loaded;
+}
+
 }  // namespace
 
-Result<MadeProject::Pointer> open_project(const std::string& file) {
-    const LoadedProject loaded = load_project(file);
-    print_problems(loaded.problems);
-    if (loaded.problems.has_errors())
+Result<MadeProject::Pointer> open_project(const std::string& file, const std::vector<std::string>& values) {
+    const Result<LoadedProject> loaded =
+        values.empty() ? Result<LoadedProject>(load_project(file)) : load_with_values(file, values);
+    if (!loaded) return fail(loaded.error());
+    print_problems(loaded->problems);
+    if (loaded->problems.has_errors())
         return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");
-    return loaded.made;
+    return loaded->made;
 }
 
 Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,

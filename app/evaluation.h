@@ -22,10 +22,13 @@ struct RunRequest {
     std::string study = {};  ///< only the one with this id; empty = all
     std::optional<std::uint64_t> seed = {};
     int threads = 0;
+    std::vector<std::string> values =
+        {};  ///< "/assets/0/setup/temperature=23.5": the file is read as if they stood there
 };
 
-/// Prints every problem; an error of the project becomes Error{bad_input}.
-Result<MadeProject::Pointer> open_project(const std::string& file);
+/// Prints every problem; an error of the project becomes Error{bad_input}. `values`: see RunRequest.
+Result<MadeProject::Pointer> open_project(const std::string& file,
+                                          const std::vector<std::string>& values = {});
 
 /// What was evaluated, and what has no results.
 struct Evaluation {

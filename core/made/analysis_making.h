@@ -6,6 +6,7 @@
 
 #include "core/made/made_project.h"
 #include "core/made/making.h"
+#include "core/project/links.h"
 
 namespace covaria {
 
@@ -17,24 +18,34 @@ struct AnalysisBefore {
     bool assets_stay = false;        ///< all of the project
 };
 
+/// In two steps: first all analyses by themselves, then their chains.
 class AnalysisMaking {
 public:
     /// `counts` is added to.
     AnalysisMaking(const MadeProject& project, std::size_t index, AnalysisBefore before,
                    MakingCounts& counts);
-    std::shared_ptr<const MadeAnalysis> make(making::Uses uses, AssetLibrary assets);
+    /// `uses` and their assets; what is returned is not finished yet.
+    std::shared_ptr<const MadeAnalysis> make_own(making::Uses uses, AssetLibrary assets);
+    /// All analyses of the project are made by themselves.
+    void finish();
 
 private:
     bool model_stays() const;
     bool edits_stay() const;
+    bool chain_stays() const;
     bool choices_stay() const;
+    AssetLibrary with_offers() const;
     void make_model();
     void make_inputs();
+    void find_upstream();
+    ModelOfAnalysis composed();
+    void compose();
     void prepare();
     std::shared_ptr<const PreparedAnalysis> prepared() const;
     void check_studies();
 
     const MadeProject& project_;
+    const std::size_t number_;  ///< in the graph
     const AnalysisEntry& entry_;
     const std::vector<EntryReference>& references_;
     const ModelDescriptor* descriptor_;  ///< null: unknown model

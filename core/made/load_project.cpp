@@ -58,6 +58,8 @@ LoadedProject load_project(const fs::path& file) {
     auto read = guarded([&]() -> Result<LoadedProject> {
         const Result<std::string> text = read_file(file);
         if (!text) return fail(text.error());
+        if (text->size() > largest_project)
+            return fail(Error{ErrorCode::io, too_large(text->size()), {}, {}, 1});
         remove_leftovers(file.parent_path());
         return parse_project(*text, project_folder(file), file.string());
     });

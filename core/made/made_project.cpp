@@ -82,6 +82,21 @@ Problems MadeProject::problems_of_analysis(const std::string& id) const {
     return found;
 }
 
+std::vector<std::string> MadeProject::warnings_of(const std::string& analysis) const {
+    std::vector<std::string> warnings;
+    const AnalysisEntry* entry = project_->find_analysis(analysis);
+    if (!entry) return warnings;
+    const auto add = [&](const Problems& problems, const std::string& of) {
+        for (const Problem& problem : problems.items())
+            if (problem.severity == Severity::warning) warnings.push_back(of + problem.message);
+    };
+    const auto index = static_cast<std::size_t>(entry - project_->analyses.data());
+    for (const std::size_t used : graph_.used_by(graph_.number_of_analysis(index)))
+        if (graph_.is_asset(used)) add(entries_[used]->problems, "asset " + project_->assets[used].id + ": ");
+    add(made_analysis(index).problems, "");
+    return warnings;
+}
+
 std::string first_error(const Problems& problems, const std::string& otherwise) {
     for (const Problem& problem : problems.items())
         if (problem.severity == Severity::error) return problem.message;

@@ -44,6 +44,9 @@ public:
     Problems problems() const;
     /// Of one analysis without its studies; an error that names it where there is none.
     Problems problems_of_analysis(const std::string& id) const;
+    /// All that is to be said beside the results of an analysis: warnings of the assets that it uses ("asset
+    /// ID: ..."), then its own.
+    std::vector<std::string> warnings_of(const std::string& analysis) const;
     const MakingCounts& counts() const { return counts_; }
 
 private:

@@ -1,7 +1,6 @@
 // What making assets and making analyses share; internal to core/made.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,10 +13,8 @@ namespace covaria::making {
 
 using Uses = std::vector<std::shared_ptr<const MadeEntry>>;
 
-/// They are the same objects as before. What is missing may have other words now: it never stays.
-inline bool stay(const Uses& uses, const Uses& before) {
-    return uses == before && std::find(uses.begin(), uses.end(), nullptr) == uses.end();
-}
+/// They are the same as before. What is missing may have other words now: it never stays.
+bool stay(const Uses& uses, const Uses& before);
 
 /// Adds references that lead back to the entry, with their way, to the problems of its set-up.
 void refuse_circles(const std::vector<EntryReference>& references, Problems& problems);

@@ -1,6 +1,7 @@
 #include "core/made/prepared_analysis.h"
 
 #include "core/base/guarded.h"
+#include "core/base/version.h"
 #include "core/project/entry_graph.h"
 #include "core/project/project_file.h"
 #include "core/propagation/engine.h"
@@ -17,6 +18,7 @@ Project AnalysisNumbers::part() const {
         part.assets.push_back(*project_->find_asset(id));
     part.analyses.push_back(entry);
     part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
+    add_used_analyses(*project_, entry, part);
     return part;
 }
 
@@ -39,7 +41,7 @@ Result<UncertaintyResult> run_unguarded(const PreparedAnalysis& analysis, const 
     auto result = evaluate(*analysis.propagated, analysis.options, control);
     if (!result) return result;
     result->provenance.project_fingerprint = analysis.fingerprint();
-    result->provenance.covaria_version = COVARIA_VERSION;
+    result->provenance.covaria_version = version();
     result->provenance.seed = analysis.options.seed;
     return result;
 }

@@ -5,10 +5,12 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/run_control.h"
 #include "core/model/asset.h"
 #include "core/model/model_descriptor.h"
+#include "core/project/links.h"
 #include "core/project/project.h"
 #include "core/propagation/options.h"
 #include "core/propagation/propagated.h"
@@ -16,7 +18,7 @@
 
 namespace covaria {
 
-/// What influences the numbers of an analysis: itself and the assets that it uses.
+/// What influences the numbers of an analysis: itself, the assets and the analyses that it uses.
 class AnalysisNumbers {
 public:
     AnalysisNumbers(std::shared_ptr<const Project> project, std::string analysis);
@@ -41,7 +43,8 @@ struct PreparedAnalysis {
     AssetLibrary assets;  ///< that it uses; kept alive for the model, which may refer to them
     std::shared_ptr<const PropagatedModel> propagated;
     std::shared_ptr<const MeasurementModel> model;
-    const InputSet& inputs;  ///< the model's, with the analysis' edits and correlations applied
+    const InputSet& inputs;                ///< the model's, with the analysis' edits and correlations applied
+    std::vector<LinkedInput> linked = {};  ///< inputs taken from other analyses: they are not in `inputs`
     EvaluationOptions options;
     std::shared_ptr<const AnalysisNumbers> numbers;
     std::string forecast = {};  ///< how many trials an adaptive run needs, in words; empty for other methods

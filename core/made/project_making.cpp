@@ -1,7 +1,6 @@
 #include "core/made/project_making.h"
 
 #include "core/kinds/assets.h"
-#include "core/made/analysis_making.h"
 #include "core/project/kind_lookup.h"
 #include "core/setup/setup_schema.h"
 
@@ -45,7 +44,8 @@ ProjectMaking::ProjectMaking(std::shared_ptr<const Project> project, const MadeP
     : made_(new MadeProject(std::move(project))), before_(before) {
     const Project& now = made_->project();
     made_->entries_.resize(made_->graph_.size());
-    keeps_numbers_.assign(now.assets.size(), false);
+    keeps_numbers_.assign(made_->graph_.size(), false);
+    analyses_.reserve(now.analyses.size());
     if (!before) return;
     assets_before_ = numbers_of(before->project().assets);
     analyses_before_ = numbers_of(before->project().analyses);
@@ -56,6 +56,7 @@ MadeProject::Pointer ProjectMaking::make() {
     const std::size_t assets = made_->project().assets.size();
     for (const std::size_t entry : made_->graph_.order())
         entry < assets ? make_asset(entry) : make_analysis(entry - assets);
+    for (AnalysisMaking& analysis : analyses_) analysis.finish();
     for (std::size_t i = assets; i-- > 0;) {  // of several with one id the first counts
         const auto& made = static_cast<const MadeAsset&>(*made_->entries_[i]).made;
         if (made.asset) made_->assets_.add(made_->project().assets[i].id, made);
@@ -127,8 +128,8 @@ void ProjectMaking::make_analysis(std::size_t index) {
     }
     making::Uses uses = uses_of(number);
     AssetLibrary assets = library_of(uses);
-    made_->entries_[number] = AnalysisMaking(*made_, index, std::move(before), made_->counts_)
-                                  .make(std::move(uses), std::move(assets));
+    analyses_.emplace_back(*made_, index, std::move(before), made_->counts_);
+    made_->entries_[number] = analyses_.back().make_own(std::move(uses), std::move(assets));
 }
 
 }  // namespace covaria

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/made/analysis_making.h"
 #include "core/made/made_project.h"
 #include "core/made/making.h"
 
@@ -26,7 +27,9 @@ private:
     const MadeProject* before_;                                           ///< may be null
     std::map<std::string, std::size_t> assets_before_, analyses_before_;  ///< by id
     bool all_assets_stay_ = false;
-    std::vector<bool> keeps_numbers_;  ///< of assets: as before but for names, with what they refer to
+    /// Of assets: as before but for names, with what they refer to. Of analyses this is not kept: false.
+    std::vector<bool> keeps_numbers_;
+    std::vector<AnalysisMaking> analyses_;  ///< made by themselves, their chains not yet
 };
 
 }  // namespace covaria

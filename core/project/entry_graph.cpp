@@ -30,17 +30,28 @@ EntryGraph::EntryGraph(const Project& project) : assets_(project.assets.size()) 
         ids_.push_back(analysis.id);
         references_.push_back(references_in(schema_of(analysis), analysis.setup));
     }
-    refer_to_assets(project);
+    refer(project);
     sort();
 }
 
-void EntryGraph::refer_to_assets(const Project& project) {
-    std::map<std::string, std::size_t> numbers;
-    for (std::size_t i = 0; i < project.assets.size(); ++i) numbers.try_emplace(project.assets[i].id, i);
-    for (auto& references : references_)
-        for (EntryReference& reference : references)
-            if (const auto found = numbers.find(reference.id); found != numbers.end())
-                reference.entry = found->second;
+void EntryGraph::refer(const Project& project) {
+    std::map<std::string, std::size_t> assets, analyses;
+    for (std::size_t i = 0; i < project.assets.size(); ++i) assets.try_emplace(project.assets[i].id, i);
+    for (std::size_t i = 0; i < project.analyses.size(); ++i)
+        analyses.try_emplace(project.analyses[i].id, number_of_analysis(i));
+    for (std::size_t entry = 0; entry < size(); ++entry)
+        for (EntryReference& reference : references_[entry]) {
+            const auto asset = assets.find(reference.id);
+            const auto analysis = analyses.find(reference.id);
+            reference.to_analysis = asset == assets.end() && analysis != analyses.end();
+            if (asset != assets.end()) reference.entry = asset->second;
+            if (reference.to_analysis && !is_asset(entry)) reference.entry = analysis->second;
+        }
+    links_.resize(size());
+    for (std::size_t i = 0; i < project.analyses.size(); ++i)
+        for (const InputLink& link : project.analyses[i].links)
+            if (const auto found = analyses.find(link.output.analysis); found != analyses.end())
+                links_[number_of_analysis(i)].push_back(found->second);
 }
 
 // Depth first, with a stack of its own: a chain may be as long as the file.
@@ -80,16 +91,19 @@ void EntryGraph::sort() {
 
 std::vector<std::size_t> EntryGraph::used_by(std::size_t entry) const {
     std::vector<bool> used(size(), false);
+    used[entry] = true;
     std::vector<std::size_t> waiting{entry}, found;
+    const auto use = [&](std::size_t other) {
+        if (other == EntryReference::none || used[other]) return;
+        used[other] = true;
+        waiting.push_back(other);
+        found.push_back(other);
+    };
     while (!waiting.empty()) {
         const std::size_t from = waiting.back();
         waiting.pop_back();
-        for (const EntryReference& reference : references_[from]) {
-            if (reference.entry == EntryReference::none || used[reference.entry]) continue;
-            used[reference.entry] = true;
-            waiting.push_back(reference.entry);
-            found.push_back(reference.entry);
-        }
+        for (const EntryReference& reference : references_[from]) use(reference.entry);
+        for (const std::size_t link : links_[from]) use(link);
     }
     std::sort(found.begin(), found.end());
     return found;
@@ -97,6 +111,8 @@ std::vector<std::size_t> EntryGraph::used_by(std::size_t entry) const {
 
 std::vector<std::string> assets_used_by(const Project& project, const AnalysisEntry& analysis) {
     Project part{.title = {}, .assets = project.assets, .analyses = {analysis}};
+    for (const AnalysisEntry& other : project.analyses)
+        if (other.id != analysis.id) part.analyses.push_back(other);
     const EntryGraph graph(part);
     std::vector<std::string> ids;
     for (const std::size_t used : graph.used_by(graph.number_of_analysis(0)))

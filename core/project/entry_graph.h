@@ -17,7 +17,8 @@ struct EntryReference {
     std::string title;  ///< of the field
     std::string id;     ///< of the entry it refers to
     std::vector<std::string> capabilities;
-    std::size_t entry = none;  ///< number of that entry; none: there is no such entry
+    std::size_t entry = none;  ///< number of that entry; none: there is no such entry, or it cannot be taken
+    bool to_analysis = false;  ///< which stands for an asset; only analyses can take it
     /// Ids from that entry back to this one, where it refers back: the reference is refused, and no edge.
     std::vector<std::string> circle = {};
 
@@ -35,18 +36,20 @@ public:
     std::size_t number_of_analysis(std::size_t analysis) const { return assets_ + analysis; }
     /// In the order of the entry's schema.
     const std::vector<EntryReference>& references(std::size_t entry) const { return references_[entry]; }
-    /// All entries, each after those that it refers to.
+    /// All entries, each after those that its set-up refers to. (Links are no part of this order: they
+    /// compose models that are made already.)
     const std::vector<std::size_t>& order() const { return order_; }
-    /// Those that the entry refers to, directly or through others; rising.
+    /// Those that the entry refers to or has links to, directly or through others, without itself; rising.
     std::vector<std::size_t> used_by(std::size_t entry) const;
 
 private:
-    void refer_to_assets(const Project& project);
+    void refer(const Project& project);
     void sort();
 
     std::size_t assets_;
     std::vector<std::string> ids_;
     std::vector<std::vector<EntryReference>> references_;
+    std::vector<std::vector<std::size_t>> links_;  ///< to analyses whose outputs are inputs of the entry
     std::vector<std::size_t> order_;
 };
 

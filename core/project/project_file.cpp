@@ -140,6 +140,12 @@ Result<Json> project_document(const std::string& text) {
 
 }  // namespace
 
+std::string too_large(std::size_t bytes) {
+    return "it has " + std::to_string(bytes / 1'000'000) + " MB, and projects of up to " +
+           std::to_string(largest_project / 1'000'000) +
+           " MB are read: put its long tables into CSV files beside it";
+}
+
 ReadProject read_project(const std::string& text, const fs::path& directory, const std::string& name) {
     ReadProject read;
     read.project.directory = directory;
@@ -181,6 +187,12 @@ Result<void> save_project(const Project& project, const fs::path& file) {
                   {},
                   file.string(),
                   0});
+    if (written.text.size() > largest_project)
+        return fail(Error{ErrorCode::bad_input,
+                          "the project was not saved: " + too_large(written.text.size()),
+                          {},
+                          file.string(),
+                          0});
     return write_file_atomically(file, written.text);
 }
 

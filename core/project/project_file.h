@@ -21,6 +21,12 @@ struct ReadProject {
     std::function<void(Problems&)> locate;
 };
 
+/// Bytes; neither read nor written are larger ones. What is made of a project's text takes up to fifty times
+/// its size.
+inline constexpr std::size_t largest_project = 40'000'000;
+/// What is wrong with a project of more.
+std::string too_large(std::size_t bytes);
+
 /// Reads, migrates older versions, reads referenced CSV files; an unknown key, a newer version is an error.
 /// What is read is checked when it is made (core/made/load_project.h). `directory` is where CSV files are
 /// looked for; `name` stands for the file in messages.
@@ -37,7 +43,7 @@ Result<void> save_project(const Project& project, const std::filesystem::path& f
 
 /// 16 hexadecimal digits over everything that influences numbers (not titles and notes), CSV contents
 /// included.
-std::string fingerprint(const Project& project);
+std::string fingerprint(Project project);
 /// Nothing that influences numbers differs: as fingerprints that are the same, without their texts.
 bool same_numbers(const Project& a, const Project& b);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/report/report_parts.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {

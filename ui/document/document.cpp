@@ -129,9 +129,14 @@ Problems Document::open(const QString& file) {
 }
 
 void Document::open_in_background(const QString& file) {
-    open_job_.start([this, file](const std::stop_token&) -> JobQueue::Delivery {
+    const auto load = [this, file](const std::stop_token&) -> JobQueue::Delivery {
         auto loaded = std::make_shared<const LoadedProject>(load_project(to_path(file)));
         return [this, file, loaded] { finish_open(file, *loaded); };
+    };
+    open_job_.start(load, [this, file](const Error& error) {
+        Problems problems;
+        problems.add({Severity::error, error.path, error.message, to_std(file), error.line});
+        emit open_finished(file, problems);
     });
 }
 

@@ -24,9 +24,11 @@ ProjectMaker::ProjectMaker(Check check, Execution execution, QObject* parent)
 void ProjectMaker::request(ProjectSnapshot project) {
     if (project == requested_) return;
     requested_ = project;
-    job_.start([this, project = std::move(project)](const std::stop_token&) -> JobQueue::Delivery {
-        return [this, outcome = make(project)] { deliver(outcome); };
-    });
+    job_.start(
+        [this, project](const std::stop_token&) -> JobQueue::Delivery {
+            return [this, outcome = make(project)] { deliver(outcome); };
+        },
+        [this, project](const Error& error) { fail_to_make(project, error); });
 }
 
 void ProjectMaker::make_now(ProjectSnapshot project) {
@@ -38,9 +40,11 @@ void ProjectMaker::make_now(ProjectSnapshot project) {
 void ProjectMaker::take(MadeProject::Pointer made) {
     requested_ = made->snapshot();
     set_before(made);
-    job_.start([this, made = std::move(made)](const std::stop_token&) -> JobQueue::Delivery {
-        return [this, outcome = Outcome{made, check_(*made)}] { deliver(outcome); };
-    });
+    job_.start(
+        [this, made](const std::stop_token&) -> JobQueue::Delivery {
+            return [this, outcome = Outcome{made, check_(*made)}] { deliver(outcome); };
+        },
+        [this, made](const Error& error) { fail_to_make(made->snapshot(), error); });
 }
 
 void ProjectMaker::forget() {
@@ -62,6 +66,11 @@ void ProjectMaker::deliver(Outcome outcome) {
     made_ = std::move(outcome.made);
     problems_ = std::move(outcome.problems);
     emit made_changed();
+}
+
+void ProjectMaker::fail_to_make(const ProjectSnapshot& project, const Error& error) {
+    requested_.reset();
+    emit not_made(project, error);
 }
 
 MadeProject::Pointer ProjectMaker::before() const {

@@ -42,6 +42,8 @@ public:
 
 signals:
     void made_changed();
+    /// The state that was asked for could not be made: memory that is not there, a defect of the program.
+    void not_made(const covaria::ui::ProjectSnapshot& project, const covaria::Error& error);
     /// See `forget`.
     void forgotten();
 
@@ -52,6 +54,7 @@ private:
     };
     Outcome make(ProjectSnapshot project);
     void deliver(Outcome outcome);
+    void fail_to_make(const ProjectSnapshot& project, const Error& error);
     MadeProject::Pointer before() const;
     void set_before(MadeProject::Pointer made);
 

@@ -43,19 +43,22 @@ FigurePainters report_painters(ScenePictures& scenes) {
 
 ReportMaker::ReportMaker(QObject* parent) : QObject(parent), job_(this, Execution::threads) {}
 
-void ReportMaker::make(MadeProject::Pointer made, std::vector<EvaluatedAnalysis> analyses, Use use) {
+void ReportMaker::make(MadeProject::Pointer made, std::vector<EvaluatedAnalysis> analyses, Use use,
+                       JobQueue::Failure failure) {
     job_.cancel();
-    job_.start([this, made = std::move(made), analyses = std::move(analyses),
-                use = std::move(use)](const std::stop_token& stop) -> JobQueue::Delivery {
-        const ReportDocument document = build_report(*made, analyses);
-        ScenePictures scenes(analyses);
-        FigurePainters painters = report_painters(scenes);
-        painters.paint_plot = [this, stop, paint = painters.paint_plot](QPainter& painter, const QRectF& area,
-                                                                        const PlotSpecification& plot) {
-            do_on_window(this, stop, [&] { paint(painter, area, plot); });
-        };
-        return use(document, painters, stop);
-    });
+    job_.start(
+        [this, made = std::move(made), analyses = std::move(analyses),
+         use = std::move(use)](const std::stop_token& stop) -> JobQueue::Delivery {
+            const ReportDocument document = build_report(*made, analyses);
+            ScenePictures scenes(analyses);
+            FigurePainters painters = report_painters(scenes);
+            painters.paint_plot = [this, stop, paint = painters.paint_plot](
+                                      QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
+                do_on_window(this, stop, [&] { paint(painter, area, plot); });
+            };
+            return use(document, painters, stop);
+        },
+        std::move(failure));
 }
 
 }  // namespace covaria::ui

@@ -20,13 +20,16 @@ public:
     LatestJob(QObject* owner, Execution execution, Overtaken overtaken = Overtaken::dropped);
     ~LatestJob();
 
-    void start(Job job);
+    /// `failure`: as JobQueue::push; overtaken like what is delivered.
+    void start(Job job, JobQueue::Failure failure);
     /// Nothing that was started is delivered any more; the job that runs is asked to stop.
     void cancel();
     /// The newest has not been delivered yet.
     bool is_busy() const { return awaited_; }
 
 private:
+    void deliver(quint64 number, const JobQueue::Delivery& delivery);
+
     Overtaken overtaken_;
     bool awaited_ = false;
     std::atomic<quint64> number_ = 0;

@@ -1,6 +1,7 @@
 #include "ui/pages/asset_evaluation.h"
 
 #include "ui/pages/data_table_html.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
@@ -37,9 +38,11 @@ void AssetEvaluation::refresh() {
     const std::shared_ptr<const Asset> asset = entry ? entry->asset : nullptr;
     if (shown_ == asset && asset) return;
     shown_ = asset;
-    job_.start([this, asset](const std::stop_token&) -> JobQueue::Delivery {
-        return [this, found = evaluate(asset)] { show_evaluation(found.html, found.figures); };
-    });
+    job_.start(
+        [this, asset](const std::stop_token&) -> JobQueue::Delivery {
+            return [this, found = evaluate(asset)] { show_evaluation(found.html, found.figures); };
+        },
+        [this](const Error& error) { show_evaluation(to_qt(error.message).toHtmlEscaped(), {}); });
 }
 
 }  // namespace covaria::ui

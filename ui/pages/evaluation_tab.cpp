@@ -1,6 +1,7 @@
 #include "ui/pages/evaluation_tab.h"
 
 #include "ui/pages/data_table_html.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -28,12 +29,14 @@ void EvaluationTab::refresh() {
         job_.cancel();
         return show_evaluation({}, {});
     }
-    job_.start([this, model](const std::stop_token&) -> JobQueue::Delivery {
+    const auto evaluate = [this, model](const std::stop_token&) -> JobQueue::Delivery {
         return [this, html = html_of(model->evaluation()), figures = model->figures()] {
             show_evaluation(html, figures);
             emit filled(!html.isEmpty() || !figures.empty());
         };
-    });
+    };
+    job_.start(evaluate,
+               [this](const Error& error) { show_evaluation(to_qt(error.message).toHtmlEscaped(), {}); });
 }
 
 }  // namespace covaria::ui

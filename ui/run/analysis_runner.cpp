@@ -32,13 +32,6 @@ PreparedAnalysis preview_of(const PreparedAnalysis& analysis) {
     return preview;
 }
 
-std::vector<std::string> warnings_of(const Problems& problems) {
-    std::vector<std::string> warnings;
-    for (const Problem& problem : problems.items())
-        if (problem.severity == Severity::warning) warnings.push_back(problem.message);
-    return warnings;
-}
-
 void compare(AnalysisStatus& entry) {
     entry.has_same_numbers =
         entry.prepared && entry.result_of && same_numbers(*entry.prepared, *entry.result_of);
@@ -58,6 +51,10 @@ AnalysisRunner::AnalysisRunner(ProjectMaker& maker, RunBackend backend, Executio
       first_order_(this, execution, LatestJob::Overtaken::delivered) {
     connect(&maker_, &ProjectMaker::forgotten, this, &AnalysisRunner::reset);
     connect(&maker_, &ProjectMaker::made_changed, this, &AnalysisRunner::take_made);
+    connect(&maker_, &ProjectMaker::not_made, this, &AnalysisRunner::take_none);
+    connect(&runs_, &RunQueue::failed, this, [this](const RunKey& key, const Error& error) {
+        if (!runs_.waits(key)) fail_entry(key.analysis, error);
+    });
     connect(&runs_, &RunQueue::ended, this, [this](const RunKey& key) { finish_run(key.analysis); });
     connect(&runs_, &RunQueue::idle, this, &AnalysisRunner::announce_idle);
     connect(&runs_, &RunQueue::progress_changed, this,
@@ -92,12 +89,32 @@ void AnalysisRunner::take_made() {
     announce_idle();
 }
 
+void AnalysisRunner::take_none(const ProjectSnapshot& project, const Error& error) {
+    wanted_.clear();
+    all_wanted_ = false;
+    std::erase_if(entries_, [&](const auto& entry) { return !project->find_analysis(entry.first); });
+    for (const AnalysisEntry& analysis : project->analyses) {
+        AnalysisStatus& entry = entries_[analysis.id];
+        stop(to_qt(analysis.id));
+        entry.prepared.reset();
+        compare(entry);
+        set_state(analysis.id, RunState::failed, error.message);
+    }
+    announce_idle();
+}
+
+void AnalysisRunner::fail_entry(const std::string& id, const Error& error) {
+    const auto entry = entries_.find(id);
+    if (entry != entries_.end() && entry->second.prepared && entry->second.held.isEmpty())
+        set_state(id, RunState::failed, error.message);
+}
+
 void AnalysisRunner::update_entry(const std::string& id, const MadeAnalysis& made) {
     AnalysisStatus& entry = entries_[id];
     const bool same = entry.prepared && made.prepared &&
                       (entry.prepared == made.prepared || same_numbers(*entry.prepared, *made.prepared));
     entry.prepared = made.prepared;
-    entry.warnings = warnings_of(made.problems);
+    entry.warnings = this->made()->warnings_of(id);
     const auto held = held_.find(id);
     entry.held = held == held_.end() ? QString() : held->second;
     compare(entry);
@@ -126,14 +143,19 @@ void AnalysisRunner::propagate() {
         if (entry.state == RunState::out_of_date && entry.prepared && entry.held.isEmpty())
             without.push_back(entry.prepared);
     if (without.empty()) return;
-    first_order_.start([this, without](const std::stop_token& stop) -> JobQueue::Delivery {
+    const auto failed = [this, without](const Error& error) {
+        for (const PreparedPointer& analysis : without) fail_entry(analysis->id, error);
+        announce_idle();
+    };
+    const auto propagate = [this, without](const std::stop_token& stop) -> JobQueue::Delivery {
         FirstOrder results;
         for (const PreparedPointer& analysis : without)
             if (!stop.stop_requested())
                 results.emplace_back(
                     analysis, std::make_shared<Result<UncertaintyResult>>(backend_.first_order(*analysis)));
         return [this, results] { take_first_order(results); };
-    });
+    };
+    first_order_.start(propagate, failed);
 }
 
 void AnalysisRunner::take_first_order(const FirstOrder& results) {

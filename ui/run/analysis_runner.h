@@ -65,6 +65,9 @@ private:
     using FirstOrder = std::vector<std::pair<PreparedPointer, SharedResult>>;
     void reset();
     void take_made();
+    /// The project could not be made.
+    void take_none(const ProjectSnapshot& project, const Error& error);
+    void fail_entry(const std::string& id, const Error& error);
     void update_entry(const std::string& id, const MadeAnalysis& made);
     /// First-order results of what has none; live runs follow.
     void propagate();

@@ -60,9 +60,11 @@ void RunQueue::start(const RunKey& key) {
                                   progress_after(progress, static_cast<double>(time_.elapsed()) / 1000.0));
         });
     };
-    jobs_.push([this, run = begin_(key), control]() -> JobQueue::Delivery {
-        return [this, delivery = run(control)] { finish(delivery); };
-    });
+    jobs_.push(
+        [this, run = begin_(key), control]() -> JobQueue::Delivery {
+            return [this, delivery = run(control)] { finish(delivery); };
+        },
+        [this, key](const Error& error) { finish([&] { emit failed(key, error); }); });
 }
 
 void RunQueue::finish(const JobQueue::Delivery& delivery) {

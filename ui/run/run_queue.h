@@ -56,6 +56,8 @@ public:
 signals:
     /// Some ten times a second at most.
     void progress_changed(const covaria::ui::RunKey& key, const covaria::ui::RunProgress& progress);
+    /// The run has thrown: memory that is not there, a defect of the program. `ended` follows.
+    void failed(const covaria::ui::RunKey& key, const covaria::Error& error);
     /// What the run delivered has been taken.
     void ended(const covaria::ui::RunKey& key);
     void idle();

@@ -41,6 +41,9 @@ StudyRunner::StudyRunner(ProjectMaker& maker, Execution execution, QObject* pare
     : QObject(parent), maker_(maker), runs_([this](const RunKey& key) { return begin_run(key); }, execution) {
     connect(&maker_, &ProjectMaker::forgotten, this, &StudyRunner::reset);
     connect(&maker_, &ProjectMaker::made_changed, this, &StudyRunner::take_made);
+    connect(&runs_, &RunQueue::failed, this, [this](const RunKey& key, const Error& error) {
+        if (entries_.contains(key)) set_state(key, RunState::failed, to_qt(error.message));
+    });
     connect(&runs_, &RunQueue::idle, this, &StudyRunner::idle);
     connect(&runs_, &RunQueue::progress_changed, this,
             [this](const RunKey& key, const RunProgress& progress) {

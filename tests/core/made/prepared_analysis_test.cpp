@@ -192,6 +192,22 @@ TEST(PreparedAnalysis, RunHasItsProvenance) {
     EXPECT_FALSE(result->provenance.covaria_version.empty());
 }
 
+TEST(PreparedAnalysis, WarningsAreThoseOfTheAssetsThatAreUsedAndOfTheAnalysis) {
+    Project project = plain_project();
+    project.assets[0].setup.values["rounds"] = Quantity{1.0};
+    AssetEntry unused = project.assets[0];
+    unused.id = "unused";
+    project.assets.insert(project.assets.begin(), unused);
+    for (const char* symbol : {"a", "b", "c"})
+        project.analyses[0].inputs.push_back({.symbol = symbol, .held = true});
+    const auto made = MadeProject::make(project);
+    const std::vector<std::string> warnings = made->warnings_of("sum-1");
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_EQ(warnings[0], "asset block-1: one round does not say how well it repeats");
+    EXPECT_TRUE(warnings[1].starts_with("no input quantity has an uncertainty")) << warnings[1];
+    EXPECT_TRUE(made->warnings_of("nothing").empty());
+}
+
 TEST(PreparedAnalysis, FingerprintFollowsTheAssetsThatAreUsed) {
     Project project = plain_project();
     AssetEntry unused = project.assets[0];

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <thread>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <stop_token>
 
 #include "core/base/resource_path.h"
 #include "core/made/load_project.h"
@@ -13,12 +16,35 @@
 namespace covaria::ui::analysis_runner_test {
 namespace {
 
-constexpr std::uint64_t bad = 1000;    ///< cannot be made
-constexpr std::uint64_t fails = 1001;  ///< cannot be run
+constexpr std::uint64_t bad = 1000;     ///< cannot be made
+constexpr std::uint64_t fails = 1001;   ///< cannot be run
+constexpr std::uint64_t huge = 1002;    ///< there is no memory to make it
+constexpr std::uint64_t greedy = 1003;  ///< there is no memory to run it
+
+/// A door that runs wait at while it is closed, or until they are stopped.
+class Gate {
+public:
+    void operator=(bool closed) {
+        {
+            const std::lock_guard lock(mutex_);
+            closed_ = closed;
+        }
+        opened_.notify_all();
+    }
+    void pass(const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        opened_.wait(lock, stop, [this] { return !closed_; });
+    }
+
+private:
+    std::mutex mutex_;
+    std::condition_variable_any opened_;
+    bool closed_ = false;
+};
 
 /// The number that a project is about is the seed of all its analyses; see `project`.
 struct Script {
-    std::atomic<bool> block = false;  ///< full runs wait for a stop request
+    Gate block;  ///< of full runs
     std::atomic<int> runs = 0;
     std::atomic<int> first_orders = 0;
     std::atomic<int> runs_of_x = 0;
@@ -36,9 +62,9 @@ struct Script {
         ++runs;
         if (analysis.id == "x") ++runs_of_x;
         if (control.progress) control.progress({500, 1000});
-        while (block && !control.stop.stop_requested())
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        block.pass(control.stop);
         if (control.stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped");
+        if (analysis.options.seed == greedy) throw std::bad_alloc();
         if (analysis.options.seed == fails) return fail(ErrorCode::numeric, "no value at the estimates");
         UncertaintyResult result;
         result.trials = analysis.options.trials;
@@ -62,11 +88,17 @@ ProjectSnapshot project(std::uint64_t seed, std::vector<std::string> ids = {"x"}
     return std::make_shared<const Project>(value);
 }
 
+Problems check(const MadeProject& made) {
+    for (const AnalysisEntry& analysis : made.project().analyses)
+        if (analysis.options.seed == huge) throw std::bad_alloc();
+    return made.problems();
+}
+
 struct AnalysisRunnerTest : testing::Test {
     const AnalysisStatus& status(const char* id = "x") { return runner.status(id); }
     bool settle() { return runner.wait_until_idle(5000); }
     Script script;
-    ProjectMaker maker;
+    ProjectMaker maker{check, Execution::threads, nullptr};
     AnalysisRunner runner{maker, script.backend(), Execution::threads};
 };
 
@@ -114,6 +146,21 @@ TEST_F(AnalysisRunnerTest, StopsARun) {
     EXPECT_EQ(status().state, RunState::out_of_date);
     EXPECT_FALSE(status().result);
     EXPECT_TRUE(status().message.isEmpty()) << "stopping is not a failure";
+}
+
+TEST_F(AnalysisRunnerTest, MemoryThatIsNotThereIsAFailureLikeAnother) {
+    for (const std::uint64_t seed : {huge, greedy}) {
+        maker.request(project(seed));
+        runner.run("x");
+        ASSERT_TRUE(settle());
+        EXPECT_EQ(status().state, RunState::failed) << seed;
+        EXPECT_EQ(status().message, "the memory of this machine does not suffice");
+        EXPECT_FALSE(status().is_current());
+    }
+    maker.request(project(1));
+    runner.run("x");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::up_to_date) << "the workers are still there";
 }
 
 TEST_F(AnalysisRunnerTest, FailuresSayWhy) {
