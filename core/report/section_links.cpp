@@ -34,7 +34,7 @@ void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     TableBuilder table("links-" + evaluated.analysis->id, "Input quantities taken from other analyses");
     table.text("Symbol", true);
     table.text("Quantity");
-    table.estimate("Estimate", false, 4);
+    table.number("Estimate", 0, 4);
     table.text("Unit");
     table.symbol("u(x_i)", 3);
     table.symbol("nu_i");
