@@ -36,7 +36,8 @@ private:
 // What was not readable (a field, a cell of it) is not reported a second time as missing.
 void add_checks(const MadeProject& made, Problems& problems) {
     const UnreadPlaces unread(problems);
-    for (const Problem& found : made.problems().items())
+    const Problems checks = made.problems();
+    for (const Problem& found : checks.items())
         if (!unread.touch(found.path)) problems.add(found);
 }
 

@@ -8,7 +8,8 @@ namespace covaria {
 /// Adds the problems of assets.
 inline AssetLibrary made_assets(const Project& project, Problems& problems) {
     const auto made = MadeProject::make(project);
-    for (const Problem& problem : made->problems().items())
+    const Problems found = made->problems();
+    for (const Problem& problem : found.items())
         if (problem.path.starts_with("/assets/")) problems.add(problem);
     return made->assets();
 }

@@ -38,7 +38,8 @@ Evaluated evaluated(Project project) {
             all.analyses.push_back(
                 {prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}, {}});
     }
-    for (const Problem& p : all.made->problems().items())
+    const Problems problems = all.made->problems();
+    for (const Problem& p : problems.items())
         if (p.severity == Severity::error) ADD_FAILURE() << p.path << ": " << p.message;
     EXPECT_EQ(all.analyses.size(), project.analyses.size());
     return all;

@@ -30,6 +30,10 @@ Project start() {
     return project;
 }
 
+void expect_none(const Problems& problems) {
+    for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
+}
+
 struct Edited : testing::Test {
     Project project = start();
     MadeProject::Pointer before = MadeProject::make(project), now;
@@ -38,7 +42,7 @@ struct Edited : testing::Test {
     MakingCounts edit(const std::function<void(Project&)>& change) {
         change(project);
         now = MadeProject::make(project, before);
-        for (const Problem& p : now->problems().items()) ADD_FAILURE() << p.path << ": " << p.message;
+        expect_none(now->problems());
         return now->counts();
     }
     bool has_same(const std::string& analysis) const {
@@ -58,7 +62,7 @@ void expect_counts(const MakingCounts& counts, const MakingCounts& expected) {
 }
 
 TEST_F(Edited, TheFirstStateIsMadeWhole) {
-    for (const Problem& p : before->problems().items()) ADD_FAILURE() << p.path << ": " << p.message;
+    expect_none(before->problems());
     expect_counts(before->counts(), {.assets = 3, .models = 2, .inputs = 2, .taken = 0});
     EXPECT_EQ(before->assets().entries().size(), 3u);
     EXPECT_EQ(before->analysis("sum-1")->assets.entries().size(), 2u);
