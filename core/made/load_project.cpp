@@ -55,19 +55,26 @@ LoadedProject parse_project(const std::string& text, const fs::path& directory, 
     return loaded;
 }
 
-LoadedProject load_project(const fs::path& file) {
+LoadedProject load_project(const fs::path& file, const std::vector<ValueAt>& values) {
     auto read = guarded([&]() -> Result<LoadedProject> {
-        const Result<std::string> text = read_file(file);
+        Result<std::string> text = read_file(file);
         if (!text) return fail(text.error());
         if (text->size() > largest_project)
             return fail(Error{ErrorCode::io, too_large(text->size()), {}, {}, 1});
         remove_leftovers(file.parent_path());
-        return parse_project(*text, project_folder(file), file.string());
+        if (values.empty()) return parse_project(*text, project_folder(file), file.string());
+        text = with_values(*text, values);
+        if (!text) return fail(text.error());
+        LoadedProject changed = parse_project(*text, project_folder(file), file.string());
+        for (Problem& problem : changed.problems.items())
+            if (problem.file == file.string()) problem.line = 0;
+        return changed;
     });
     if (read && *read) return std::move(**read);
-    const Error error = read ? read->error() : read.error();
     LoadedProject loaded;
-    loaded.problems.add({Severity::error, error.path, error.message, file.string(), error.line});
+    Error error = read ? read->error() : read.error();
+    error.file = file.string();
+    add_error(loaded.problems, error);
     return loaded;
 }
 
