@@ -160,7 +160,7 @@ Result<MadeProject::Pointer> open_project(const std::string& file, const std::ve
     print_problems(loaded.problems);
     if (loaded.problems.has_errors())
         return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");
-    return loaded->made;
+    return loaded.made;
 }
 
 Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,

@@ -72,9 +72,8 @@ LoadedProject load_project(const fs::path& file, const std::vector<ValueAt>& val
     });
     if (read && *read) return std::move(**read);
     LoadedProject loaded;
-    Error error = read ? read->error() : read.error();
-    error.file = file.string();
-    add_error(loaded.problems, error);
+    const Error error = read ? read->error() : read.error();
+    loaded.problems.add({Severity::error, error.path, error.message, file.string(), error.line});
     return loaded;
 }
 

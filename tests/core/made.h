@@ -5,19 +5,24 @@
 
 namespace covaria {
 
+inline void take_asset_problems(const MadeProject& made, Problems& problems) {
+    const Problems found = made.problems();
+    for (const Problem& problem : found.items())
+        if (problem.path.starts_with("/assets/")) problems.add(problem);
+}
+
 /// Adds the problems of assets.
 inline AssetLibrary made_assets(const Project& project, Problems& problems) {
     const auto made = MadeProject::make(project);
-    const Problems found = made->problems();
-    for (const Problem& problem : found.items())
-        if (problem.path.starts_with("/assets/")) problems.add(problem);
+    take_asset_problems(*made, problems);
     return made->assets();
 }
 
-/// Null after an error; adds the problems of the analysis.
+/// Null after an error; adds the problems of assets and of the analysis.
 inline std::shared_ptr<const PreparedAnalysis> made_analysis(const Project& project, const std::string& id,
                                                              Problems& problems) {
     const auto made = MadeProject::make(project);
+    take_asset_problems(*made, problems);
     problems.take(made->problems_of_analysis(id), "");
     return made->analysis(id);
 }

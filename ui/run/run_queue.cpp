@@ -43,12 +43,14 @@ void RunQueue::begin() {
                                  [&](const RunKey& key) { return key.analysis == focus_; });
         if (next == waiting_.end()) next = waiting_.begin();
         const RunKey key = *next;
+        Run run = begin_(key);
+        if (!run) return;
         waiting_.erase(next);
-        start(key);
+        start(key, std::move(run));
     }
 }
 
-void RunQueue::start(const RunKey& key) {
+void RunQueue::start(const RunKey& key, Run run) {
     active_ = key;
     stop_ = std::stop_source();
     time_.start();
@@ -61,7 +63,7 @@ void RunQueue::start(const RunKey& key) {
         });
     };
     jobs_.push(
-        [this, run = begin_(key), control]() -> JobQueue::Delivery {
+        [this, run = std::move(run), control]() -> JobQueue::Delivery {
             return [this, delivery = run(control)] { finish(delivery); };
         },
         [this, key](const Error& error) { finish([&] { emit failed(key, error); }); });

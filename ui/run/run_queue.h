@@ -29,7 +29,8 @@ class RunQueue : public QObject {
 public:
     /// Called on the worker thread; what it returns is called on the owner's.
     using Run = std::function<JobQueue::Delivery(const RunControl& control)>;
-    /// The run of a key whose turn has come; called on the owner's thread.
+    /// The run of a key whose turn has come; called on the owner's thread. None: it waits until the next
+    /// call of `begin`, and the others with it.
     using Begin = std::function<Run(const RunKey& key)>;
 
     RunQueue(Begin begin, Execution execution, QObject* parent = nullptr);
@@ -63,7 +64,7 @@ signals:
     void idle();
 
 private:
-    void start(const RunKey& key);
+    void start(const RunKey& key, Run run);
     void finish(const JobQueue::Delivery& delivery);
 
     Begin begin_;

@@ -41,6 +41,7 @@ StudyRunner::StudyRunner(ProjectMaker& maker, Execution execution, QObject* pare
     : QObject(parent), maker_(maker), runs_([this](const RunKey& key) { return begin_run(key); }, execution) {
     connect(&maker_, &ProjectMaker::forgotten, this, &StudyRunner::reset);
     connect(&maker_, &ProjectMaker::made_changed, this, &StudyRunner::take_made);
+    connect(&maker_, &ProjectMaker::not_made, this, &StudyRunner::take_none);
     connect(&runs_, &RunQueue::failed, this, [this](const RunKey& key, const Error& error) {
         if (entries_.contains(key)) set_state(key, RunState::failed, to_qt(error.message));
     });
@@ -63,6 +64,15 @@ void StudyRunner::take_made() {
             else
                 compare(key, analysis, study);
         }
+    runs_.begin();  // those that waited for this state
+}
+
+void StudyRunner::take_none(const ProjectSnapshot&, const Error& error) {
+    while (!runs_.waiting().empty()) {
+        const RunKey key = runs_.waiting().front();
+        runs_.take_out(key);
+        set_state(key, RunState::failed, to_qt(error.message));
+    }
 }
 
 void StudyRunner::compare(const RunKey& key, const AnalysisEntry& analysis, const Study& study) {
@@ -112,6 +122,7 @@ void StudyRunner::stop_all() {
 }
 
 RunQueue::Run StudyRunner::begin_run(const RunKey& key) {
+    if (maker_.is_making() || !maker_.made()) return {};  // the state to run is still to come
     return [this, key, made = maker_.made()](const RunControl& control) -> JobQueue::Delivery {
         auto ran = guarded([&] { return prepare_and_run(made, key, control); });
         const auto outcome = std::make_shared<const Outcome>(Outcome{

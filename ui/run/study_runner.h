@@ -55,6 +55,7 @@ private:
     };
     void reset();
     void take_made();
+    void take_none(const ProjectSnapshot& project, const Error& error);
     void compare(const RunKey& key, const AnalysisEntry& analysis, const Study& study);
     RunQueue::Run begin_run(const RunKey& key);
     void deliver(const RunKey& key, const std::shared_ptr<const Outcome>& outcome);

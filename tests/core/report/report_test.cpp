@@ -211,7 +211,9 @@ TEST(Report, RequirementsOnWhatDoesNotRepresentTheMeasurandAreNotJudged) {
     for (const char* key : {"\"targetMet\": true", "\"decision\": \"", "\"conformance\""})
         EXPECT_FALSE(contains(json, key)) << key;
     for (const DataTable& table : result_tables(project, analysis))
-        if (table.id == "requirements") EXPECT_TRUE(contains(to_csv(table), "not judged")) << to_csv(table);
+        if (table.id == "requirements") {
+            EXPECT_TRUE(contains(to_csv(table), "not judged")) << to_csv(table);
+        }
 }
 
 TEST(Report, ShowsWhatRemainsWithAContributorHeld) {

@@ -107,8 +107,8 @@ TEST_F(ProjectModelsTest, ProblemsComeWithTheirPlaceErrorsFirst) {
     EXPECT_EQ(model.index(0, ProblemsModel::place_column).data().toString(), "x.covaria, line 3: /format");
 }
 
-/// Two quantities with a component each.
-std::shared_ptr<const PreparedAnalysis> prepared() {
+/// Three quantities with a component each; the last one of another analysis, where one is named.
+InputSet sample_inputs(const std::string& last_of = {}) {
     InputSet inputs;
     for (const char* symbol : {"b_1x", "b_1y", "b_1z"}) {
         UncertaintyComponent component;
@@ -123,8 +123,11 @@ std::shared_ptr<const PreparedAnalysis> prepared() {
         quantity.offset = 0.1;
         inputs.add(quantity, {component});
     }
-    return analysis_with("a", std::move(inputs));
+    inputs.quantities.back().analysis = last_of;
+    return inputs;
 }
+
+std::shared_ptr<const PreparedAnalysis> prepared() { return analysis_with("a", sample_inputs()); }
 
 TEST_F(ProjectModelsTest, InputQuantitiesAreEditedAndReset) {
     add_analysis_entry("a");
@@ -154,9 +157,13 @@ TEST_F(ProjectModelsTest, InputQuantitiesAreEditedAndReset) {
 
 TEST_F(ProjectModelsTest, LinkedQuantitiesAreShownWhereTheyComeFrom) {
     add_analysis_entry("a");
-    auto chain = std::make_shared<PreparedAnalysis>(*prepared());
-    chain->inputs.quantities[2].analysis = "gauge";  // of upstream: not edited here
-    LinkedInput linked{.symbol = "L_S", .name = "length", .unit = Unit::of("mm"), .analysis = "gauge"};
+    // The last quantity is one of upstream: it is not edited here.
+    auto chain = std::make_shared<PreparedAnalysis>(*analysis_with("a", sample_inputs("gauge")));
+    LinkedInput linked;
+    linked.symbol = "L_S";
+    linked.name = "length";
+    linked.unit = Unit::of("mm");
+    linked.analysis = "gauge";
     linked.analysis_name = "End gauge";
     linked.output.symbol = "l";
     linked.estimate = 0.05;

@@ -53,7 +53,9 @@ void expect_rows_of_the_jacobian(const PreparedAnalysis& analysis) {
         Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(exact.cols());
         for (std::size_t k = 0; k < rows[j].size(); ++k) {
             row[static_cast<Eigen::Index>(rows[j][k].input)] += rows[j][k].coefficient;
-            if (k > 0) EXPECT_LT(rows[j][k - 1].input, rows[j][k].input);
+            if (k > 0) {
+                EXPECT_LT(rows[j][k - 1].input, rows[j][k].input);
+            }
         }
         const auto of_matrix = exact.row(static_cast<Eigen::Index>(j));
         EXPECT_GT(of_matrix.cwiseAbs().maxCoeff(), 0.0);
