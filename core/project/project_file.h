@@ -41,8 +41,8 @@ std::string project_text(const Project& project);
 /// Atomic: temporary file in the same folder, flush, rename. Error{io} leaves the old file as it was.
 Result<void> save_project(const Project& project, const std::filesystem::path& file);
 
-/// 16 hexadecimal digits over everything that influences numbers (not titles and notes), CSV contents
-/// included.
+/// 16 hexadecimal digits over everything that influences numbers (not titles, notes and the order of assets),
+/// CSV contents included.
 std::string fingerprint(Project project);
 /// Nothing that influences numbers differs: as fingerprints that are the same, without their texts.
 bool same_numbers(const Project& a, const Project& b);

@@ -252,9 +252,10 @@ TEST(PreparedAnalysis, AssetsWithErrorsAreNamedByTheirUsers) {
     EXPECT_EQ(assets.find("block-1"), nullptr);
     EXPECT_EQ(problem_with(problems, "'length of the block' must be given").path, "/assets/0/setup/length");
     EXPECT_EQ(problem_with(problems, "which has errors of its own").path, "/assets/1/setup/block");
-    Problems of_analysis;
-    EXPECT_EQ(made_analysis(project, "sum-1", of_analysis), nullptr);
-    EXPECT_EQ(problem_with(of_analysis, "which has errors of its own").path, "/analyses/0/setup/block");
+    const auto made = MadeProject::make(project);
+    EXPECT_EQ(made->analysis("sum-1"), nullptr);
+    EXPECT_EQ(problem_with(made->problems_of_analysis("sum-1"), "which has errors of its own").path,
+              "/analyses/0/setup/block");
 }
 
 TEST(PreparedAnalysis, UnknownAnalysis) {

@@ -1,8 +1,10 @@
 // Studies in the worker thread: results, what becomes out of date, stopping.
 #include <gtest/gtest.h>
 
+#include "core/base/guarded.h"
 #include "core/base/resource_path.h"
 #include "core/made/load_project.h"
+#include "tests/ui/qt_application.h"
 #include "ui/run/study_runner.h"
 
 namespace covaria::ui::study_runner_test {
@@ -53,6 +55,39 @@ TEST(StudyRunner, FailureSaysWhy) {
     runner.run(analysis, sweep);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::failed);
     EXPECT_FALSE(runner.status(analysis, sweep).message.isEmpty());
+}
+
+TEST(StudyRunner, RunsTheStateThatIsBeingMade) {
+    ProjectMaker maker(Execution::threads);
+    StudyRunner runner(maker, Execution::threads);
+    const ProjectSnapshot project = network();
+    maker.make_now(project);
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.studies[1].axes[0].values = 4; }));
+    ASSERT_TRUE(maker.is_making());
+    runner.run(analysis, sweep);
+    EXPECT_EQ(runner.status(analysis, sweep).state, RunState::running);
+    ASSERT_TRUE(runner.wait_until_idle(20'000));
+    ASSERT_TRUE(runner.status(analysis, sweep).is_current());
+    EXPECT_EQ(runner.status(analysis, sweep).result->points.size(), 4u);
+}
+
+TEST(StudyRunner, AStateThatCannotBeMadeFailsWhatWaitsForIt) {
+    ProjectMaker maker(
+        [](const MadeProject& made) -> Problems {
+            if (made.project().title == "impossible") throw ImpossibleValue("width below zero");
+            return {};
+        },
+        Execution::threads, nullptr);
+    StudyRunner runner(maker, Execution::threads);
+    const ProjectSnapshot project = network();
+    maker.make_now(project);
+    Project other = *project;
+    other.title = "impossible";
+    maker.request(std::make_shared<const Project>(other));
+    runner.run(analysis, sweep);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !maker.is_making() && !runner.is_busy(); }));
+    EXPECT_EQ(runner.status(analysis, sweep).state, RunState::failed);
+    EXPECT_TRUE(runner.status(analysis, sweep).message.contains("width below zero"));
 }
 
 TEST(StudyRunner, StopsInTheWorkerThread) {
