@@ -127,7 +127,9 @@ InputSet sample_inputs(const std::string& last_of = {}) {
     return inputs;
 }
 
-std::shared_ptr<const PreparedAnalysis> prepared() { return analysis_with("a", sample_inputs()); }
+std::shared_ptr<const PreparedAnalysis> prepared() {
+    return analysis_with("a", sample_inputs());
+}
 
 TEST_F(ProjectModelsTest, InputQuantitiesAreEditedAndReset) {
     add_analysis_entry("a");
