@@ -2,6 +2,7 @@
 
 #include "app/terminal.h"
 #include "core/base/guarded.h"
+#include "core/made/load_project.h"
 #include "core/project/project_file.h"
 #include "core/project/set_values.h"
 #include "core/result/representation.h"
@@ -44,10 +45,10 @@ Result<std::vector<std::string>> selected(const Project& project, const std::vec
     return wanted;
 }
 
-std::string first_error(const Problems& problems, const std::string& otherwise) {
+std::string why(const Problems& problems) {
     for (const Problem& problem : problems.items())
         if (problem.severity == Severity::error) return problem.path + ": " + problem.message;
-    return otherwise;
+    return "it cannot be evaluated";
 }
 
 std::string words_of(const FailedAnalysis& failed) {
@@ -59,14 +60,8 @@ std::string words_of(const FailedAnalysis& failed) {
 /// Evaluates analysis after analysis and keeps what failed.
 class Evaluator {
 public:
-    /// `project` is that of `opened` as the command line wants it.
-    Evaluator(const Project& project, const OpenedProject& opened, const RunRequest& request,
-              const std::stop_token& stop)
-        : project_(project),
-          assets_(opened.assets),
-          of_assets_(opened.of_assets),
-          request_(request),
-          stop_(stop) {}
+    Evaluator(MadeProject::Pointer made, const RunRequest& request, const std::stop_token& stop)
+        : made_(std::move(made)), request_(request), stop_(stop) {}
 
     /// Error{cancelled} only.
     Result<void> add(const std::string& id) {
@@ -87,21 +82,21 @@ public:
 
 private:
     Result<EvaluatedAnalysis> evaluate(const std::string& id) const {
-        Problems problems;
-        auto prepared = prepare_analysis(project_, id, assets_, problems);
-        if (!prepared) return fail(ErrorCode::bad_input, first_error(problems, "it cannot be evaluated"));
+        const Problems problems = made_->problems_of_analysis(id);
+        const auto prepared = made_->analysis(id);
+        if (!prepared) return fail(ErrorCode::bad_input, why(problems));
         if (!prepared->forecast.empty()) print_message(id + ": " + prepared->forecast);
         auto result = run_analysis(*prepared, {stop_, progress_line("analysis " + id), request_.threads});
         if (!result) return fail(result.error());
         EvaluatedAnalysis evaluated{
             prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};
-        evaluated.warnings = warnings_of(project_, id, of_assets_, problems);
+        evaluated.warnings = made_->warnings_of(id);
         return evaluated;
     }
 
     Result<void> evaluate_studies(EvaluatedAnalysis& evaluated) {
         const std::string& id = evaluated.analysis->id;
-        for (const Study& study : project_.find_analysis(id)->studies) {
+        for (const Study& study : made_->project().find_analysis(id)->studies) {
             if (!request_.study.empty() && study.id != request_.study) continue;
             auto result = evaluate(id, study.id);
             end_progress_line();
@@ -116,8 +111,8 @@ private:
 
     Result<StudyResult> evaluate(const std::string& id, const std::string& study) const {
         Problems problems;
-        const auto prepared = prepare_study(project_, id, study, assets_, problems);
-        if (!prepared) return fail(ErrorCode::bad_input, first_error(problems, "it cannot be evaluated"));
+        const auto prepared = prepare_study(made_, id, study, problems);
+        if (!prepared) return fail(ErrorCode::bad_input, why(problems));
         const std::string what = "study " + id + "/" + study;
         auto ran = guarded([&] {
             return run_study(*prepared, {stop_, progress_line(what), request_.threads});
@@ -136,14 +131,12 @@ private:
     }
 
     void note_failure(const std::string& id, const std::string& study, const std::string& cause) {
-        FailedAnalysis failed{id, project_.find_analysis(id)->name, study, cause};
+        FailedAnalysis failed{id, made_->project().find_analysis(id)->name, study, cause};
         print_message(words_of(failed));
         evaluation.failed.push_back(std::move(failed));
     }
 
-    const Project& project_;
-    const AssetLibrary& assets_;
-    const Problems& of_assets_;
+    const MadeProject::Pointer made_;
     const RunRequest& request_;
     std::stop_token stop_;
 };
@@ -160,24 +153,21 @@ Result<std::vector<ValueAt>> places_of(const std::vector<std::string>& values) {
 
 }  // namespace
 
-Result<OpenedProject> open_project(const std::string& file, const std::vector<std::string>& values) {
+Result<MadeProject::Pointer> open_project(const std::string& file, const std::vector<std::string>& values) {
     const auto places = places_of(values);
     if (!places) return fail(places.error());
     LoadedProject loaded = load_project(file, *places);
     print_problems(loaded.problems);
     if (loaded.problems.has_errors())
         return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");
-    Problems asset_problems;
-    AssetLibrary assets = make_assets(loaded.project, asset_problems);
-    return OpenedProject{std::move(loaded.project), std::move(assets), std::move(asset_problems)};
+    return loaded.made;
 }
 
-Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunRequest& request,
+Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,
                                      const std::stop_token& stop) {
-    const Project project = with_overrides(opened.project, request);
-    const auto ids = selected(project, request.analyses);
+    const auto ids = selected(opened->project(), request.analyses);
     if (!ids) return fail(ids.error());
-    Evaluator evaluator(project, opened, request, stop);
+    Evaluator evaluator(MadeProject::make(with_overrides(opened->project(), request), opened), request, stop);
     for (const std::string& id : *ids)
         if (auto added = evaluator.add(id); !added) return fail(added.error());
     return std::move(evaluator.evaluation);

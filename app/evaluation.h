@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/project/workspace.h"
+#include "core/made/made_project.h"
 #include "core/report/report.h"
 
 namespace covaria {
@@ -26,15 +26,9 @@ struct RunRequest {
         {};  ///< "/assets/0/setup/temperature=23.5": the file is read as if they stood there
 };
 
-/// A loaded project with its assets made.
-struct OpenedProject {
-    Project project;
-    AssetLibrary assets;
-    Problems of_assets;  ///< warnings
-};
-
 /// Prints every problem; an error of the project becomes Error{bad_input}. `values`: see RunRequest.
-Result<OpenedProject> open_project(const std::string& file, const std::vector<std::string>& values = {});
+Result<MadeProject::Pointer> open_project(const std::string& file,
+                                          const std::vector<std::string>& values = {});
 
 /// What was evaluated, and what has no results.
 struct Evaluation {
@@ -44,7 +38,7 @@ struct Evaluation {
 
 /// Evaluates the requested analyses one after the other, with progress on a terminal. One that fails is said
 /// and does not keep the others from being evaluated. Errors: an unknown analysis, stopped.
-Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunRequest& request,
+Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,
                                      const std::stop_token& stop);
 /// Error{numeric} that names what failed, if anything did: the command ends with status 1.
 Result<void> check_complete(const Evaluation& evaluation);

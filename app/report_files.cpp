@@ -28,8 +28,8 @@ Result<void> write_reports(const ReportSource& source, const ReportFiles& files,
     target.folder = files.folder;
     target.formats = formats_of(files.formats);
     target.paper = files.paper == "letter" ? ui::PaperSize::letter : ui::PaperSize::a4;
-    auto written = ui::export_report(
-        build_report(source.project, source.assets, source.analyses, source.failed), target, painters, stop);
+    auto written =
+        ui::export_report(build_report(source.made, source.analyses, source.failed), target, painters, stop);
     if (!written && !scenes.problem().empty()) written.error().message += ": " + scenes.problem();
     return written;
 }

@@ -16,8 +16,7 @@ struct ReportFiles {
 };
 
 struct ReportSource {
-    const Project& project;
-    const AssetLibrary& assets;
+    const MadeProject& made;
     const std::vector<EvaluatedAnalysis>& analyses;
     const std::vector<FailedAnalysis>& failed;
 };

@@ -123,7 +123,7 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
     if (!evaluation) return fail(evaluation.error());
     std::vector<TestSuite> suites;
     for (const EvaluatedAnalysis& one : evaluation->analyses)
-        suites.push_back(suite_of(one, opened->project));
+        suites.push_back(suite_of(one, (*opened)->project()));
     for (const FailedAnalysis& failed : evaluation->failed) suites.push_back({failed.id, {}, failed.cause});
     if (!arguments.junit.empty())
         if (auto written = write_file_atomically(arguments.junit, junit_text(arguments.request.file, suites));

@@ -8,7 +8,7 @@
 #include "app/evaluation.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 
 namespace covaria {
 namespace {

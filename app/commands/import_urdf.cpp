@@ -10,7 +10,7 @@
 #include "app/exit_status.h"
 #include "app/terminal.h"
 #include "core/kinds/robot/urdf.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 
 namespace covaria {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
-#include "core/project/library.h"
+#include "core/made/library.h"
 
 namespace covaria {
 namespace {

@@ -20,10 +20,10 @@ struct RenderArguments {
 Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
     auto opened = open_project(arguments.request.file, arguments.request.values);
     if (!opened) return fail(opened.error());
-    if (opened->project.analyses.empty())
+    if ((*opened)->project().analyses.empty())
         return fail(ErrorCode::bad_input, "the project has no analysis to draw");
     if (arguments.request.analyses.empty())
-        arguments.request.analyses = {opened->project.analyses.front().id};
+        arguments.request.analyses = {(*opened)->project().analyses.front().id};
     arguments.request.studies = !arguments.picture.study.empty();
     arguments.request.study = arguments.picture.study;
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);

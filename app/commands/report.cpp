@@ -25,8 +25,7 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
     if (auto written =
-            write_reports({opened->project, opened->assets, evaluation->analyses, evaluation->failed},
-                          arguments.files, stop);
+            write_reports({**opened, evaluation->analyses, evaluation->failed}, arguments.files, stop);
         !written)
         return written;
     return check_complete(*evaluation);

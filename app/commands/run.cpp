@@ -49,22 +49,19 @@ Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop,
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
     const std::vector<EvaluatedAnalysis>& analyses = evaluation->analyses;
-    say_what_does_not_represent(opened->project, analyses);
+    say_what_does_not_represent((*opened)->project(), analyses);
     ResultListing listing{evaluation->failed, {}};
     std::vector<PlannedPicture> pictures;
     if (arguments.pictures) pictures = planned_pictures(analyses);
     for (const PlannedPicture& picture : pictures) listing.files.push_back(listed(picture, analyses));
-    if (auto written =
-            write_result_files(arguments.out, opened->project, opened->assets, analyses, std::move(listing));
-        !written)
+    if (auto written = write_result_files(arguments.out, **opened, analyses, std::move(listing)); !written)
         return written;
     if (auto written = write_pictures(arguments.out, analyses, pictures, stop); !written) return written;
     if (arguments.report)
-        if (auto written = write_reports({opened->project, opened->assets, analyses, evaluation->failed},
-                                         {arguments.out}, stop);
+        if (auto written = write_reports({**opened, analyses, evaluation->failed}, {arguments.out}, stop);
             !written)
             return written;
-    lines += result_lines(name, opened->project, analyses);
+    lines += result_lines(name, (*opened)->project(), analyses);
     return check_complete(*evaluation);
 }
 

@@ -6,8 +6,7 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "core/made/load_project.h"
 
 namespace covaria {
 namespace {

@@ -247,31 +247,17 @@ std::set<std::string> upstream_of(const Project& project, const AnalysisEntry& a
 
 }  // namespace
 
+bool has_links(const AnalysisEntry& entry, const InputSet& inputs) {
+    return !links_of(entry, inputs).empty();
+}
+
 ModelOfAnalysis compose_analysis(const Project& project, const AnalysisEntry& entry, ModelOfAnalysis own,
                                  const MakeOwnModel& make_own, Problems& problems) {
-    if (!own.model || links_of(entry, own.inputs).empty()) return own;
+    if (!own.model || !has_links(entry, own.inputs)) return own;
     Problems found;
     ModelOfAnalysis made = ChainMaker(project, make_own).make(entry, std::move(own), found);
     problems.take(found, "");
     return made;
-}
-
-void add_offering_analyses(const Project& project, const AnalysisEntry& entry, const MakeOwnModel& make_own,
-                           AssetLibrary& assets, Problems& problems) {
-    const SetupSchema* schema = schema_of(entry);
-    if (!schema) return;
-    for (const AssetReference& reference : references_of(*schema, entry.setup)) {
-        const AnalysisEntry* other = project.find_analysis(reference.id);
-        if (!other || project.find_asset(reference.id) || assets.find(reference.id)) continue;
-        Problems found;
-        const ModelOfAnalysis made = make_own(*other, found);
-        if (!made.model) {
-            problems.error(reference.path, objection_to(reference.id, found));
-            continue;
-        }
-        if (auto asset = made.model->as_asset(other->id))
-            assets.add(other->id, {other->name, nullptr, std::move(asset)});
-    }
 }
 
 std::vector<std::string> analyses_used_by(const Project& project, const AnalysisEntry& analysis) {

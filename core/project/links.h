@@ -2,12 +2,33 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "core/project/workspace.h"
+#include "core/base/error.h"
+#include "core/model/measurement_model.h"
+#include "core/project/project.h"
 
 namespace covaria {
+
+/// An input quantity of an analysis as its chain gives it, by the law of propagation.
+struct LinkedInput {
+    std::string symbol, name;
+    Unit unit = {};
+    std::string analysis, analysis_name;
+    OutputQuantity output;
+    bool linearised = false;
+    double estimate = 0.0;
+    double standard_uncertainty = 0.0;
+    double degrees_of_freedom = 0.0;
+};
+
+/// A model with its inputs, edits applied; no model after an error (paths relative to the analysis).
+struct ModelOfAnalysis {
+    std::shared_ptr<const MeasurementModel> model;
+    InputSet inputs;
+};
 
 /// The model of an entry by itself, edits applied; no model after an error (paths relative to the analysis).
 using MakeOwnModel = std::function<ModelOfAnalysis(const AnalysisEntry& entry, Problems& problems)>;
@@ -18,10 +39,8 @@ using MakeOwnModel = std::function<ModelOfAnalysis(const AnalysisEntry& entry, P
 ModelOfAnalysis compose_analysis(const Project& project, const AnalysisEntry& entry, ModelOfAnalysis own,
                                  const MakeOwnModel& make_own, Problems& problems);
 
-/// Analyses that the set-up refers to where it could refer to an asset: what stands for them is added to
-/// `assets` under their ids. Paths of problems are relative to the set-up.
-void add_offering_analyses(const Project& project, const AnalysisEntry& entry, const MakeOwnModel& make_own,
-                           AssetLibrary& assets, Problems& problems);
+/// Whether `compose_analysis` puts anything in front of the model with these inputs.
+bool has_links(const AnalysisEntry& entry, const InputSet& inputs);
 
 /// Ids of the analyses that this one takes outputs from, directly or through others; in project order.
 std::vector<std::string> analyses_used_by(const Project& project, const AnalysisEntry& analysis);

@@ -2,18 +2,16 @@
 #include "core/project/project_file.h"
 
 #include <algorithm>
-#include <set>
+#include <memory>
+#include <optional>
 
-#include "core/base/counted_problems.h"
 #include "core/base/file_io.h"
-#include "core/base/guarded.h"
 #include "core/project/analysis_json.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/migration.h"
 #include "core/project/project_text.h"
 #include "core/project/setup_json.h"
-#include "core/project/workspace.h"
 
 namespace covaria {
 
@@ -89,7 +87,7 @@ private:
         reader.refuse_unknown_keys();
     }
 
-    // Of an unknown kind nothing is known about its fields; check_project reports the kind.
+    // Of an unknown kind nothing is known about its fields; making it reports the kind.
     template <class Entry>
     void read_setup(ObjectReader& reader, Entry& entry) {
         const Json* setup = reader.find("setup");
@@ -101,36 +99,6 @@ private:
     ReadContext context_;
 };
 
-// Places where something was not readable. What lies at, above or below them is not reported a second time.
-class UnreadPlaces {
-public:
-    explicit UnreadPlaces(const Problems& read) {
-        for (const Problem& problem : read.items())
-            if (problem.severity == Severity::error && !problem.path.empty()) places_.insert(problem.path);
-    }
-
-    bool touch(const std::string& path) const {
-        const auto below = places_.lower_bound(path + "/");
-        if (places_.contains(path) || (below != places_.end() && below->starts_with(path + "/"))) return true;
-        for (std::size_t end = path.rfind('/'); end != std::string::npos && end > 0;
-             end = path.rfind('/', end - 1))
-            if (places_.contains(path.substr(0, end))) return true;
-        return false;
-    }
-
-private:
-    std::set<std::string> places_;
-};
-
-// What was not readable (a field, a cell of it) is not reported a second time as missing.
-void add_checks(const Project& project, Problems& problems) {
-    Problems checks;
-    check_project(project, checks);
-    const UnreadPlaces unread(problems);
-    for (const Problem& found : checks.items())
-        if (!unread.touch(found.path)) problems.add(found);
-}
-
 void locate_in_csv(Problem& problem, const std::vector<CsvOrigin>& csv) {
     for (const CsvOrigin& origin : csv) {
         const std::string rows = origin.path + "/rows/";
@@ -141,22 +109,22 @@ void locate_in_csv(Problem& problem, const std::vector<CsvOrigin>& csv) {
     }
 }
 
-void locate(Problems& problems, const JsonLocations& locations, const std::vector<CsvOrigin>& csv,
-            const std::string& name) {
-    for (Problem& problem : problems.items()) {
-        if (problem.file.empty()) locate_in_csv(problem, csv);
-        if (!problem.file.empty()) continue;
-        problem.file = name;
-        // What is missing in the project itself is missing in the object that begins in the first line.
-        if (problem.line == 0) problem.line = std::max(1, locations.line(problem.path));
-    }
-}
+/// Where the things of a text stand.
+struct Places {
+    std::string name;
+    std::optional<JsonLocations> locations = {};
+    std::vector<CsvOrigin> csv = {};
 
-std::string too_large(std::size_t bytes) {
-    return "it has " + std::to_string(bytes / 1'000'000) + " MB, and projects of up to " +
-           std::to_string(largest_project / 1'000'000) +
-           " MB are read: put its long tables into CSV files beside it";
-}
+    void locate(Problems& problems) const {
+        for (Problem& problem : problems.items()) {
+            if (problem.file.empty()) locate_in_csv(problem, csv);
+            if (!problem.file.empty()) continue;
+            problem.file = name;
+            // What is missing in the project itself is missing in the object that begins in the first line.
+            if (problem.line == 0) problem.line = std::max(1, locations ? locations->line(problem.path) : 0);
+        }
+    }
+};
 
 Result<Json> project_document(const std::string& text) {
     auto document = parse_json(text);
@@ -172,30 +140,34 @@ Result<Json> project_document(const std::string& text) {
 
 }  // namespace
 
-LoadedProject parse_project(const std::string& text, const fs::path& directory, const std::string& name) {
-    LoadedProject loaded;
-    loaded.project.directory = directory;
-    const auto locations = JsonLocations::scan(text);
+std::string too_large(std::size_t bytes) {
+    return "it has " + std::to_string(bytes / 1'000'000) + " MB, and projects of up to " +
+           std::to_string(largest_project / 1'000'000) +
+           " MB are read: put its long tables into CSV files beside it";
+}
+
+ReadProject read_project(const std::string& text, const fs::path& directory, const std::string& name) {
+    ReadProject read;
+    read.project.directory = directory;
+    auto places = std::make_shared<Places>(Places{name});
+    read.locate = [places](Problems& problems) { places->locate(problems); };
+    auto locations = JsonLocations::scan(text);
     if (!locations) {
-        add_error(loaded.problems, locations.error());
-        Problem& problem = loaded.problems.items().back();
-        problem.file = name;
-        problem.line = std::max(1, problem.line);
-        return loaded;
+        add_error(read.problems, locations.error());
+        return read;
     }
-    loaded.problems = locations->duplicate_keys();
+    read.problems = locations->duplicate_keys();
+    places->locations = std::move(*locations);
     const auto document = project_document(text);
     if (!document) {
-        add_error(loaded.problems, document.error());
-        locate(loaded.problems, *locations, {}, name);
-        return loaded;
+        add_error(read.problems, document.error());
+        return read;
     }
-    ProjectReader reader(directory, loaded.problems);
-    loaded.project = reader.read(*document);
-    add_checks(loaded.project, loaded.problems);
-    locate(loaded.problems, *locations, reader.csv(), name);
-    count_beyond_a_hundred(loaded.problems);
-    return loaded;
+    ProjectReader reader(directory, read.problems);
+    read.project = reader.read(*document);
+    read.is_project = true;
+    places->csv = reader.csv();
+    return read;
 }
 
 fs::path project_folder(const fs::path& file) {
@@ -203,29 +175,6 @@ fs::path project_folder(const fs::path& file) {
     if (!fs::is_symlink(file, failure)) return file.parent_path();
     const fs::path target = fs::canonical(file, failure);
     return failure ? file.parent_path() : target.parent_path();
-}
-
-LoadedProject load_project(const fs::path& file, const std::vector<ValueAt>& values) {
-    auto read = guarded([&]() -> Result<LoadedProject> {
-        Result<std::string> text = read_file(file);
-        if (!text) return fail(text.error());
-        if (text->size() > largest_project)
-            return fail(Error{ErrorCode::io, too_large(text->size()), {}, {}, 1});
-        remove_leftovers(file.parent_path());
-        if (values.empty()) return parse_project(*text, project_folder(file), file.string());
-        text = with_values(*text, values);
-        if (!text) return fail(text.error());
-        LoadedProject changed = parse_project(*text, project_folder(file), file.string());
-        for (Problem& problem : changed.problems.items())
-            if (problem.file == file.string()) problem.line = 0;
-        return changed;
-    });
-    if (read && *read) return std::move(**read);
-    LoadedProject loaded;
-    Error error = read ? read->error() : read.error();
-    error.file = file.string();
-    add_error(loaded.problems, error);
-    return loaded;
 }
 
 Result<void> save_project(const Project& project, const fs::path& file) {

@@ -1,4 +1,5 @@
 // Project to canonical text, and its fingerprint.
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -57,6 +58,7 @@ void keep_numbers(Setup& setup) {
 Project numbers_only(Project project) {
     project.title.clear();
     project.notes.clear();
+    std::ranges::sort(project.assets, {}, &AssetEntry::id);
     for (AssetEntry& asset : project.assets) {
         asset.name.clear();
         asset.notes.clear();
@@ -115,6 +117,10 @@ std::string fingerprint(Project project) {
     for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, hash >>= 4)
         *digit = "0123456789abcdef"[hash & 0xf];
     return digits;
+}
+
+bool same_numbers(const Project& a, const Project& b) {
+    return numbers_only(a) == numbers_only(b);
 }
 
 }  // namespace covaria

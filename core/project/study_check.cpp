@@ -4,10 +4,11 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/project/entry_graph.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/project_id.h"
 #include "core/project/study_target.h"
-#include "core/project/workspace.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {

@@ -1,6 +1,7 @@
 // Results with everything of one contributor held, and of it alone ("ideal robot", "ideal instrument").
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "core/propagation/contributions.h"
 #include "core/propagation/parallel_blocks.h"
@@ -8,23 +9,46 @@
 namespace covaria::detail {
 namespace {
 
-/// u of the outputs when the components for which `counts` is false are held.
-std::vector<double> first_order_of(const LawOfPropagation& law, const Correlations& correlations,
-                                   const std::vector<bool>& counts) {
-    std::vector<double> u, part(counts.size(), 0.0);
+constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+
+/// Variances of one output without each contributor, and of each alone.
+class Variances {
+public:
+    explicit Variances(std::size_t contributors) : without(contributors), alone(contributors) {}
+    void clear() {
+        std::fill(without.begin(), without.end(), 0.0);
+        std::fill(alone.begin(), alone.end(), 0.0);
+    }
+    /// What components of the contributors a and b (which may be the same) bring in together.
+    void add(std::size_t a, std::size_t b, double variance) {
+        for (std::size_t k = 0; k < without.size(); ++k)
+            if (k != a && k != b) without[k] += variance;
+        if (a == b && a != nobody) alone[a] += variance;
+    }
+
+    std::vector<double> without, alone;
+};
+
+/// u of the outputs without, and of, each contributor.
+void add_first_order(const LawOfPropagation& law, const Correlations& correlations,
+                     const std::vector<std::size_t>& who, std::vector<ContributorResult>& results) {
+    std::vector<double> part(who.size(), 0.0);
+    Variances variances(results.size());
     for (const std::vector<PropagationTerm>& terms : law.terms) {
-        double variance = 0.0;
+        variances.clear();
         for (const PropagationTerm& term : terms) {
-            if (!counts[term.component]) continue;
             part[term.component] = term.contribution;
-            variance += term.contribution * term.contribution;
+            const std::size_t by = who[term.component];
+            variances.add(by, by, term.contribution * term.contribution);
         }
         for (const ComponentCorrelation& r : correlations)
-            variance += 2.0 * r.coefficient * part[r.first] * part[r.second];
+            variances.add(who[r.first], who[r.second], 2.0 * r.coefficient * part[r.first] * part[r.second]);
         for (const PropagationTerm& term : terms) part[term.component] = 0.0;
-        u.push_back(std::sqrt(std::max(0.0, variance)));
+        for (std::size_t k = 0; k < results.size(); ++k) {
+            results[k].without.first_order.push_back(std::sqrt(std::max(0.0, variances.without[k])));
+            results[k].alone.first_order.push_back(std::sqrt(std::max(0.0, variances.alone[k])));
+        }
     }
-    return u;
 }
 
 std::vector<bool> brought_in_by(const InputSet& inputs, const std::string& contributor, bool by_it) {
@@ -76,12 +100,17 @@ std::vector<ContributorResult> contributors_of(const InputSet& inputs, const Law
     const std::vector<Contributor> contributors = contributors_in(inputs, law);
     if (contributors.size() < 2) return {};
     std::vector<ContributorResult> results;
+    std::unordered_map<std::string, std::size_t> numbers;
     for (const Contributor& c : contributors) {
-        ContributorResult result{title_of(c, contributors), c.components, {}, {}};
-        result.without.first_order = first_order_of(law, correlations, brought_in_by(inputs, c.id, false));
-        result.alone.first_order = first_order_of(law, correlations, brought_in_by(inputs, c.id, true));
-        results.push_back(std::move(result));
+        numbers.emplace(c.id, results.size());
+        results.push_back({title_of(c, contributors), c.components, {}, {}});
     }
+    std::vector<std::size_t> who;
+    for (const UncertaintyComponent& c : inputs.components) {
+        const auto number = numbers.find(c.contributor);
+        who.push_back(number == numbers.end() ? nobody : number->second);
+    }
+    add_first_order(law, correlations, who, results);
     return results;
 }
 

@@ -11,6 +11,7 @@
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/engine_parts.h"
 #include "core/propagation/monte_carlo.h"
+#include "core/propagation/propagated.h"
 #include "core/propagation/second_order.h"
 #include "core/propagation/sobol.h"
 #include "core/propagation/take_trials.h"
@@ -39,13 +40,22 @@ std::string in_a_row(const std::vector<std::string>& symbols) {
     return text;
 }
 
+/// What is evaluated.
+struct Subject {
+    const MeasurementModel& model;
+    const InputSet& inputs;
+    const Propagation& propagation;
+};
+
 /// One evaluation: what its steps share.
 class Evaluation {
 public:
-    Evaluation(const MeasurementModel& model, const InputSet& inputs, const EvaluationOptions& options,
-               const RunControl& control, const EngineSettings& settings)
-        : model_(model),
-          inputs_(inputs),
+    Evaluation(const Subject& subject, const EvaluationOptions& options, const RunControl& control,
+               const EngineSettings& settings)
+        : model_(subject.model),
+          inputs_(subject.inputs),
+          correlations_(subject.propagation.correlations),
+          law_(subject.propagation.law),
           options_(options),
           control_(control),
           settings_(settings),
@@ -67,24 +77,17 @@ private:
 
     const MeasurementModel& model_;
     const InputSet& inputs_;
+    const Correlations& correlations_;
+    const LawOfPropagation& law_;
     const EvaluationOptions& options_;
     const RunControl& control_;
     const EngineSettings& settings_;
     RunMonitor monitor_;
-    Correlations correlations_;
-    LawOfPropagation law_;
     TrialSource source_;
     UncertaintyResult result_;
 };
 
 Result<UncertaintyResult> Evaluation::run() {
-    if (auto ok = check_options(options_); !ok) return fail(ok.error());
-    auto correlations = checked_correlations(model_, inputs_);
-    if (!correlations) return fail(correlations.error());
-    correlations_ = std::move(*correlations);
-    auto law = law_of_propagation(model_, inputs_, correlations_);
-    if (!law) return fail(law.error());
-    law_ = std::move(*law);
     auto result = first_order_result(model_, inputs_, options_, law_);
     if (!result) return fail(result.error());
     result_ = std::move(*result);
@@ -284,8 +287,23 @@ Result<void> Evaluation::add_regions() {
 Result<UncertaintyResult> evaluate_with(const MeasurementModel& model, const InputSet& inputs,
                                         const EvaluationOptions& options, const RunControl& control,
                                         const EngineSettings& settings) {
-    return Evaluation(model, inputs, options, control, settings).run();
+    if (auto ok = check_options(options); !ok) return fail(ok.error());
+    const auto propagation = propagate(model, inputs);
+    if (!propagation) return fail(propagation.error());
+    return Evaluation({model, inputs, *propagation}, options, control, settings).run();
 }
+
+namespace {
+
+EvaluationOptions without_trials(EvaluationOptions options) {
+    options.method = Method::first_order;
+    options.one_at_a_time_trials = 0;
+    options.contributor_trials = 0;
+    options.sobol_trials = 0;
+    return options;
+}
+
+}  // namespace
 
 }  // namespace covaria::detail
 
@@ -296,14 +314,22 @@ Result<UncertaintyResult> evaluate(const MeasurementModel& model, const InputSet
     return detail::evaluate_with(model, inputs, options, control, {});
 }
 
+Result<UncertaintyResult> evaluate(const PropagatedModel& model, const EvaluationOptions& options,
+                                   const RunControl& control) {
+    if (auto ok = detail::check_options(options); !ok) return fail(ok.error());
+    const auto& propagation = model.propagation();
+    if (!propagation) return fail(propagation.error());
+    return detail::Evaluation({*model.model(), model.inputs(), *propagation}, options, control, {}).run();
+}
+
 Result<UncertaintyResult> evaluate_first_order(const MeasurementModel& model, const InputSet& inputs,
                                                const EvaluationOptions& options) {
-    EvaluationOptions first_order = options;
-    first_order.method = Method::first_order;
-    first_order.one_at_a_time_trials = 0;
-    first_order.contributor_trials = 0;
-    first_order.sobol_trials = 0;
-    return detail::evaluate_with(model, inputs, first_order, {}, {});
+    return evaluate(model, inputs, detail::without_trials(options));
+}
+
+Result<UncertaintyResult> evaluate_first_order(const PropagatedModel& model,
+                                               const EvaluationOptions& options) {
+    return evaluate(model, detail::without_trials(options));
 }
 
 }  // namespace covaria

@@ -168,8 +168,13 @@ Eigen::MatrixXd covariance_of(const LawOfPropagation& law) {
             contribution(entry.output, k) = entry.contribution;
             correlated(entry.output, k) = entry.correlated;
         }
-    covariance.noalias() += correlated * contribution.transpose();
-    covariance = 0.5 * (covariance + covariance.transpose()).eval();
+    if (!all && correlated == contribution) {
+        covariance.selfadjointView<Eigen::Lower>().rankUpdate(contribution);
+        covariance.triangularView<Eigen::StrictlyUpper>() = covariance.transpose();
+    } else {
+        covariance.noalias() += correlated * contribution.transpose();
+        covariance = 0.5 * (covariance + covariance.transpose()).eval();
+    }
     covariance.diagonal() = covariance.diagonal().cwiseMax(0.0);
     return covariance;
 }

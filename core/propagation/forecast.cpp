@@ -5,7 +5,6 @@
 
 #include "core/math/normal_quantile.h"
 #include "core/propagation/adaptive.h"
-#include "core/propagation/first_order.h"
 #include "core/propagation/numerical_tolerance.h"
 #include "core/text/numbers.h"
 
@@ -30,20 +29,17 @@ std::string AdaptiveForecast::words() const {
            format_short(trials, 2) + " trials (" + format_short(batches, 2) + " batches)";
 }
 
-std::optional<AdaptiveForecast> forecast_adaptive(const MeasurementModel& model, const InputSet& inputs,
+std::optional<AdaptiveForecast> forecast_adaptive(const MeasurementModel& model,
+                                                  const Propagation& propagation,
                                                   const EvaluationOptions& options) {
     if (options.method != Method::adaptive) return {};
-    const auto correlations = resolved_correlations(inputs);
-    if (!correlations) return {};
-    const auto law = detail::law_of_propagation(model, inputs, *correlations);
-    if (!law) return {};
     const auto batch =
         static_cast<double>(detail::AdaptiveProcedure::batch_trials(options.coverage_probability));
     const double factor = 4.0 * std::max(1.0, end_point_variance(options.coverage_probability));
     AdaptiveForecast most;
     for (std::size_t j = 0; j < model.outputs().size(); ++j) {
         const OutputQuantity& output = model.outputs()[j];
-        const double u = law->uncertainty(static_cast<Eigen::Index>(j));
+        const double u = propagation.law.uncertainty(static_cast<Eigen::Index>(j));
         const double delta =
             options.tolerance_for(output.unit)
                 .value_or(detail::numerical_tolerance(u, output.unit, options.significant_digits));

@@ -6,6 +6,7 @@
 
 #include "core/model/measurement_model.h"
 #include "core/propagation/options.h"
+#include "core/propagation/propagated.h"
 
 namespace covaria {
 
@@ -21,8 +22,9 @@ struct AdaptiveForecast {
 
 /// Trials until twice the standard deviation of mean, u and end points between batches is below delta, for
 /// normally distributed outputs with the u of the law of propagation. The end points of the coverage interval
-/// govern: var = q(1 − q)/(n phi(z)²) u², q = (1 + p)/2. Empty: another method, or no first-order result.
-std::optional<AdaptiveForecast> forecast_adaptive(const MeasurementModel& model, const InputSet& inputs,
+/// govern: var = q(1 − q)/(n phi(z)²) u², q = (1 + p)/2. Empty: another method.
+std::optional<AdaptiveForecast> forecast_adaptive(const MeasurementModel& model,
+                                                  const Propagation& propagation,
                                                   const EvaluationOptions& options);
 
 }  // namespace covaria

@@ -2,11 +2,16 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/propagation/engine_parts.h"
+#include "core/propagation/engine.h"
+#include "core/propagation/propagated.h"
 #include "core/propagation/trial_block_runner.h"
 
 namespace covaria {
 namespace {
+
+struct TrialRange {
+    std::uint64_t first, count;
+};
 
 /// Puts the wanted trials of the runner's block (which begins at trial `begin`) into their columns.
 void copy_block(const detail::TrialBlockRunner& runner, std::uint64_t begin, std::uint64_t first,
@@ -25,30 +30,42 @@ void copy_block(const detail::TrialBlockRunner& runner, std::uint64_t begin, std
     }
 }
 
+Result<ReplayedTrials> replay(const MeasurementModel& model, const InputSet& inputs,
+                              const Propagation& propagation, std::uint64_t seed, TrialRange wanted) {
+    using namespace detail;
+    const DrawPlan plan(inputs, propagation.correlations);
+    const TrialSource source{&model, &plan, seed, propagation.law.estimate};
+    TrialBlockRunner runner(source);
+
+    const auto columns = static_cast<Eigen::Index>(wanted.count);
+    ReplayedTrials result;
+    result.inputs.resize(propagation.law.inputs.size(), columns);
+    result.outputs.setConstant(propagation.law.estimate.size(), columns,
+                               std::numeric_limits<double>::quiet_NaN());
+    // Blocks as the run had them: vector code then sees the same neighbours.
+    const std::uint64_t end = wanted.first + wanted.count;
+    for (std::uint64_t begin = wanted.first / block_trials * block_trials; begin < end;
+         begin += block_trials) {
+        runner.run(begin, std::min<std::uint64_t>(block_trials, end - begin));
+        copy_block(runner, begin, wanted.first, result);
+    }
+    return result;
+}
+
 }  // namespace
 
 Result<ReplayedTrials> replay_trials(const MeasurementModel& model, const InputSet& inputs,
                                      std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-    using namespace detail;
-    const auto correlations = checked_correlations(model, inputs);
-    if (!correlations) return fail(correlations.error());
-    const auto law = law_of_propagation(model, inputs, *correlations);
-    if (!law) return fail(law.error());
-    const DrawPlan plan(inputs, *correlations);
-    const TrialSource source{&model, &plan, seed, law->estimate};
-    TrialBlockRunner runner(source);
+    const auto propagation = propagate(model, inputs);
+    if (!propagation) return fail(propagation.error());
+    return replay(model, inputs, *propagation, seed, {first, count});
+}
 
-    const auto columns = static_cast<Eigen::Index>(count);
-    ReplayedTrials result;
-    result.inputs.resize(law->inputs.size(), columns);
-    result.outputs.setConstant(law->estimate.size(), columns, std::numeric_limits<double>::quiet_NaN());
-    // Blocks as the run had them: vector code then sees the same neighbours.
-    for (std::uint64_t begin = first / block_trials * block_trials; begin < first + count;
-         begin += block_trials) {
-        runner.run(begin, std::min<std::uint64_t>(block_trials, first + count - begin));
-        copy_block(runner, begin, first, result);
-    }
-    return result;
+Result<ReplayedTrials> replay_trials(const PropagatedModel& model, std::uint64_t seed, std::uint64_t first,
+                                     std::uint64_t count) {
+    const auto& propagation = model.propagation();
+    if (!propagation) return fail(propagation.error());
+    return replay(*model.model(), model.inputs(), *propagation, seed, {first, count});
 }
 
 }  // namespace covaria

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int pieces = 400;  ///< of an interval of integration
 
-using Distribution = RequirementResult::Distribution;
+using ConformanceBy = RequirementResult::Distribution;
 using Decision = RequirementResult::Decision;
 
 ToleranceLimits limits_of(const OutputRequirement& r, double guard_band) {
@@ -71,10 +71,10 @@ double integral(const std::function<double(double)>& f, double from, double to) 
     return sum * half;
 }
 
-Distribution distribution_of(const OutputResult& output) {
-    if (output.monte_carlo) return Distribution::trials;
-    return std::isfinite(output.first_order.effective_degrees_of_freedom) ? Distribution::student_t
-                                                                          : Distribution::normal;
+ConformanceBy distribution_of(const OutputResult& output) {
+    if (output.monte_carlo) return ConformanceBy::trials;
+    return std::isfinite(output.first_order.effective_degrees_of_freedom) ? ConformanceBy::student_t
+                                                                          : ConformanceBy::normal;
 }
 
 void judge_conformity(RequirementResult& made, const OutputRequirement& r, const OutputResult& output) {

@@ -70,10 +70,10 @@ void add_analysis(Blocks& blocks, const ReportSource& source, const EvaluatedAna
 
 }  // namespace
 
-ReportDocument build_report(const Project& project, const AssetLibrary& assets,
-                            const std::vector<EvaluatedAnalysis>& analyses,
+ReportDocument build_report(const MadeProject& made, const std::vector<EvaluatedAnalysis>& analyses,
                             const std::vector<FailedAnalysis>& failed) {
-    const ReportSource source{project, assets, analyses, failed};
+    const ReportSource source{made, analyses, failed};
+    const Project& project = made.project();
     ReportDocument document;
     document.title = project.title.empty() ? "Uncertainty report" : project.title;
     document.running_head = document.title;

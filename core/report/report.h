@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/project/workspace.h"
+#include "core/made/made_project.h"
 #include "core/report/report_document.h"
 #include "core/result/study_result.h"
 #include "core/result/uncertainty_result.h"
@@ -38,8 +38,7 @@ struct ResultListing {
 
 /// Title block, model and references, inputs and origin, asset evaluations, budgets, results, distributions,
 /// scene, correlation, notes, provenance.
-ReportDocument build_report(const Project& project, const AssetLibrary& assets,
-                            const std::vector<EvaluatedAnalysis>& analyses,
+ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                             const std::vector<FailedAnalysis>& failed = {});
 
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,

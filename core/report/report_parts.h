@@ -15,8 +15,7 @@ namespace covaria::report_parts {
 using Blocks = std::vector<ReportBlock>;
 
 struct ReportSource {
-    const Project& project;
-    const AssetLibrary& assets;
+    const MadeProject& made;
     const std::vector<EvaluatedAnalysis>& analyses;
     const std::vector<FailedAnalysis>& failed;
 };

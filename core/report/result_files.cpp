@@ -35,20 +35,20 @@ private:
 
 }  // namespace
 
-Result<void> write_result_files(const std::filesystem::path& folder, const Project& project,
-                                const AssetLibrary& assets, const std::vector<EvaluatedAnalysis>& analyses,
-                                ResultListing listing) {
+Result<void> write_result_files(const std::filesystem::path& folder, const MadeProject& made,
+                                const std::vector<EvaluatedAnalysis>& analyses, ResultListing listing) {
     TableNaming naming(listing);
     for (const EvaluatedAnalysis& one : analyses)
-        for (DataTable& table : result_tables(project, one)) {
+        for (DataTable& table : result_tables(made.project(), one)) {
             const std::string stem = one.analysis->id + "-" + table.id;
             naming.add(one.analysis->id, stem, std::move(table));
         }
-    for (DataTable& table : asset_tables(assets)) {
+    for (DataTable& table : asset_tables(made.assets())) {
         const std::string stem = table.id;
         naming.add("", stem, std::move(table));
     }
-    auto written = write_file_atomically(folder / "results.json", results_json(project, analyses, listing));
+    auto written =
+        write_file_atomically(folder / "results.json", results_json(made.project(), analyses, listing));
     for (const NamedTable& named : naming.tables)
         if (written) written = write_file_atomically(folder / named.file, to_csv(named.table));
     return written;

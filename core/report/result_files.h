@@ -12,8 +12,7 @@ namespace covaria {
 
 /// results.json, which lists all other files, and the tables of analyses, studies and assets. `others` are
 /// written by the caller (pictures).
-Result<void> write_result_files(const std::filesystem::path& folder, const Project& project,
-                                const AssetLibrary& assets, const std::vector<EvaluatedAnalysis>& analyses,
-                                ResultListing listing = {});
+Result<void> write_result_files(const std::filesystem::path& folder, const MadeProject& made,
+                                const std::vector<EvaluatedAnalysis>& analyses, ResultListing listing = {});
 
 }  // namespace covaria

@@ -7,7 +7,7 @@ namespace {
 void add_asset(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
                const std::string& id, const AssetLibrary::Entry& entry) {
     blocks.push_back(HeadingBlock{3, entry.name});
-    const AssetEntry* typed = source.project.find_asset(id);
+    const AssetEntry* typed = source.made.project().find_asset(id);
     if (typed) add_paragraphs(blocks, typed->notes);
     if (typed && entry.descriptor) add_setup_fields(blocks, entry.descriptor->schema, typed->setup, source);
     for (DataTable& table : entry.asset->evaluation()) blocks.push_back(TableBlock{std::move(table), {}});
@@ -27,12 +27,10 @@ void add_asset(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
 
 void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
                 std::set<std::string>& shown) {
-    const AnalysisEntry* analysis = source.project.find_analysis(evaluated.analysis->id);
-    if (!analysis) return;
     Blocks part;
     std::vector<std::string> before;
-    for (const std::string& id : assets_used_by(source.project, *analysis)) {
-        const AssetLibrary::Entry* entry = source.assets.find(id);
+    for (const std::string& id : source.made.assets_used_by(evaluated.analysis->id)) {
+        const AssetLibrary::Entry* entry = source.made.assets().find(id);
         if (!entry) continue;
         if (shown.insert(id).second)
             add_asset(part, source, evaluated, id, *entry);

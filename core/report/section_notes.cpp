@@ -40,10 +40,8 @@ void add_notes(Blocks& blocks, const ReportSource& source) {
     Blocks parts;
     for (const EvaluatedAnalysis& evaluated : source.analyses) {
         add_once(model_notes, evaluated.analysis->descriptor->notes);
-        const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
-        if (!entry) continue;
-        for (const std::string& id : assets_used_by(source.project, *entry))
-            if (const auto* asset = source.assets.find(id); asset && asset->descriptor)
+        for (const std::string& id : source.made.assets_used_by(evaluated.analysis->id))
+            if (const auto* asset = source.made.assets().find(id); asset && asset->descriptor)
                 add_once(asset_notes, asset->descriptor->notes);
     }
     add_list(parts, "On the measurement model", model_notes);
@@ -80,7 +78,7 @@ void add_provenance(Blocks& blocks, const ReportSource& source) {
                                                 : "Monte Carlo";
         table.row({evaluated.analysis->name, evaluated.analysis->descriptor->id, std::string(method),
                    count_text(result.trials), count_text(result.failed_trials),
-                   std::to_string(result.provenance.seed), evaluated.analysis->fingerprint,
+                   std::to_string(result.provenance.seed), evaluated.analysis->fingerprint(),
                    result.provenance.covaria_version});
     }
     table.note(

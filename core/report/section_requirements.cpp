@@ -154,7 +154,7 @@ void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAna
 }  // namespace
 
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
-    const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
+    const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
     if (!entry || entry->requirements.empty()) return;
     const Verdicts verdicts = judge(*evaluated.result, *entry);
     add_targets(blocks, verdicts, evaluated);

@@ -28,7 +28,7 @@ std::string choice_title(const std::vector<Choice>& choices, const std::string& 
 }
 
 std::string name_of_asset(const std::string& id, const ReportSource& source) {
-    const AssetLibrary::Entry* entry = source.assets.find(id);
+    const AssetLibrary::Entry* entry = source.made.assets().find(id);
     return entry && !entry->name.empty() ? entry->name : id;
 }
 
@@ -122,7 +122,7 @@ void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& se
 }
 
 void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
-    const AnalysisEntry* entry = source.project.find_analysis(evaluated.analysis->id);
+    const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
     if (!entry) return;
     blocks.push_back(HeadingBlock{2, "Set-up"});
     add_paragraphs(blocks, entry->notes);

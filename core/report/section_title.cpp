@@ -53,7 +53,7 @@ void add_title(Blocks& blocks, const ReportSource& source) {
         facts.facts.emplace_back("Evaluated with",
                                  "Covaria " + source.analyses.front().result->provenance.covaria_version);
     std::string missing;
-    for (const AnalysisEntry& entry : source.project.analyses) {
+    for (const AnalysisEntry& entry : source.made.project().analyses) {
         const bool there = std::any_of(source.analyses.begin(), source.analyses.end(),
                                        [&](const auto& one) { return one.analysis->id == entry.id; });
         if (!there) missing += (missing.empty() ? "" : ", ") + entry.name;
@@ -61,7 +61,7 @@ void add_title(Blocks& blocks, const ReportSource& source) {
     if (!missing.empty()) facts.facts.emplace_back("Not in this report", missing);
     facts.facts.emplace_back("Project fingerprint", project_fingerprint(source));
     blocks.push_back(std::move(facts));
-    add_paragraphs(blocks, source.project.notes);
+    add_paragraphs(blocks, source.made.project().notes);
     for (const FailedAnalysis& failed : source.failed)
         blocks.push_back(ParagraphBlock{
             (failed.study.empty() ? "Not evaluated: " : "Study \"" + failed.study + "\" not evaluated: ") +

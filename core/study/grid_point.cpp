@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "core/base/guarded.h"
-#include "core/project/kind_lookup.h"
 
 namespace covaria::detail {
 
@@ -60,12 +58,6 @@ std::vector<StudyTriple> triples_of(const PreparedAnalysis& analysis,
     return triples;
 }
 
-std::string first_error(const Problems& problems) {
-    for (const Problem& problem : problems.items())
-        if (problem.severity == Severity::error) return problem.message;
-    return "the model cannot be made";
-}
-
 EvaluatedPoint without_values(const std::string& reason) {
     return {{}, reason.empty() ? "the model cannot be evaluated" : reason, false};
 }
@@ -86,21 +78,7 @@ StudyPlan::StudyPlan(const PreparedStudy& study) : prepared(study), outputs(want
     triples = triples_of(*prepared.analysis, indices);
 }
 
-GridWalker::GridWalker(const StudyPlan& plan)
-    : plan_(plan), entry_(plan.prepared.project.analyses.front()), library_(plan.prepared.assets) {
-    std::set<std::string> varied;
-    for (const StudyTarget& target : plan.prepared.targets)
-        if (target.in_setup() && target.asset != StudyTarget::analysis)
-            varied.insert(plan.prepared.project.assets[target.asset].id);
-    std::vector<std::size_t> place(plan.prepared.project.assets.size(), none);
-    for (const std::size_t index : assets_affected_by(plan.prepared.project, varied)) {
-        place[index] = changed_assets_.size();
-        changed_assets_.push_back(plan.prepared.project.assets[index]);
-    }
-    for (const StudyTarget& target : plan.prepared.targets)
-        asset_of_axis_.push_back(
-            target.in_setup() && target.asset != StudyTarget::analysis ? place[target.asset] : none);
-}
+GridWalker::GridWalker(const StudyPlan& plan) : plan_(plan), project_(plan.prepared.made->project()) {}
 
 EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(std::uint64_t)>& advance) {
     std::vector<std::size_t> indices(plan_.values.size());
@@ -116,15 +94,12 @@ EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(
 EvaluatedPoint GridWalker::of_grid_point(const std::vector<std::size_t>& indices,
                                          const std::function<bool(std::uint64_t)>& advance) {
     change(indices);
-    ModelOfAnalysis made{plan_.prepared.analysis->model, {}};
-    if (plan_.setup_varied) {
-        Problems problems;
-        if (make_assets(problems)) made = make_model_of(plan_.prepared.project, entry_, library_, problems);
-        if (problems.has_errors() || !made.model) return without_values(first_error(problems));
-    } else {
-        made.inputs = plan_.prepared.analysis->inputs;
-    }
-    return of_model(made, advance);
+    if (!plan_.setup_varied)
+        return of_model(*plan_.prepared.analysis->model, plan_.prepared.analysis->inputs, advance);
+    const auto made = MadeProject::make(project_, plan_.prepared.made);
+    const auto analysis = made->analysis(project_.analyses.front().id);
+    if (!analysis) return without_values(first_error(made->problems(), "the model cannot be made"));
+    return of_model(*analysis->model, analysis->inputs, advance);
 }
 
 // All axes of one table or asset begin from the unchanged set-up, cell by cell.
@@ -135,28 +110,18 @@ void GridWalker::change(const std::vector<std::size_t>& indices) {
         values_.push_back(plan_.values[axis][indices[axis]]);
         const StudyTarget& target = prepared.targets[axis];
         if (!target.in_setup()) continue;
-        const bool own = target.asset == StudyTarget::analysis;
-        const Setup& base =
-            own ? prepared.project.analyses.front().setup : prepared.project.assets[target.asset].setup;
-        vary_setup(target, prepared.study.axes[axis], values_.back(), base,
-                   own ? entry_.setup : changed_assets_[asset_of_axis_[axis]].setup);
+        const Project& base = prepared.made->project();
+        if (target.asset == StudyTarget::analysis)
+            vary_setup(target, prepared.study.axes[axis], values_.back(), base.analyses.front().setup,
+                       project_.analyses.front().setup);
+        else
+            vary_setup(target, prepared.study.axes[axis], values_.back(), base.assets[target.asset].setup,
+                       project_.assets[target.asset].setup);
     }
 }
 
-bool GridWalker::make_assets(Problems& problems) {
-    for (const AssetEntry& entry : changed_assets_) {
-        auto asset = make_asset_of(entry, library_, problems);
-        if (!asset) return false;
-        AssetLibrary::Entry changed = *library_.find(entry.id);
-        changed.asset = std::move(asset);
-        library_.add(entry.id, std::move(changed));
-    }
-    return true;
-}
-
-EvaluatedPoint GridWalker::of_model(const ModelOfAnalysis& made,
+EvaluatedPoint GridWalker::of_model(const MeasurementModel& model, InputSet inputs,
                                     const std::function<bool(std::uint64_t)>& advance) {
-    InputSet inputs = made.inputs;
     for (std::size_t axis = 0; axis < values_.size(); ++axis) {
         StudyTarget target = plan_.prepared.targets[axis];
         if (target.in_setup()) continue;
@@ -173,11 +138,11 @@ EvaluatedPoint GridWalker::of_model(const ModelOfAnalysis& made,
     }
     std::vector<std::size_t> indices;
     for (std::size_t k = 0; k < plan_.outputs.size(); ++k) {
-        indices.push_back(find_output(made.model->outputs(), plan_.outputs[k], plan_.indices[k]));
+        indices.push_back(find_output(model.outputs(), plan_.outputs[k], plan_.indices[k]));
         if (indices.back() == none)
             return without_values("there is no output quantity '" + plan_.outputs[k].symbol + "' here");
     }
-    const auto summary = evaluate_summary(*made.model, inputs, indices, plan_.options, advance);
+    const auto summary = evaluate_summary(model, inputs, indices, plan_.options, advance);
     if (!summary && summary.error().code == ErrorCode::cancelled) return {{}, {}, true};
     if (!summary) return without_values(summary.error().message);
     EvaluatedPoint evaluated;
@@ -185,14 +150,13 @@ EvaluatedPoint GridWalker::of_model(const ModelOfAnalysis& made,
     for (Eigen::Index k = 0; k < summary->estimate.size(); ++k)
         evaluated.point.values.push_back(
             {summary->estimate(k), summary->standard_uncertainty(k), summary->expanded_uncertainty(k)});
-    add_places({made.model, std::move(inputs)}, indices, *summary, evaluated.point);
+    if (!plan_.triples.empty())
+        add_places(model.layout(estimates_of(inputs)), indices, *summary, evaluated.point);
     return evaluated;
 }
 
-void GridWalker::add_places(const ModelOfAnalysis& made, const std::vector<std::size_t>& indices,
+void GridWalker::add_places(const Layout& layout, const std::vector<std::size_t>& indices,
                             const EvaluationSummary& summary, StudyPoint& point) const {
-    if (plan_.triples.empty()) return;
-    const Layout layout = made.model->layout(estimates_of(made.inputs));
     for (const StudyTriple& triple : plan_.triples) {
         StudyPlace place;
         std::array<std::size_t, 3> outputs{};

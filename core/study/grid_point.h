@@ -29,7 +29,7 @@ struct EvaluatedPoint {
     bool cancelled = false;
 };
 
-/// Keeps copies of what it changes, so that a point costs no more than its changes.
+/// Makes of each grid point what its changes reach, and takes the rest over from the unchanged project.
 class GridWalker {
 public:
     explicit GridWalker(const StudyPlan& plan);
@@ -37,18 +37,15 @@ public:
 
 private:
     void change(const std::vector<std::size_t>& indices);
-    bool make_assets(Problems& problems);
     EvaluatedPoint of_grid_point(const std::vector<std::size_t>& indices,
                                  const std::function<bool(std::uint64_t)>& advance);
-    EvaluatedPoint of_model(const ModelOfAnalysis& made, const std::function<bool(std::uint64_t)>& advance);
-    void add_places(const ModelOfAnalysis& made, const std::vector<std::size_t>& indices,
+    EvaluatedPoint of_model(const MeasurementModel& model, InputSet inputs,
+                            const std::function<bool(std::uint64_t)>& advance);
+    void add_places(const Layout& layout, const std::vector<std::size_t>& indices,
                     const EvaluationSummary& summary, StudyPoint& point) const;
 
     const StudyPlan& plan_;
-    AnalysisEntry entry_;
-    std::vector<AssetEntry> changed_assets_;  ///< copies of those with an axis and those that refer to them
-    std::vector<std::size_t> asset_of_axis_;  ///< into changed_assets_
-    AssetLibrary library_;
+    Project project_;             ///< with the changes of the point
     std::vector<double> values_;  ///< of the axes at the point
 };
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/run_control.h"
+#include "core/made/made_project.h"
 #include "core/project/study_target.h"
-#include "core/project/workspace.h"
 #include "core/result/study_result.h"
 
 namespace covaria {
@@ -15,20 +15,20 @@ namespace covaria {
 /// An immutable snapshot of what a study needs: safe to hand to a worker thread.
 struct PreparedStudy {
     Study study;
-    Project project;      ///< the assets that the analysis uses, and the analysis
-    AssetLibrary assets;  ///< made of them
-    std::shared_ptr<const PreparedAnalysis> analysis;  ///< as it is without changes
+    MadeProject::Pointer made;  ///< the assets that the analysis uses, and the analysis, without changes
+    std::shared_ptr<const PreparedAnalysis> analysis;  ///< of the project
     std::vector<StudyTarget> targets;                  ///< per axis
     std::string fingerprint;
 };
 
 /// Null after an error; paths from the project's root ("/analyses/0/studies/1/axes/0/target").
-std::shared_ptr<const PreparedStudy> prepare_study(const Project& project, const std::string& analysis_id,
-                                                   const std::string& study_id, const AssetLibrary& assets,
-                                                   Problems& problems);
+std::shared_ptr<const PreparedStudy> prepare_study(const MadeProject::Pointer& made,
+                                                   const std::string& analysis_id,
+                                                   const std::string& study_id, Problems& problems);
 
-/// Of everything that influences the numbers of a study: cheap, and without a check.
-std::string study_fingerprint(const Project& project, const AnalysisEntry& entry, const Study& study);
+/// The assets that the analysis uses, and the analysis with this study: everything that influences its
+/// numbers.
+Project study_part(const Project& project, const AnalysisEntry& entry, const Study& study);
 
 /// Every grid point uses the seed of the analysis, so that neighbours differ by what was changed and not by
 /// other draws. A point whose model cannot be made or evaluated keeps the reason. Same bits for any number of

@@ -27,7 +27,7 @@ const fs::path root = COVARIA_SOURCE_DIR;
 const std::vector<std::string> core_order = {"core/base",   "core/math",        "core/text",  "core/equation",
                                              "core/random", "core/quantity",    "core/setup", "core/model",
                                              "core/result", "core/propagation", "core/kinds", "core/project",
-                                             "core/study",  "core/report"};
+                                             "core/made",   "core/study",       "core/report"};
 // The families of core/kinds, likewise; models.cpp and assets.cpp beside them list all.
 const std::vector<std::string> family_order = {"core/kinds/points",
                                                "core/kinds/instruments",
@@ -40,9 +40,9 @@ const std::vector<std::string> family_order = {"core/kinds/points",
                                                "core/kinds/equation",
                                                "core/kinds/groups",
                                                "core/kinds/curve"};
-const std::vector<std::string> ui_order = {"ui/theme",      "ui/charts", "ui/print",      "ui/document",
-                                           "ui/run",        "ui/export", "ui/models",     "ui/forms",
-                                           "ui/scene_view", "ui/pages",  "ui/main_window"};
+const std::vector<std::string> ui_order = {"ui/theme",    "ui/charts",     "ui/print",  "ui/jobs",
+                                           "ui/document", "ui/run",        "ui/export", "ui/models",
+                                           "ui/forms",    "ui/scene_view", "ui/pages",  "ui/main_window"};
 
 // What others wrote is read in the family that it becomes a part of; commands and windows name the reader.
 const std::set<std::string> readers = {"core/kinds/robot/urdf.h"};

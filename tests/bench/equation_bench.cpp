@@ -3,9 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
+#include "tests/core/made.h"
 
 namespace {
 
@@ -14,7 +13,7 @@ using namespace covaria;
 std::shared_ptr<const PreparedAnalysis> prepared(const std::string& file, const std::string& analysis) {
     const Project project = load_project(data_directory() / "projects/gum" / file).project;
     Problems problems;
-    return prepare_analysis(project, analysis, make_assets(project, problems), problems);
+    return made_analysis(project, analysis, problems);
 }
 
 void monte_carlo(benchmark::State& state, const std::string& file, const std::string& analysis) {

@@ -4,9 +4,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
+#include "tests/core/made.h"
 
 namespace {
 
@@ -21,7 +20,7 @@ Project example(bool quadratic = false) {
 
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project, const char* id) {
     Problems problems;
-    return prepare_analysis(project, id, make_assets(project, problems), problems);
+    return made_analysis(project, id, problems);
 }
 
 struct Job {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 
 namespace covaria::bench {
 

@@ -5,9 +5,8 @@
 #include <cstdlib>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
+#include "tests/core/made.h"
 
 namespace {
 
@@ -18,7 +17,7 @@ std::shared_ptr<const PreparedAnalysis> prepared(std::size_t poses) {
     auto& table = std::get<SetupTable>(project.analyses.at(0).setup.values.at("poses"));
     table.rows.resize(poses);
     Problems problems;
-    return prepare_analysis(project, "printed", make_assets(project, problems), problems);
+    return made_analysis(project, "printed", problems);
 }
 
 void monte_carlo(benchmark::State& state) {

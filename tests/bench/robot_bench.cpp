@@ -3,10 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
 #include "core/study/study.h"
+#include "tests/core/made.h"
 
 namespace {
 
@@ -19,7 +18,7 @@ Project robot_project() {
 void trials_of(benchmark::State& state, const char* id) {
     const Project project = robot_project();
     Problems problems;
-    const auto analysis = prepare_analysis(project, id, make_assets(project, problems), problems);
+    const auto analysis = made_analysis(project, id, problems);
     RunControl control;
     control.threads = static_cast<int>(state.range(0));
     for (auto _ : state)
@@ -42,8 +41,7 @@ void map(benchmark::State& state, Method method) {
         analysis.studies.front().method = method;
     }
     Problems problems;
-    const auto study =
-        prepare_study(project, "zero-pose", "workspace", make_assets(project, problems), problems);
+    const auto study = prepare_study(MadeProject::make(project), "zero-pose", "workspace", problems);
     if (!study) return state.SkipWithError("the study cannot be prepared");
     RunControl control;
     control.threads = static_cast<int>(state.range(0));

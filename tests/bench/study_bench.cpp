@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 #include "core/study/study.h"
 
 namespace {
@@ -33,7 +33,7 @@ std::shared_ptr<const PreparedStudy> network_map(Method method) {
     analysis.studies[0].method = method;
     project.analyses = {analysis};
     Problems problems;
-    return prepare_study(project, analysis.id, "map", make_assets(project, problems), problems);
+    return prepare_study(MadeProject::make(project), analysis.id, "map", problems);
 }
 
 /// One pose of the platform, its position varied.
@@ -41,7 +41,6 @@ std::shared_ptr<const PreparedStudy> pose_map(Method method) {
     Project project = load_project(data_directory() / "projects/stewart-platform.covaria").project;
     AnalysisEntry& analysis = project.analyses.front();
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
     const auto choices = study_targets(project, analysis, nullptr);
     Study study{.id = "map", .method = method};
     for (const StudyTargetChoice& choice : choices) {
@@ -53,7 +52,7 @@ std::shared_ptr<const PreparedStudy> pose_map(Method method) {
         study.axes.back().to = choice.target.current + 10.0;
     }
     analysis.studies = {study};
-    return prepare_study(project, analysis.id, "map", assets, problems);
+    return prepare_study(MadeProject::make(project), analysis.id, "map", problems);
 }
 
 void run(benchmark::State& state, const std::shared_ptr<const PreparedStudy>& study) {

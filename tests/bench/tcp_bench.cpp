@@ -3,9 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
+#include "tests/core/made.h"
 
 namespace {
 
@@ -17,7 +16,7 @@ Project example() {
 
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
     Problems problems;
-    return prepare_analysis(project, "paper", make_assets(project, problems), problems);
+    return made_analysis(project, "paper", problems);
 }
 
 void monte_carlo(benchmark::State& state) {

@@ -6,8 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "core/made/load_project.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace covaria::fuzz {
@@ -27,10 +26,8 @@ bool is_defect(const std::string& message) {
 
 Outcome evaluated(const LoadedProject& loaded) {
     Outcome outcome{true, false, {}};
-    Problems problems;
-    const AssetLibrary assets = make_assets(loaded.project, problems);
     for (const AnalysisEntry& analysis : loaded.project.analyses) {
-        const auto prepared = prepare_analysis(loaded.project, analysis.id, assets, problems);
+        const auto prepared = loaded.made->analysis(analysis.id);
         if (!prepared) return {true, false, "checked without errors, but not made: " + analysis.id};
         PreparedAnalysis quick = *prepared;
         quick.options.method = Method::first_order;

@@ -2,10 +2,7 @@
 #include "ui/document/document.h"
 
 #include <QFileInfo>
-#include <QMetaObject>
 
-#include "core/base/counted_problems.h"
-#include "core/project/workspace.h"
 #include "ui/document/linked_files.h"
 #include "ui/document/project_command.h"
 #include "ui/theme/strings.h"
@@ -24,19 +21,18 @@ std::filesystem::path folder_of(const QString& file) {
 
 }  // namespace
 
-Document::Document(QObject* parent)
-    : Document(
-          [](const Project& project, Problems& problems) {
-              check_project(project, problems);
-              count_beyond_a_hundred(problems);
-          },
-          parent) {}
+Document::Document(QObject* parent) : QObject(parent), maker_(Execution::threads, nullptr) {
+    connect_parts();
+}
 
-Document::Document(ProblemChecker::Check check, QObject* parent)
-    : QObject(parent), checker_(std::move(check)) {
-    open_pool_.setMaxThreadCount(1);
+Document::Document(ProjectMaker::Check check, QObject* parent)
+    : QObject(parent), maker_(std::move(check), Execution::threads, nullptr) {
+    connect_parts();
+}
+
+void Document::connect_parts() {
     undo_stack_.setUndoLimit(most_undo_steps);
-    connect(&checker_, &ProblemChecker::checked, this, &Document::collect_problems);
+    connect(&maker_, &ProjectMaker::made_changed, this, &Document::take_made);
     connect(&unread_, &UnreadTexts::changed, this, &Document::collect_problems);
     connect(&watch_, &FileWatch::changed, this, &Document::changed_on_disk);
     connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { emit modified_changed(is_modified()); });
@@ -44,7 +40,6 @@ Document::Document(ProblemChecker::Check check, QObject* parent)
 
 Document::~Document() {
     undo_stack_.disconnect(this);
-    open_pool_.waitForDone();
 }
 
 bool Document::apply(const QString& text, const ProjectEdit& edit, const QString& merge_key) {
@@ -64,34 +59,48 @@ void Document::set_project(ProjectSnapshot project) {
         project = std::move(moved);
     }
     project_ = std::move(project);
-    checker_.request(project_);
+    maker_.request(project_);
     emit project_changed();
+}
+
+/// Problems of a state that is no longer there would stand in the wrong places.
+void Document::take_made() {
+    if (maker_.made()->snapshot() != project_) return;
+    of_made_ = maker_.problems();
+    collect_problems();
 }
 
 void Document::collect_problems() {
     problems_ = unread_.problems(*project_);
-    problems_.take(checker_.problems(), {});
+    problems_.take(of_made_, {});
     emit problems_changed();
 }
 
-void Document::adopt(Project project, const QString& file) {
-    ++open_number_;
+void Document::adopt(ProjectSnapshot project, const QString& file, const MadeProject::Pointer& made) {
+    open_job_.cancel();
     undo_stack_.clear();
     unsaved_ = false;
     set_file(file);
-    project_ = std::make_shared<const Project>(std::move(project));
+    maker_.forget();
+    of_made_ = {};
+    project_ = std::move(project);
     unread_.clear();
     emit project_replaced();
+    if (made) maker_.take(made);
     set_project(project_);
     emit modified_changed(is_modified());
 }
 
 void Document::replace(Project project) {
-    adopt(std::move(project), {});
+    adopt(std::make_shared<const Project>(std::move(project)), {}, nullptr);
 }
 
-void Document::restore(Project project, const QString& original_file) {
-    adopt(std::move(project), original_file);
+void Document::replace_by(const LoadedProject& loaded) {
+    adopt(loaded.made->snapshot(), {}, loaded.made);
+}
+
+void Document::restore(const LoadedProject& loaded, const QString& original_file) {
+    adopt(loaded.made->snapshot(), original_file, loaded.made);
     set_unsaved();
 }
 
@@ -113,25 +122,27 @@ QString Document::display_name() const {
 }
 
 Problems Document::open(const QString& file) {
-    LoadedProject loaded = load_project(to_path(file));
-    if (!loaded.problems.has_errors()) adopt(std::move(loaded.project), QFileInfo(file).absoluteFilePath());
+    const LoadedProject loaded = load_project(to_path(file));
+    if (!loaded.problems.has_errors())
+        adopt(loaded.made->snapshot(), QFileInfo(file).absoluteFilePath(), loaded.made);
     return loaded.problems;
 }
 
 void Document::open_in_background(const QString& file) {
-    open_pool_.start([this, file, number = ++open_number_] {
-        auto loaded = std::make_shared<LoadedProject>(load_project(to_path(file)));
-        QMetaObject::invokeMethod(
-            this,
-            [this, file, number, loaded] {
-                if (number == open_number_) finish_open(file, std::move(*loaded));
-            },
-            Qt::QueuedConnection);
+    const auto load = [this, file](const std::stop_token&) -> JobQueue::Delivery {
+        auto loaded = std::make_shared<const LoadedProject>(load_project(to_path(file)));
+        return [this, file, loaded] { finish_open(file, *loaded); };
+    };
+    open_job_.start(load, [this, file](const Error& error) {
+        Problems problems;
+        problems.add({Severity::error, error.path, error.message, to_std(file), error.line});
+        emit open_finished(file, problems);
     });
 }
 
-void Document::finish_open(const QString& file, LoadedProject loaded) {
-    if (!loaded.problems.has_errors()) adopt(std::move(loaded.project), QFileInfo(file).absoluteFilePath());
+void Document::finish_open(const QString& file, const LoadedProject& loaded) {
+    if (!loaded.problems.has_errors())
+        adopt(loaded.made->snapshot(), QFileInfo(file).absoluteFilePath(), loaded.made);
     emit open_finished(file, loaded.problems);
 }
 

@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/made/load_project.h"
 #include "core/project/project.h"
-#include "core/project/project_file.h"
 #include "ui/document/file_watch.h"
-#include "ui/document/problem_checker.h"
+#include "ui/document/project_maker.h"
 #include "ui/document/unread_texts.h"
 
 namespace covaria::ui {
@@ -22,8 +22,8 @@ class Document : public QObject {
     Q_OBJECT
 public:
     explicit Document(QObject* parent = nullptr);
-    /// With another check than `check_project`.
-    Document(ProblemChecker::Check check, QObject* parent);
+    /// With other problems than those of the made project.
+    Document(ProjectMaker::Check check, QObject* parent);
     ~Document() override;
 
     const Project& project() const { return *project_; }
@@ -51,8 +51,9 @@ public:
 
     /// Another project takes the place of this one; history and file are forgotten.
     void replace(Project project);
+    void replace_by(const LoadedProject& loaded);
     /// A project read from a recovery file: like `open`, but unsaved.
-    void restore(Project project, const QString& original_file);
+    void restore(const LoadedProject& loaded, const QString& original_file);
     /// Reads a file. With errors among the problems the document stays as it was.
     Problems open(const QString& file);
     /// The same with the reading done in a worker thread; ends with `open_finished`. The latest call wins.
@@ -66,8 +67,10 @@ public:
     /// What was typed into fields and cells and cannot be read: not part of the project.
     UnreadTexts& unread() { return unread_; }
     const UnreadTexts& unread() const { return unread_; }
-    /// Checks at once instead of in the worker thread (which happens after every change by itself).
-    void check_now() { checker_.check_now(project_); }
+    /// Makes the project after every change, in a worker thread: who reads what is made follows it.
+    ProjectMaker& maker() { return maker_; }
+    /// Makes and checks at once instead.
+    void check_now() { maker_.make_now(project_); }
 
 signals:
     void project_changed();
@@ -83,23 +86,25 @@ signals:
 private:
     friend class ProjectCommand;
     void set_project(ProjectSnapshot project);
-    void adopt(Project project, const QString& file);
+    void connect_parts();
+    void adopt(ProjectSnapshot project, const QString& file, const MadeProject::Pointer& made);
+    void take_made();
     void set_file(const QString& file);
-    void finish_open(const QString& file, LoadedProject loaded);
+    void finish_open(const QString& file, const LoadedProject& loaded);
     void collect_problems();
 
     ProjectSnapshot project_ = std::make_shared<const Project>();
     QUndoStack undo_stack_;
-    ProblemChecker checker_;
+    ProjectMaker maker_;
     UnreadTexts unread_;
+    Problems of_made_;  ///< as far as it is the project of now
     Problems problems_;
     FileWatch watch_;
-    QThreadPool open_pool_;
     QString file_;
     bool unsaved_ = false;  ///< recovered, or the file differs
     int merge_window_ = 2000;
     int merge_series_ = 0;
-    quint64 open_number_ = 0;
+    LatestJob open_job_{this, Execution::threads};  ///< last member: its thread ends first
 };
 
 }  // namespace covaria::ui

@@ -7,9 +7,9 @@
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
+#include "core/project/entry_graph.h"
 #include "core/project/links.h"
 #include "core/project/references.h"
-#include "core/project/workspace.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {

@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 
 namespace covaria::ui {
 

@@ -1,7 +1,7 @@
 #include "ui/document/unread_texts.h"
 
+#include "core/project/entry_graph.h"
 #include "core/project/links.h"
-#include "core/project/workspace.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {

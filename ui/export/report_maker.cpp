@@ -41,46 +41,24 @@ FigurePainters report_painters(ScenePictures& scenes) {
             [&scenes](const SceneBlock& block, QSize size) { return scenes.render(block, size); }};
 }
 
-ReportMaker::ReportMaker(QObject* parent) : QObject(parent), jobs_(this, Execution::threads) {}
+ReportMaker::ReportMaker(QObject* parent) : QObject(parent), job_(this, Execution::threads) {}
 
-ReportMaker::~ReportMaker() {
-    stop_.request_stop();
-}
-
-void ReportMaker::cancel() {
-    ++number_;
-    stop_.request_stop();
-    busy_ = false;
-}
-
-void ReportMaker::make(std::shared_ptr<const Project> project, std::vector<EvaluatedAnalysis> analyses,
-                       Use use, JobQueue::Failure failure) {
-    cancel();
-    busy_ = true;
-    stop_ = std::stop_source();
-    const auto deliver = [this, number = number_](const JobQueue::Delivery& done) {
-        if (number != number_) return;
-        busy_ = false;
-        if (done) done();
-    };
-    jobs_.push(
-        [this, deliver, stop = stop_.get_token(), project = std::move(project),
-         analyses = std::move(analyses), use = std::move(use)]() -> JobQueue::Delivery {
-            if (stop.stop_requested()) return {};
-            Problems known;  // those of assets stand in the problems list; an asset that cannot be made is
-                             // not in the report
-            const AssetLibrary assets = make_assets(*project, known);
-            const ReportDocument document = build_report(*project, assets, analyses);
+void ReportMaker::make(MadeProject::Pointer made, std::vector<EvaluatedAnalysis> analyses, Use use,
+                       JobQueue::Failure failure) {
+    job_.cancel();
+    job_.start(
+        [this, made = std::move(made), analyses = std::move(analyses),
+         use = std::move(use)](const std::stop_token& stop) -> JobQueue::Delivery {
+            const ReportDocument document = build_report(*made, analyses);
             ScenePictures scenes(analyses);
             FigurePainters painters = report_painters(scenes);
             painters.paint_plot = [this, stop, paint = painters.paint_plot](
                                       QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
                 do_on_window(this, stop, [&] { paint(painter, area, plot); });
             };
-            const JobQueue::Delivery done = use(document, painters, stop);
-            return [deliver, done] { deliver(done); };
+            return use(document, painters, stop);
         },
-        [deliver, failure = std::move(failure)](const Error& error) { deliver([&] { failure(error); }); });
+        std::move(failure));
 }
 
 }  // namespace covaria::ui

@@ -6,12 +6,12 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <vector>
 
-#include "core/project/project.h"
 #include "core/report/report.h"
 #include "ui/export/scene_pictures.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/print/report_layout.h"
-#include "ui/run/job_queue.h"
 
 namespace covaria::ui {
 
@@ -23,7 +23,6 @@ class ReportMaker : public QObject {
     Q_OBJECT
 public:
     explicit ReportMaker(QObject* parent = nullptr);
-    ~ReportMaker() override;
 
     /// In the worker: what is to be done with the report; returns what is then called on the window's thread.
     /// When `stop` is requested charts stay empty: what was made until then must not be used.
@@ -31,17 +30,14 @@ public:
         const ReportDocument& document, const FigurePainters& painters, const std::stop_token& stop)>;
     /// `failure`: what is done on the window's thread when there was no memory for it.
     /// A newer request takes the place of one that is still being made.
-    void make(std::shared_ptr<const Project> project, std::vector<EvaluatedAnalysis> analyses, Use use,
+    void make(MadeProject::Pointer made, std::vector<EvaluatedAnalysis> analyses, Use use,
               JobQueue::Failure failure);
-    bool is_busy() const { return busy_; }
+    bool is_busy() const { return job_.is_busy(); }
     /// Gives up what is being made.
-    void cancel();
+    void cancel() { job_.cancel(); }
 
 private:
-    bool busy_ = false;
-    quint64 number_ = 0;
-    std::stop_source stop_;
-    JobQueue jobs_;  ///< last member: its thread ends first
+    LatestJob job_;
 };
 
 }  // namespace covaria::ui

@@ -8,7 +8,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "core/project/workspace.h"
+#include "core/made/prepared_analysis.h"
 #include "ui/document/document.h"
 #include "ui/forms/distribution_edit.h"
 

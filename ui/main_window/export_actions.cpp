@@ -132,7 +132,7 @@ void ExportActions::write_report(const QString& file, ReportFormat format) {
     target.name = to_std(QFileInfo(file).completeBaseName());
     target.formats = {format};
     maker_.make(
-        document_.snapshot(), current_results(document_.project(), runner_),
+        runner_.made(), current_results(document_.project(), runner_),
         [this, file, target, without = without_words()](const ReportDocument& report,
                                                         const FigurePainters& painters,
                                                         const std::stop_token& stop) -> JobQueue::Delivery {
@@ -150,11 +150,8 @@ void ExportActions::write_results(const QString& folder) {
     jobs_.push(
         [this, folder, without, analyses = current_results(document_.project(), runner_),
          failed = failed_results(document_.project(), runner_),
-         project = document_.snapshot()]() -> JobQueue::Delivery {
-            Problems known;  // they stand in the problems list
-            const AssetLibrary assets = make_assets(*project, known);
-            const auto written =
-                write_result_files(to_path(folder), *project, assets, analyses, {failed, {}});
+         made = runner_.made()]() -> JobQueue::Delivery {
+            const auto written = write_result_files(to_path(folder), *made, analyses, {failed, {}});
             const QString problem = written ? QString() : to_qt(written.error().message);
             return [this, folder, problem, without] { finish(folder, problem, without); };
         },

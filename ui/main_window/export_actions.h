@@ -9,9 +9,9 @@
 #include "ui/document/document.h"
 #include "ui/export/report_export.h"
 #include "ui/export/report_maker.h"
+#include "ui/jobs/job_queue.h"
 #include "ui/main_window/dialogs.h"
 #include "ui/run/analysis_runner.h"
-#include "ui/run/job_queue.h"
 
 class QMenu;
 

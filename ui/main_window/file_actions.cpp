@@ -126,12 +126,12 @@ void FileActions::opened(const QString& file, const Problems& problems) {
 
 void FileActions::open_example(const QString& file) {
     if (!may_leave()) return;
-    LoadedProject loaded = load_project(to_path(file));
+    const LoadedProject loaded = load_project(to_path(file));
     if (loaded.problems.has_errors()) {
         dialogs.show_message(tr("The example could not be opened"), errors_in_words(loaded.problems));
         return;
     }
-    document_.replace(std::move(loaded.project));
+    document_.replace_by(loaded);
     emit project_opened();
 }
 
@@ -209,7 +209,7 @@ bool FileActions::offer_recovery() {
         dialogs.show_message(tr("The work could not be recovered"), errors_in_words(loaded.problems));
         return false;
     }
-    document_.restore(std::move(loaded.project), entry.original_file);
+    document_.restore(loaded, entry.original_file);
     autosave_.flush();  // first there is another copy, then the old one goes: whatever happens in between
     RecoveryStore::remove(entry.recovery_file);
     emit project_opened();

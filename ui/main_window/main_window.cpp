@@ -253,7 +253,7 @@ void MainWindow::connect_panes() {
     connect(imports_, &ImportActions::imported, this, [this](const QString& asset) {
         selection_.select_entry({SetupOwner::asset, to_std(asset)});
     });
-    connect(&document_, &Document::project_changed, this, &MainWindow::follow_document);
+    connect(&document_, &Document::project_changed, this, &MainWindow::hold_runs);
     connect(&document_.unread(), &UnreadTexts::changed, this, &MainWindow::hold_runs);
     connect(&problems_->problems(), &QAbstractItemModel::modelReset, this, &MainWindow::count_problems);
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
@@ -325,7 +325,6 @@ void MainWindow::show_project() {
         arrange();
         restore_window(*this);
     }
-    runner_.reset(document_.snapshot());
     selection_.clear();
     scene_->start_over();
     results_->start_over();
@@ -335,11 +334,6 @@ void MainWindow::show_project() {
     else if (!project.assets.empty())
         selection_.select_entry({SetupOwner::asset, project.assets.front().id});
     update_title();
-}
-
-void MainWindow::follow_document() {
-    runner_.set_project(document_.snapshot());
-    hold_runs();
 }
 
 /// Nothing is evaluated from an old value while a text stands in its place.

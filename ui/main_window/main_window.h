@@ -72,14 +72,13 @@ private:
     void connect_panes();
     void show_study_in_scene();
     void show_project();
-    void follow_document();
     void hold_runs();
     void go_to(const QString& path);
     void update_title();
 
     Document document_;
     Selection selection_;
-    AnalysisRunner runner_;
+    AnalysisRunner runner_{document_.maker()};
     FileActions files_;
     QStackedWidget* pages_ = nullptr;
     StartPage* start_ = nullptr;

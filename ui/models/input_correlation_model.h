@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/project/workspace.h"
+#include "core/made/prepared_analysis.h"
 #include "ui/document/document.h"
 
 namespace covaria::ui {

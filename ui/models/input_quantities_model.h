@@ -4,7 +4,7 @@
 #include <QAbstractTableModel>
 #include <memory>
 
-#include "core/project/workspace.h"
+#include "core/made/prepared_analysis.h"
 #include "core/report/table.h"
 #include "ui/document/document.h"
 

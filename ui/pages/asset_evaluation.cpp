@@ -1,6 +1,5 @@
 #include "ui/pages/asset_evaluation.h"
 
-#include "core/project/workspace.h"
 #include "ui/pages/data_table_html.h"
 #include "ui/theme/strings.h"
 
@@ -13,12 +12,9 @@ struct Evaluation {
 };
 
 /// Tables and charts of one asset, or what is wrong with it.
-Evaluation evaluate_asset(const Project& project, const std::string& id) {
-    Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
-    const AssetLibrary::Entry* entry = assets.find(id);
-    if (!entry) return {AssetEvaluation::tr("The asset has problems; they are listed below the scene."), {}};
-    Evaluation found{html_of(entry->asset->evaluation()), entry->asset->figures()};
+Evaluation evaluate(const std::shared_ptr<const Asset>& asset) {
+    if (!asset) return {AssetEvaluation::tr("The asset has problems; they are listed below the scene."), {}};
+    Evaluation found{html_of(asset->evaluation()), asset->figures()};
     if (found.html.isEmpty() && found.figures.empty())
         found.html = AssetEvaluation::tr("This asset is used as it is specified; nothing is evaluated.");
     return found;
@@ -26,22 +22,27 @@ Evaluation evaluate_asset(const Project& project, const std::string& id) {
 
 }  // namespace
 
-AssetEvaluation::AssetEvaluation(Document& document, std::string asset, QWidget* parent)
+AssetEvaluation::AssetEvaluation(Document& document, std::string id, QWidget* parent)
     : EvaluationView(Qt::Vertical, parent),
-      document_(document),
-      asset_(std::move(asset)),
-      jobs_(this, Execution::threads) {
+      maker_(document.maker()),
+      id_(std::move(id)),
+      job_(this, Execution::threads) {
     setAccessibleName(tr("Evaluation of the asset"));
-    connect(&document_, &Document::project_changed, this, &AssetEvaluation::refresh);
+    connect(&maker_, &ProjectMaker::made_changed, this, &AssetEvaluation::refresh);
     refresh();
 }
 
 void AssetEvaluation::refresh() {
-    const auto evaluate = [this, project = document_.snapshot(), id = asset_]() -> JobQueue::Delivery {
-        return [this, found = evaluate_asset(*project, id)] { show_evaluation(found.html, found.figures); };
-    };
-    jobs_.push(evaluate,
-               [this](const Error& error) { show_evaluation(to_qt(error.message).toHtmlEscaped(), {}); });
+    if (!maker_.made()) return;
+    const AssetLibrary::Entry* entry = maker_.made()->assets().find(id_);
+    const std::shared_ptr<const Asset> asset = entry ? entry->asset : nullptr;
+    if (shown_ == asset && asset) return;
+    shown_ = asset;
+    job_.start(
+        [this, asset](const std::stop_token&) -> JobQueue::Delivery {
+            return [this, found = evaluate(asset)] { show_evaluation(found.html, found.figures); };
+        },
+        [this](const Error& error) { show_evaluation(to_qt(error.message).toHtmlEscaped(), {}); });
 }
 
 }  // namespace covaria::ui

@@ -2,23 +2,24 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/pages/evaluation_view.h"
-#include "ui/run/job_queue.h"
 
 namespace covaria::ui {
 
-/// Follows the document; evaluated in a worker thread.
+/// Follows the made project; evaluated in a worker thread.
 class AssetEvaluation : public EvaluationView {
     Q_OBJECT
 public:
-    AssetEvaluation(Document& document, std::string asset, QWidget* parent = nullptr);
+    AssetEvaluation(Document& document, std::string id, QWidget* parent = nullptr);
 
 private:
     void refresh();
 
-    Document& document_;
-    std::string asset_;
-    JobQueue jobs_;
+    ProjectMaker& maker_;
+    std::string id_;
+    std::shared_ptr<const Asset> shown_;
+    LatestJob job_;
 };
 
 }  // namespace covaria::ui

@@ -9,7 +9,7 @@ EvaluationTab::EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidg
     : EvaluationView(Qt::Horizontal, parent),
       runner_(runner),
       selection_(selection),
-      jobs_(this, Execution::threads) {
+      job_(this, Execution::threads) {
     setAccessibleName(tr("Evaluation of the set-up"));
     const auto take = [this](const QString& id) {
         if (id == selection_.analysis()) refresh();
@@ -21,19 +21,21 @@ EvaluationTab::EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidg
 
 void EvaluationTab::refresh() {
     const auto prepared = runner_.status(selection_.analysis()).prepared;
-    if (prepared == shown_) return;
-    shown_ = prepared;
+    const std::shared_ptr<const MeasurementModel> model = prepared ? prepared->model : nullptr;
+    if (model == shown_) return;
+    shown_ = model;
     // The tab stays where it is while the analysis has a problem.
-    if (!prepared) return show_evaluation({}, {});
-    const auto evaluate = [this, prepared]() -> JobQueue::Delivery {
-        const QString html = html_of(prepared->model->evaluation());
-        return [this, prepared, html, figures = prepared->model->figures()] {
-            if (prepared != shown_) return;
+    if (!model) {
+        job_.cancel();
+        return show_evaluation({}, {});
+    }
+    const auto evaluate = [this, model](const std::stop_token&) -> JobQueue::Delivery {
+        return [this, html = html_of(model->evaluation()), figures = model->figures()] {
             show_evaluation(html, figures);
             emit filled(!html.isEmpty() || !figures.empty());
         };
     };
-    jobs_.push(evaluate,
+    job_.start(evaluate,
                [this](const Error& error) { show_evaluation(to_qt(error.message).toHtmlEscaped(), {}); });
 }
 

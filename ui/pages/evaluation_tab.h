@@ -3,9 +3,9 @@
 #pragma once
 
 #include "ui/document/selection.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/pages/evaluation_view.h"
 #include "ui/run/analysis_runner.h"
-#include "ui/run/job_queue.h"
 
 namespace covaria::ui {
 
@@ -25,8 +25,8 @@ private:
 
     AnalysisRunner& runner_;
     Selection& selection_;
-    std::shared_ptr<const PreparedAnalysis> shown_;
-    JobQueue jobs_;  ///< last member: its thread ends first
+    std::shared_ptr<const MeasurementModel> shown_;
+    LatestJob job_;
 };
 
 }  // namespace covaria::ui

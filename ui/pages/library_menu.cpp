@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "core/project/library.h"
+#include "core/made/library.h"
 #include "ui/document/project_edits.h"
 #include "ui/theme/strings.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
-#include "core/project/library.h"
+#include "core/made/library.h"
 #include "ui/document/project_edits.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/entry_delegate.h"

@@ -108,7 +108,7 @@ void ReportPreview::refresh() {
     old_ = false;
     state_->setText(tr("Making the report …"));
     maker_.make(
-        document_.snapshot(), results,
+        runner_.made(), results,
         [this](const ReportDocument& report, const FigurePainters& figures,
                const std::stop_token&) -> JobQueue::Delivery {
             const PdfOptions options{.paint_plot = figures.paint_plot, .render_scene = figures.render_scene};

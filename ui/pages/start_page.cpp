@@ -14,7 +14,7 @@
 #include <algorithm>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 #include "ui/pages/example_card.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"

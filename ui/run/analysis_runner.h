@@ -2,42 +2,34 @@
 // such.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
-#include <QTimer>
-#include <atomic>
-#include <deque>
 #include <map>
 #include <set>
-#include <stop_token>
 
-#include "ui/run/job_queue.h"
+#include "ui/document/project_maker.h"
 #include "ui/run/run_backend.h"
+#include "ui/run/run_queue.h"
 #include "ui/run/run_state.h"
 #include "ui/run/study_runner.h"
 
 namespace covaria::ui {
 
+/// Follows the project that a maker makes.
 class AnalysisRunner : public QObject {
     Q_OBJECT
 public:
-    explicit AnalysisRunner(QObject* parent = nullptr);
-    AnalysisRunner(RunBackend backend, Execution execution, QObject* parent = nullptr);
+    explicit AnalysisRunner(ProjectMaker& maker, QObject* parent = nullptr);
+    AnalysisRunner(ProjectMaker& maker, RunBackend backend, Execution execution, QObject* parent = nullptr);
     ~AnalysisRunner() override;
-
-    /// The project as it is now; call it after every change. Preparing happens in a worker thread.
-    void set_project(ProjectSnapshot project);
-    /// Another project: all results are forgotten.
-    void reset(ProjectSnapshot project);
 
     /// Live: after each change first-order results at once, then Monte Carlo.
     void set_live(bool live);
     bool is_live() const { return live_; }
     /// The analysis being looked at is computed before the others.
-    void set_focus(const QString& id) { focus_ = id.toStdString(); }
+    void set_focus(const QString& id) { runs_.set_focus(id.toStdString()); }
     void set_threads(int threads) {  ///< 0 = as many as the machine has
-        threads_ = threads;
+        runs_.set_threads(threads);
         studies_.set_threads(threads);
     }
     /// Studies of the same project; they run when asked for.
@@ -55,7 +47,9 @@ public:
 
     /// Of an analysis that does not exist: an empty status.
     const AnalysisStatus& status(const QString& id) const;
-    bool is_busy() const { return preparing_ > 0 || active_number_ != 0 || !queue_.empty(); }
+    /// The project that all this is about.
+    const MadeProject::Pointer& made() const { return maker_.made(); }
+    bool is_busy() const { return maker_.is_making() || first_order_.is_busy() || runs_.is_busy(); }
     /// Waits until nothing is to be done any more, with an event loop of its own. False after `milliseconds`.
     bool wait_until_idle(int milliseconds);
 
@@ -67,27 +61,22 @@ signals:
     void idle();
 
 private:
-    struct Prepared {
-        std::map<std::string, Preparation> analyses;
-        std::map<std::string, ResultPointer> first_order;
-        std::map<std::string, std::string> messages;  ///< of first-order failures
-    };
     using SharedResult = std::shared_ptr<Result<UncertaintyResult>>;
-    /// Every analysis of the project as one that cannot be prepared.
-    static Prepared none_prepared(const Project& project, const Error& error);
-    JobQueue::Delivery prepare(const Project& project, bool live, quint64 generation);
-    void finish_prepare(quint64 generation, const Prepared& prepared);
-    void take(const std::string& id, const Prepared& prepared);
+    using FirstOrder = std::vector<std::pair<PreparedPointer, SharedResult>>;
+    void reset();
+    void take_made();
+    /// The project could not be made.
+    void take_none(const ProjectSnapshot& project, const Error& error);
+    void fail_entry(const std::string& id, const Error& error);
+    void update_entry(const std::string& id, const MadeAnalysis& made);
+    /// First-order results of what has none; live runs follow.
+    void propagate();
+    void take_first_order(const FirstOrder& results);
     void start_wanted();
-    void update_entry(const std::string& id, const Preparation& preparation);
     void enqueue(const std::string& id);
-    void start_next();
-    void start(const std::string& id);
-    JobQueue::Delivery execute(quint64 number, const PreparedPointer& analysis, const RunControl& control);
-    void deliver(quint64 number, const PreparedPointer& analysis, ResultStage stage,
-                 const SharedResult& result);
-    void finish_run(quint64 number);
-    void report(quint64 number, const Progress& progress);
+    RunQueue::Run begin_run(const std::string& id);
+    void deliver(const PreparedPointer& analysis, ResultStage stage, const SharedResult& result);
+    void finish_run(const std::string& id);
     void keep(const std::string& id, const PreparedPointer& analysis, ResultStage stage,
               ResultPointer result);
     void take_present_names(AnalysisStatus& entry);
@@ -95,34 +84,16 @@ private:
     RunState resting_state(const AnalysisStatus& status) const;
     void announce_idle();
 
+    ProjectMaker& maker_;
     RunBackend backend_;
     std::map<std::string, AnalysisStatus> entries_;
-    std::deque<std::string> queue_;  ///< waiting for the run thread
     std::map<std::string, QString> held_;
-    std::string focus_;
     bool live_ = false;
-    int threads_ = 0;
-
-    int preparing_ = 0;  ///< jobs not delivered yet
-    std::atomic<quint64> prepare_number_ = 0;
-    quint64 generation_ = 0;                             ///< of projects: `reset` begins another
-    std::map<std::string, std::string> first_order_of_;  ///< fingerprints; used by preparing jobs only
-    std::set<std::string> wanted_;                       ///< asked for while the project was being prepared
+    std::set<std::string> wanted_;  ///< asked for while the project was being made
     bool all_wanted_ = false;
-    quint64 run_number_ = 0;
-    quint64 active_number_ = 0;  ///< 0: no run
-    std::string active_id_;
-    PreparedPointer active_analysis_;
-    std::stop_source active_stop_;
-    QElapsedTimer active_time_;
-    /// While changes follow each other closely (typing, dragging), live runs wait: the law of propagation has
-    /// the processor to itself.
-    QTimer settling_;
-    Execution execution_;
-
     StudyRunner studies_;
-    JobQueue prepare_jobs_;
-    JobQueue run_jobs_;
+    RunQueue runs_;
+    LatestJob first_order_;
 };
 
 }  // namespace covaria::ui

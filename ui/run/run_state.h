@@ -36,13 +36,11 @@ struct AnalysisStatus {
     ResultPointer result = {};       ///< the newest there is; may be out of date
     PreparedPointer result_of = {};  ///< the analysis it was computed from
     PreparedPointer prepared = {};   ///< the analysis as it is now; null if it has problems
+    bool has_same_numbers = false;   ///< `result_of` gives what `prepared` gives
     std::vector<std::string> warnings = {};
     QString held = {};  ///< why it must not run: a text in one of its fields cannot be read
     /// The result, whatever its stage, belongs to the analysis as it is now.
-    bool is_of_present() const {
-        return held.isEmpty() && result && prepared && result_of &&
-               prepared->fingerprint == result_of->fingerprint;
-    }
+    bool is_of_present() const { return held.isEmpty() && result && prepared && has_same_numbers; }
     /// It is also all that the analysis' options ask for: no preview. Only such a result counts as one.
     bool is_current() const { return is_of_present() && stage == ResultStage::complete; }
 };

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "ui/document/setup_address.h"
+#include "ui/jobs/job_queue.h"
 #include "ui/run/analysis_runner.h"
-#include "ui/run/job_queue.h"
 #include "ui/scene_view/equations_view.h"
 #include "ui/scene_view/scene_view.h"
 #include "viz/scene/build_scene.h"

@@ -18,7 +18,7 @@ Result<Scene> analysis_scene(const PreparedAnalysis& analysis, const Uncertainty
     const Layout layout = analysis.model->layout(estimates(analysis.inputs));
     SceneSource source{&layout, result, nullptr, nullptr, analysis.name};
     if (!result || result->trials == 0 || !options.clouds) return build_scene(source, options);
-    const auto trials = replay_trials(*analysis.model, analysis.inputs, analysis.options.seed, 0,
+    const auto trials = replay_trials(*analysis.propagated, analysis.options.seed, 0,
                                       std::min<std::uint64_t>(options.cloud_limit, result->trials));
     if (!trials) return fail(trials.error());
     source.input_trials = &trials->inputs;

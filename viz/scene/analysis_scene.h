@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "core/project/workspace.h"
+#include "core/made/prepared_analysis.h"
 #include "viz/scene/build_scene.h"
 
 namespace covaria {

@@ -1,7 +1,7 @@
 // The scene of a study: its grid points in space, coloured, with the layout of the analysis around them.
 #pragma once
 
-#include "core/project/workspace.h"
+#include "core/made/prepared_analysis.h"
 #include "core/result/study_result.h"
 #include "viz/scene/build_scene.h"
 

@@ -42,6 +42,19 @@ std::vector<UncertaintyComponent> shared_components(const SensorSource& sensor) 
     return components;
 }
 
+Eigen::VectorXd shared_uncertainties(const SensorSource& sensor) {
+    const auto own = static_cast<Eigen::Index>(sensor.systematic().size());
+    Eigen::VectorXd u(own + 6);
+    for (Eigen::Index k = 0; k < own; ++k)
+        u[k] = sensor.systematic()[static_cast<std::size_t>(k)].component.distribution.standard_uncertainty();
+    for (std::size_t i = 0; i < 6; ++i)
+        u[own + static_cast<Eigen::Index>(i)] =
+            sensor.station_correlations().empty()
+                ? sensor.station_components()[i].distribution.standard_uncertainty()
+                : 1.0;
+    return u;
+}
+
 Eigen::Matrix<double, 3, Eigen::Dynamic> shared_effects(const SensorSource& sensor,
                                                         const LinearReading& reading) {
     const auto own = static_cast<Eigen::Index>(sensor.systematic().size());

@@ -22,6 +22,8 @@ LinearReading linear_reading(const Station& station, const Eigen::Vector3d& p_W,
 /// What all readings of a sensor share, as independent components: its systematic deviations, then the six
 /// coordinates of its station, or six combinations of them where they are correlated.
 std::vector<UncertaintyComponent> shared_components(const SensorSource& sensor);
+/// Their standard uncertainties.
+Eigen::VectorXd shared_uncertainties(const SensorSource& sensor);
 /// Change of the readings, less what the sensor is taken to see from its station, per unit of each of them:
 /// 3 (by Observable) x components. A station that is thought to be further along makes a target seem further
 /// along too: its columns are minus `to_station`.

@@ -59,6 +59,7 @@ struct Linearised {
     void weigh(const Part& part) { weigh(part, residuals.data(), weighted.data()); }
     void weigh(const Part& part, const Real* from, Real* to) const {
         if (!part.joint) return weigh_alone(part, from, to);
+        if (part.joint->by_itself()) return weigh_blocks(part.joint->blocks, from, to);
         const std::vector<double>& by_u = part.joint->by_u;
         for (std::size_t i = 0; i < rows; ++i) to[i] = Real(by_u[i]) * from[i];
         std::array<Real, most_shared> shared;
@@ -95,6 +96,17 @@ struct Linearised {
     }
 
 private:
+    static void weigh_blocks(const std::vector<WeightBlock>& blocks, const Real* from, Real* to) {
+        for (const WeightBlock& block : blocks) {
+            const double* w = block.weights.data();
+            for (const std::size_t i : block.rows) {
+                Real sum(0.0);
+                for (const std::size_t k : block.rows) sum += Real(*w++) * from[k];
+                to[i] = sum;
+            }
+        }
+    }
+
     void weigh_alone(const Part& part, const Real* from, Real* to) const {
         std::size_t row = 0;
         for (std::size_t t = 0; t < part.count; ++t)

@@ -31,6 +31,118 @@ private:
     std::vector<std::array<double, most>> by_;
 };
 
+/// The sensitivity coefficients of a target that is estimated by itself. At its estimate X the condition
+/// g(X, x) = Jᵀ W r = 0 holds, so that dX/dx = −(∂g/∂X)⁻¹ ∂g/∂x; of the terms of g only those of one sight
+/// depend on its station and readings.
+class TargetByItself {
+public:
+    TargetByItself(const NetworkSetup& setup, const JointSetUp& joint, std::span<const double> x,
+                   const Eigen::Vector3d& X)
+        : setup_(setup), joint_(joint), x_(x), X_(X), by_station_(6 * setup.sensors.size(), zero) {}
+
+    bool add_to(SensitivityRows& rows) {
+        linearise();
+        std::size_t row = 0;
+        for (const Sight& sight : target().sights) row = add(sight, row);
+        const Eigen::Matrix3d minus_inverse = -by_point_.inverse();
+        if (!minus_inverse.allFinite()) return false;
+        for (std::size_t i = 0; i < by_station_.size(); ++i)
+            put(setup_.station_input(joint_.index, 0) + i, minus_inverse * by_station_[i], rows);
+        for (const auto& [input, change] : by_reading_) put(input, minus_inverse * change, rows);
+        return finite_;
+    }
+
+private:
+    static inline const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    const Target& target() const { return setup_.targets[joint_.first]; }
+
+    /// W r and W J at the estimate.
+    void linearise() {
+        const Inputs<double> x(x_.data());
+        for (const Sight& sight : target().sights)
+            places_[sight.sensor] = place_of<double>(setup_, x, joint_.index, sight.sensor);
+        const Part part = part_of(setup_, joint_);
+        at_.take(part, places_.data(), x, &X_);
+        at_.weigh(part);
+        std::array<double, most_joint_rows> column, weighted;
+        weighted_gradients_.resize(at_.rows);
+        for (int c = 0; c < 3; ++c) {
+            for (std::size_t i = 0; i < at_.rows; ++i) column[i] = at_.gradients[i][c];
+            at_.weigh(part, column.data(), weighted.data());
+            for (std::size_t i = 0; i < at_.rows; ++i) weighted_gradients_[i][c] = weighted[i];
+        }
+    }
+
+    /// Readings as variables 3, 4, 5.
+    struct SightInputs {
+        const double* x;
+        const Sight& sight;
+        Dual operator[](std::size_t i) const {
+            for (std::size_t o = 0; o < 3; ++o)
+                if (sight.has[o] && sight.input[o] == i) return Dual::variable(x[i], 3 + o);
+            return Dual(x[i]);
+        }
+    };
+
+    std::size_t add(const Sight& sight, std::size_t first_row) {
+        const std::size_t station = setup_.station_input(joint_.index, sight.sensor);
+        const Inputs<Dual> by_station(x_.data(), station);
+        const Place<Dual> moved = place_of<Dual>(setup_, by_station, joint_.index, sight.sensor);
+        const Changes of_station = changes(sight, first_row, moved, X_.cast<Dual>(), by_station);
+        const Vector3<Dual> X(Dual::variable(X_[0], 0), Dual::variable(X_[1], 1), Dual::variable(X_[2], 2));
+        const Place<double>& at = places_[sight.sensor];
+        const Place<Dual> place{at.R.cast<Dual>(), at.o.cast<Dual>()};
+        const Changes of_rest = changes(sight, first_row, place, X, SightInputs{x_.data(), sight});
+        for (std::size_t i = 0; i < 6; ++i) by_station_[6 * sight.sensor + i] += of_station.g.col(int(i));
+        by_point_ += of_rest.g.leftCols<3>();
+        for (std::size_t o = 0; o < 3; ++o)
+            if (sight.has[o]) by_reading_.emplace_back(sight.input[o], of_rest.g.col(3 + int(o)));
+        return first_row + of_rest.rows;
+    }
+
+    /// What the variables do to g through the readings of one sight.
+    struct Changes {
+        Eigen::Matrix<double, 3, Dual::size> g = Eigen::Matrix<double, 3, Dual::size>::Zero();
+        std::size_t rows = 0;
+    };
+    template <class In>
+    Changes changes(const Sight& sight, std::size_t row, const Place<Dual>& place, const Vector3<Dual>& X,
+                    const In& x) {
+        Changes sum;
+        const View<Dual> view(place, X);
+        for (std::size_t o = 0; o < 3; ++o) {
+            if (!sight.has[o]) continue;
+            const Vector3<Dual> j = gradient<Dual>(sight, o, place, view, x);
+            const Dual r = residual<Dual>(sight, o, view, x);
+            for (std::size_t k = 0; k < Dual::size; ++k)
+                for (int c = 0; c < 3; ++c)
+                    sum.g(c, int(k)) += j[c].partials()[k] * at_.weighted[row] +
+                                        weighted_gradients_[row][c] * r.partials()[k];
+            ++row;
+            ++sum.rows;
+        }
+        return sum;
+    }
+
+    void put(std::size_t input, const Eigen::Vector3d& dX, SensitivityRows& rows) {
+        finite_ = finite_ && dX.allFinite();
+        for (std::size_t c = 0; c < 3; ++c)
+            if (dX[int(c)] != 0.0) rows[3 * joint_.first + c].push_back({input, dX[int(c)]});
+    }
+
+    const NetworkSetup& setup_;
+    const JointSetUp& joint_;
+    std::span<const double> x_;
+    const Eigen::Vector3d X_;
+    std::array<Place<double>, most_sensors> places_;
+    Linearised<double> at_;
+    std::vector<Eigen::Vector3d> weighted_gradients_;  ///< by reading
+    Eigen::Matrix3d by_point_ = Eigen::Matrix3d::Zero();
+    std::vector<Eigen::Vector3d> by_station_;
+    std::vector<std::pair<std::size_t, Eigen::Vector3d>> by_reading_;
+    bool finite_ = true;
+};
+
 class RowMaker {
 public:
     RowMaker(const NetworkSetup& setup, std::span<const double> x, SensitivityRows& rows)
@@ -38,13 +150,25 @@ public:
 
     bool make() {
         rows_.assign(setup_.outputs(), {});
+        if (!find_positions()) return false;
         for (const JointSetUp& joint : setup_.set_ups)
             if (!add_targets(joint)) return false;
         return add_derived();
     }
 
 private:
+    bool find_positions() {
+        std::vector<double> y(setup_.outputs());
+        Outputs<double> values(y.data());
+        if (!all_targets<double>(setup_, Inputs<double>(x_.data()), values) || !values.finite()) return false;
+        for (std::size_t t = 0; t < setup_.targets.size(); ++t)
+            positions_.emplace_back(y[3 * t], y[3 * t + 1], y[3 * t + 2]);
+        return true;
+    }
+
     bool add_targets(const JointSetUp& joint) {
+        if (joint.by_itself())
+            return TargetByItself(setup_, joint, x_, positions_[joint.first]).add_to(rows_);
         if (joint.together()) return add_part(joint, joint.first, joint.targets);
         for (std::size_t t = 0; t < joint.targets; ++t)
             if (!add_part(joint, joint.first + t, 1)) return false;
@@ -80,13 +204,6 @@ private:
 
     /// By the chain rule, from the coordinates.
     bool add_derived() {
-        for (std::size_t t = 0; t < setup_.targets.size(); ++t)
-            positions_.push_back(setup_.targets[t].nominal);
-        std::vector<double> y(setup_.outputs());
-        Outputs<double> values(y.data());
-        if (!all_targets<double>(setup_, Inputs<double>(x_.data()), values) || !values.finite()) return false;
-        for (std::size_t t = 0; t < positions_.size(); ++t)
-            positions_[t] = Eigen::Vector3d(y[3 * t], y[3 * t + 1], y[3 * t + 2]);
         std::size_t out = 3 * setup_.targets.size();
         for (const Distance& d : setup_.distances) out = add(d, {d.from, d.to}, out);
         for (const Angle& a : setup_.angles) out = add(a, {a.from, a.at, a.to}, out);

@@ -58,8 +58,15 @@ struct Target {
     std::vector<Sight> sights;
     std::size_t rows = 0;  ///< readings
     bool has_linear_start = false;
+    bool divided = false;  ///< from the others of its set-up, which are too many to be weighed together
     /// (JᵀWJ)⁻¹ with weights of its readings alone, by rows.
     std::array<double, 9> inverse_normal{};
+};
+
+/// Weights of the readings of a target by one sensor, which share nothing with those by others.
+struct WeightBlock {
+    std::vector<std::size_t> rows;  ///< among the readings of the target
+    std::vector<double> weights;    ///< rows x rows of C⁻¹
 };
 
 /// Targets measured while the sensors stood where they stand, estimated together.
@@ -71,7 +78,10 @@ struct JointSetUp {
     /// Weights W = diag(1/u) (I − A S) diag(1/u) = C⁻¹ of the readings, then the bars: 1/u; A, readings x
     /// shared deviations, and S by rows. (JᵀWJ)⁻¹ of the targets by rows. All empty: each target by itself.
     std::vector<double> by_u = {}, shared = {}, estimate_of_shared = {}, inverse_normal = {};
-    bool together() const { return !by_u.empty(); }
+    /// Of a target by itself these weights and (JᵀWJ)⁻¹ instead: there were too many to be weighed together.
+    std::vector<WeightBlock> blocks = {};
+    bool together() const { return !inverse_normal.empty(); }
+    bool by_itself() const { return !blocks.empty(); }
 };
 
 struct Distance {

@@ -1,6 +1,8 @@
 // Weights of a network, and whether its targets can be localised at all.
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <cstdio>
+#include <map>
 
 #include "core/kinds/instruments/sensor.h"
 #include "core/kinds/network/adjustment.h"
@@ -125,8 +127,10 @@ void divide_large_set_ups(NetworkSetup& setup, Problems& problems) {
                                          " readings of one set-up are too many to be weighed together: each "
                                          "target is estimated from its own readings, weighted with the "
                                          "stations");
-        for (std::size_t t = 0; t < joint.targets; ++t)
+        for (std::size_t t = 0; t < joint.targets; ++t) {
+            setup.targets[joint.first + t].divided = true;
             divided.push_back({joint.index, joint.first + t, 1, {}});
+        }
     }
     setup.set_ups = std::move(divided);
 }
@@ -164,6 +168,34 @@ void add_weights(const NetworkSetup& setup, JointSetUp& joint) {
     keep_rows(own * own.transpose() + shared * shared.transpose(), joint.inverse_normal);
 }
 
+/// C⁻¹ of readings: W = diag(1/u) (I − A S) diag(1/u).
+Eigen::MatrixXd weights_of(const Eigen::VectorXd& u, const Eigen::MatrixXd& F) {
+    const Eigen::VectorXd by_u = u.cwiseInverse();
+    const Eigen::MatrixXd A = by_u.asDiagonal() * F;
+    const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(u.size(), u.size()) - A * estimate_of_shared(A);
+    return by_u.asDiagonal() * left * by_u.asDiagonal();
+}
+
+/// Of one target. What two sensors share would be no property of either: C falls into blocks.
+void add_blocks(const NetworkSetup& setup, JointSetUp& joint) {
+    const Sensitivities all = sensitivities_of(setup, joint);
+    std::map<std::size_t, std::vector<std::size_t>> rows_of_sensors;
+    std::size_t row = 0;
+    for (const Sight& sight : setup.targets[joint.first].sights)
+        for (const bool has : sight.has)
+            if (has) rows_of_sensors[sight.sensor].push_back(row++);
+    Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
+    for (auto& [sensor, rows] : rows_of_sensors) {
+        const Eigen::MatrixXd J = all.to_point(rows, Eigen::all);
+        const Eigen::MatrixXd W = weights_of(all.u(rows), uncertain_columns(all.shared(rows, Eigen::all)));
+        N += J.transpose() * W * J;
+        WeightBlock& block = joint.blocks.emplace_back();
+        keep_rows(W, block.weights);
+        block.rows = std::move(rows);
+    }
+    keep_rows(N.inverse(), joint.inverse_normal);
+}
+
 }  // namespace
 
 Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target) {
@@ -193,15 +225,13 @@ Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, 
         const SensorSource& source = setup.sensors[sight.sensor].source();
         const LinearReading reading = sensitivity_of(setup, sight, p);
         const Eigen::Matrix3Xd effects = shared_effects(source, reading);
-        const std::vector<UncertaintyComponent> components = shared_components(source);
+        const Eigen::VectorXd u = shared_uncertainties(source);
         for (std::size_t i = 0; i < 3; ++i) {
             if (!sight.has[i]) continue;
             const auto g = static_cast<Eigen::Index>(i);
             s.to_point.row(row) = reading.to_point.row(g);
             for (Eigen::Index k = 0; k < effects.cols(); ++k)
-                s.shared(row, column + k) =
-                    effects(g, k) *
-                    components[static_cast<std::size_t>(k)].distribution.standard_uncertainty();
+                s.shared(row, column + k) = effects(g, k) * u[k];
             s.u[row++] = sight.u[i];
         }
     }
@@ -249,7 +279,9 @@ void prepare_weights(NetworkSetup& setup, Problems& problems) {
     if (setup.weights == Weights::observations_only || problems.has_errors()) return;
     assign_scale_bars(setup);
     divide_large_set_ups(setup, problems);
-    for (JointSetUp& joint : setup.set_ups) add_weights(setup, joint);
+    for (JointSetUp& joint : setup.set_ups)
+        joint.targets == 1 && setup.targets[joint.first].divided ? add_blocks(setup, joint)
+                                                                 : add_weights(setup, joint);
 }
 
 }  // namespace covaria::network

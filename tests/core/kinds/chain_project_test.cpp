@@ -8,8 +8,10 @@
 
 #include "core/base/resource_path.h"
 #include "core/model/composed_model.h"
+#include "core/project/entry_graph.h"
 #include "core/project/links.h"
 #include "core/project/project_file.h"
+#include "tests/core/made.h"
 
 namespace covaria::chain_project_test {
 namespace {
@@ -50,7 +52,7 @@ protected:
         for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
         project_ = loaded.project;
         Problems problems;
-        analysis_ = prepare_analysis(project_, "tool", make_assets(project_, problems), problems);
+        analysis_ = made_analysis(project_, "tool", problems);
         ASSERT_TRUE(analysis_);
         const auto* chain = dynamic_cast<const ComposedModel*>(analysis_->model.get());
         ASSERT_NE(chain, nullptr);
@@ -239,7 +241,7 @@ TEST_F(ChainByHand, APointThatTheNetworkHasNotIsNamed) {
     auto& rows = std::get<SetupTable>(project.analyses[1].setup.values.at("targets")).rows;
     rows.erase(rows.begin() + 4);  // P2 in pose 1
     Problems problems;
-    EXPECT_EQ(prepare_analysis(project, "flange", make_assets(project, problems), problems), nullptr);
+    EXPECT_EQ(made_analysis(project, "flange", problems), nullptr);
     ASSERT_FALSE(problems.items().empty());
     EXPECT_EQ(problems.items().front().path, "/analyses/2/setup/poses/rows/0");
     EXPECT_NE(problems.items().front().message.find("'P2 in pose 1'"), std::string::npos);
@@ -247,10 +249,10 @@ TEST_F(ChainByHand, APointThatTheNetworkHasNotIsNamed) {
     project = project_;
     project.analyses[2].setup.values["base_asset"] = std::string("flange");
     problems = {};
-    EXPECT_EQ(prepare_analysis(project, "flange", make_assets(project, problems), problems), nullptr);
+    EXPECT_EQ(made_analysis(project, "flange", problems), nullptr);
     project.analyses[2].setup.values["base_asset"] = std::string("bar");
     problems = {};
-    EXPECT_EQ(prepare_analysis(project, "flange", make_assets(project, problems), problems), nullptr);
+    EXPECT_EQ(made_analysis(project, "flange", problems), nullptr);
     ASSERT_FALSE(problems.items().empty());
     EXPECT_NE(problems.items().front().message.find("does not offer"), std::string::npos);
 }

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <random>
 
+#include "core/project/entry_graph.h"
 #include "core/project/links.h"
 #include "core/project/project_file.h"
 #include "core/study/study.h"
+#include "tests/core/made.h"
 
 namespace covaria::chain_test {
 namespace {
@@ -64,7 +66,7 @@ Project project_of(const std::vector<Written>& analyses, const std::string& asse
 
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project, const std::string& id) {
     Problems problems;
-    auto analysis = prepare_analysis(project, id, make_assets(project, problems), problems);
+    auto analysis = made_analysis(project, id, problems);
     for (const Problem& p : problems.items()) ADD_FAILURE() << id << p.path << ": " << p.message;
     return analysis;
 }
@@ -257,12 +259,12 @@ TEST(Chain, AnUpstreamEditIsAnEditOfWhatIsMadeOfIt) {
     const Project before = project_of({use, gauge, other});
     Project after = before;
     after.analyses[1].inputs.push_back({.symbol = "d", .estimate = Quantity{220, Unit::of("nm")}});
-    EXPECT_NE(prepared(before, "use")->fingerprint, prepared(after, "use")->fingerprint);
-    EXPECT_EQ(prepared(before, "other")->fingerprint, prepared(after, "other")->fingerprint);
+    EXPECT_NE(prepared(before, "use")->fingerprint(), prepared(after, "use")->fingerprint());
+    EXPECT_EQ(prepared(before, "other")->fingerprint(), prepared(after, "other")->fingerprint());
     Project renamed = before;
     renamed.analyses[1].name = "Gauge";
     renamed.analyses[1].options.trials = 77'000;  // of its own evaluation
-    EXPECT_EQ(prepared(before, "use")->fingerprint, prepared(renamed, "use")->fingerprint);
+    EXPECT_EQ(prepared(before, "use")->fingerprint(), prepared(renamed, "use")->fingerprint());
     EXPECT_EQ(analyses_used_by(before, before.analyses[0]), std::vector<std::string>{"gauge"});
     EXPECT_EQ(analyses_taking_from(before, "gauge"), std::vector<std::string>{"use"});
     EXPECT_TRUE(analyses_taking_from(before, "use").empty());
@@ -329,7 +331,7 @@ TEST(Chain, AStudyVariesWhatIsDownstream) {
     study.method = Method::first_order;
     project.analyses[0].studies = {study};
     Problems problems;
-    const auto plan = prepare_study(project, "use", "s", make_assets(project, problems), problems);
+    const auto plan = prepare_study(MadeProject::make(project), "use", "s", problems);
     for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
     ASSERT_TRUE(plan);
     const auto result = run_study(*plan);

@@ -15,9 +15,9 @@
 #include "core/kinds/models.h"
 #include "core/model/has_layout.h"
 #include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
 #include "tests/core/kinds/allocation_counter.h"
+#include "tests/core/made.h"
 
 namespace covaria::contract_test {
 namespace {
@@ -47,11 +47,10 @@ std::vector<Analysis> analyses_of(const ModelDescriptor& d) {
     for (const Problem& p : loaded.problems.items())
         ADD_FAILURE() << p.file << ":" << p.line << " " << p.message;
     Problems problems;
-    const AssetLibrary assets = make_assets(loaded.project, problems);
     std::vector<Analysis> all;
     for (const AnalysisEntry& entry : loaded.project.analyses) {
         if (entry.model != d.id) continue;
-        auto prepared = prepare_analysis(loaded.project, entry.id, assets, problems);
+        auto prepared = made_analysis(loaded.project, entry.id, problems);
         if (prepared) all.push_back({loaded.project, entry, prepared});
     }
     for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message;

@@ -7,10 +7,9 @@
 #include <set>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/draw_plan.h"
 #include "core/propagation/engine.h"
+#include "tests/core/made.h"
 
 namespace covaria::degrees_of_freedom_test {
 namespace {
@@ -21,10 +20,8 @@ void each_analysis(const std::function<void(const PreparedAnalysis&)>& use) {
         if (entry.path().extension() != ".covaria") continue;
         const Project project = load_project(entry.path()).project;
         Problems problems;
-        const AssetLibrary assets = make_assets(project, problems);
         for (const AnalysisEntry& analysis : project.analyses)
-            if (const auto prepared = prepare_analysis(project, analysis.id, assets, problems))
-                use(*prepared);
+            if (const auto prepared = made_analysis(project, analysis.id, problems)) use(*prepared);
     }
 }
 
@@ -78,8 +75,7 @@ TEST(DegreesOfFreedom, OneStandardDeviationThatServesManyPointsCountsOnce) {
     const std::filesystem::path path = COVARIA_SOURCE_DIR "/tests/data/cases/dofshare.covaria";
     const Project project = load_project(path).project;
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
-    const auto analysis = prepare_analysis(project, "one", assets, problems);
+    const auto analysis = made_analysis(project, "one", problems);
     ASSERT_TRUE(analysis);
     EvaluationOptions options;
     options.trials = 200'000;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/resource_path.h"
+#include "core/made/load_project.h"
 #include "core/project/project_file.h"
 #include "core/report/verification.h"
 
@@ -35,14 +36,12 @@ TEST_P(GumProject, ReproducesPublishedAndReferenceValues) {
     const VerificationCase& verification = GetParam();
     const LoadedProject loaded = load_project(data_directory() / verification.project);
     for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << " " << p.message;
-    Problems problems;
-    const AssetLibrary assets = make_assets(loaded.project, problems);
     std::vector<EvaluatedAnalysis> evaluated;
     std::set<std::string> wanted;
     for (const VerificationCheck& check : verification.checks) wanted.insert(check.analysis);
     for (const AnalysisEntry& entry : loaded.project.analyses) {
         if (!wanted.contains(entry.id)) continue;
-        const auto prepared = prepare_analysis(loaded.project, entry.id, assets, problems);
+        const auto prepared = loaded.made->analysis(entry.id);
         ASSERT_TRUE(prepared) << entry.id;
         auto result = run_analysis(*prepared);
         ASSERT_TRUE(result) << result.error().message;

@@ -7,7 +7,9 @@
 #include "core/base/resource_path.h"
 #include "core/project/csv_reader.h"
 #include "core/project/project_file.h"
+#include "core/propagation/engine.h"
 #include "core/report/report.h"
+#include "tests/core/made.h"
 
 namespace covaria::hostile_names_test {
 namespace {
@@ -15,28 +17,28 @@ namespace {
 constexpr const char* shipped[] = {"tracker-pose", "stewart-platform", "lsm-network", "ballbar-tcp"};
 
 struct Evaluated {
-    AssetLibrary assets;
+    MadeProject::Pointer made;
     std::vector<EvaluatedAnalysis> analyses;
 };
 
 Evaluated evaluated(Project project) {
     Evaluated all;
-    Problems problems;
     for (AnalysisEntry& entry : project.analyses) {
         entry.options = {};
         entry.options.method = Method::first_order;
         entry.options.contributor_trials = 0;
         entry.studies.clear();
     }
-    all.assets = make_assets(project, problems);
+    all.made = MadeProject::make(project);
     for (const AnalysisEntry& entry : project.analyses) {
-        const auto prepared = prepare_analysis(project, entry.id, all.assets, problems);
+        const auto prepared = all.made->analysis(entry.id);
         if (!prepared) continue;
         auto result = run_analysis(*prepared);
         if (result)
             all.analyses.push_back(
                 {prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}, {}});
     }
+    const Problems problems = all.made->problems();
     for (const Problem& p : problems.items())
         if (p.severity == Severity::error) ADD_FAILURE() << p.path << ": " << p.message;
     EXPECT_EQ(all.analyses.size(), project.analyses.size());
@@ -98,7 +100,7 @@ void expect_written(const Project& project, const Evaluated& all) {
     EXPECT_FALSE(again.problems.has_errors());
     EXPECT_EQ(project_text(again.project), written);
     EXPECT_TRUE(nlohmann::json::accept(results_json(project, all.analyses)));
-    const ReportDocument report = build_report(project, all.assets, all.analyses);
+    const ReportDocument report = build_report(*all.made, all.analyses);
     EXPECT_FALSE(to_html(report).empty());
     EXPECT_FALSE(to_markdown(report).empty());
 }
@@ -160,17 +162,17 @@ TEST(HostileSymbols, KeepTheirEstimatesInTheBudget) {
         InputSet inputs_;
         std::vector<OutputQuantity> outputs_;
     };
-    auto prepared = std::make_shared<PreparedAnalysis>();
-    prepared->id = prepared->name = "sum";
-    prepared->model = std::make_shared<const Sum>(inputs);
-    prepared->inputs = inputs;
-    prepared->options.method = Method::first_order;
-    auto result = run_analysis(*prepared);
+    EvaluationOptions options;
+    options.method = Method::first_order;
+    auto result = evaluate(Sum(inputs), inputs, options);
     ASSERT_TRUE(result) << result.error().message;
     const BudgetComponent& both = result->budget.components[shared];
     EXPECT_EQ(both.quantities, (std::vector<std::string>{"q_1,1", "q_1,2"}));
     Evaluated all;
-    all.analyses.push_back({prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}, {}});
+    all.analyses.push_back({analysis_with("sum", inputs),
+                            std::make_shared<const UncertaintyResult>(std::move(*result)),
+                            {},
+                            {}});
     expect_whole_budgets(all);
 }
 

@@ -1,5 +1,5 @@
 // The library of assets: what is shipped, and what users add.
-#include "core/project/library.h"
+#include "core/made/library.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <set>
 
 #include "core/kinds/assets.h"
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 
 namespace covaria::library_test {
 namespace {
@@ -56,7 +56,7 @@ TEST_F(OwnLibrary, ShippedAssetsAreCompleteAndSayWhereTheyComeFrom) {
         project.assets.back().id = "a" + std::to_string(project.assets.size());
     }
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
+    const AssetLibrary assets = made_assets(project, problems);
     EXPECT_FALSE(problems.has_errors());
     for (const AssetEntry& entry : project.assets) {
         ASSERT_NE(assets.find(entry.id), nullptr) << entry.name;

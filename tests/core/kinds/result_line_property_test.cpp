@@ -6,13 +6,12 @@
 #include <filesystem>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
 #include "core/propagation/evaluate_summary.h"
 #include "core/propagation/requirements.h"
 #include "core/propagation/reverse_budget.h"
 #include "core/result/result_line.h"
+#include "tests/core/made.h"
 
 namespace covaria::result_line_property_test {
 namespace {
@@ -22,10 +21,9 @@ using Prepared = std::shared_ptr<const PreparedAnalysis>;
 
 std::vector<Prepared> analyses_of(const Project& project) {
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
     std::vector<Prepared> all;
     for (const AnalysisEntry& entry : project.analyses) {
-        all.push_back(prepare_analysis(project, entry.id, assets, problems));
+        all.push_back(made_analysis(project, entry.id, problems));
         EXPECT_TRUE(all.back()) << entry.id;
         if (!all.back()) all.pop_back();
     }

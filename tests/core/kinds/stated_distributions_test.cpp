@@ -8,8 +8,7 @@
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
 #include "core/kinds/points/stated_figure.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 
 namespace covaria::stated_distributions_test {
 namespace {
@@ -63,8 +62,7 @@ TEST(StatedDistributions, ReachTheComponentsOfShippedProjects) {
                     entry.correlations.clear();
                 }
                 Problems problems;
-                const AssetLibrary assets = make_assets(project, problems);
-                const auto prepared = prepare_analysis(project, analysis.id, assets, problems);
+                const auto prepared = made_analysis(project, analysis.id, problems);
                 ASSERT_NE(prepared, nullptr) << name << ": " << problems.items().front().message;
                 const auto result = run_analysis(*prepared, {});
                 ASSERT_TRUE(result) << name;

@@ -2,8 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/project/component_edit.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 
 namespace covaria::temperature_component_test {
 namespace {
@@ -17,8 +16,7 @@ constexpr const char* expansion = R"json({"format": "covaria", "schemaVersion": 
 
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
-    auto analysis = prepare_analysis(project, "a", assets, problems);
+    auto analysis = made_analysis(project, "a", problems);
     for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << ": " << p.message;
     return analysis;
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/resource_path.h"
+#include "core/made/load_project.h"
 #include "core/project/option_fields.h"
 #include "core/project/options_json.h"
 #include "core/project/project_file.h"

@@ -3,7 +3,7 @@
 
 #include "core/project/project_text.h"
 #include "core/project/study_target.h"
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 #include "tests/core/project/test_kinds.h"
 
 namespace covaria::test::study_json_test {
@@ -105,7 +105,7 @@ TEST(StudyJson, DoesNotChangeTheFingerprintOfTheAnalysis) {
     const auto fingerprint_of = [](const std::string& text) {
         const Project project = parse(text).project;
         Problems problems;
-        return prepare_analysis(project, "sum-1", make_assets(project, problems), problems)->fingerprint;
+        return made_analysis(project, "sum-1", problems)->fingerprint();
     };
     EXPECT_EQ(fingerprint_of(whole_project), fingerprint_of(with_studies(canonical)));
 }
@@ -176,7 +176,7 @@ TEST(StudyTargets, UncertaintiesAreScaledAboutTheEstimate) {
     project.analyses[0].inputs = {};
     project.analyses[0].correlations = {};
     Problems problems;
-    const auto analysis = prepare_analysis(project, "sum-1", make_assets(project, problems), problems);
+    const auto analysis = made_analysis(project, "sum-1", problems);
     ASSERT_TRUE(analysis);
     InputSet inputs = analysis->inputs;
     inputs.components[1].distribution = Distribution::of(Rectangular{1e-6, 5e-6});  // of a, with a mean

@@ -107,7 +107,9 @@ AssetDescriptor asset_kind(const std::string& kind, SetupSchema schema,
     descriptor.kind = descriptor.title = kind;
     descriptor.schema = std::move(schema);
     descriptor.capabilities = std::move(capabilities);
-    descriptor.create = [](const SetupReader&, const AssetLibrary&, Problems&) {
+    descriptor.create = [kind](const SetupReader& setup, const AssetLibrary&, Problems& problems) {
+        if (kind == "block" && setup.integer("rounds") == 1)
+            problems.warning("/rounds", "one round does not say how well it repeats");
         return std::make_unique<Nothing>();
     };
     return descriptor;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 
 namespace covaria::test {
 

@@ -23,7 +23,7 @@ EvaluationOptions adaptive(double tolerance, const char* unit) {
 TEST(Forecast, TheEndPointsGovern) {
     const auto inputs = normal_inputs({{0, 1.3687}});
     const auto model = sum_model(inputs);
-    const auto found = forecast_adaptive(model, inputs, adaptive(0.0001, "1"));
+    const auto found = forecast_adaptive(model, *propagate(model, inputs), adaptive(0.0001, "1"));
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->trials, 5.35e9, .01e9);
     EXPECT_NEAR(found->batches, 535'000, 1000);
@@ -34,7 +34,7 @@ TEST(Forecast, ARunStopsNearIt) {
     const auto inputs = normal_inputs({{0, 1.0}});
     const auto model = sum_model(inputs);
     const EvaluationOptions options = adaptive(0.01, "1");
-    const auto found = forecast_adaptive(model, inputs, options);
+    const auto found = forecast_adaptive(model, *propagate(model, inputs), options);
     const auto result = evaluate(model, inputs, options);
     ASSERT_TRUE(found && result);
     EXPECT_GT(static_cast<double>(result->trials), .5 * found->trials);
@@ -53,7 +53,7 @@ TEST(Forecast, OnlyForTheAdaptiveProcedure) {
     const auto inputs = normal_inputs({{0, 1.0}});
     EvaluationOptions options = adaptive(0.0001, "1");
     options.method = Method::monte_carlo;
-    EXPECT_FALSE(forecast_adaptive(sum_model(inputs), inputs, options));
+    EXPECT_FALSE(forecast_adaptive(sum_model(inputs), *propagate(sum_model(inputs), inputs), options));
 }
 
 // Two groups: contributions combine in quadrature, shares add.

@@ -152,8 +152,8 @@ TEST(Report, SaysWhatWentWrongInTheRun) {
     result.adaptive = true;
     result.stabilised = false;
     result.warnings = {"beta is close to 90°: gimbal lock", "12 of 1000000 trials (0.0012 %) have no value"};
-    const std::string text =
-        to_markdown(build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)}));
+    const std::string text = to_markdown(
+        build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)}));
     EXPECT_TRUE(contains(text, "12 of 1000000 trials (0.0012 %) have no value"));
     EXPECT_TRUE(contains(text, "| 12 |")) << "the provenance counts them too";
     EXPECT_TRUE(contains(text, "not stabilised"));
@@ -167,7 +167,7 @@ TEST(Report, TooManyLostTrialsMarkTheResultEverywhere) {
         result.trials = 100'000;
         result.failed_trials = failed;
         const EvaluatedAnalysis analysis = test::sample_analysis(result);
-        const ReportDocument document = build_report(test::sample_project(), AssetLibrary{}, {analysis});
+        const ReportDocument document = build_report(*MadeProject::make(test::sample_project()), {analysis});
         return std::vector<std::string>{to_markdown(document), to_html(document),
                                         to_csv(result_tables(test::sample_project(), analysis).front())};
     };
@@ -200,7 +200,7 @@ TEST(Report, RequirementsOnWhatDoesNotRepresentTheMeasurandAreNotJudged) {
         EXPECT_FALSE(r.meets_target);
         EXPECT_EQ(r.decision, RequirementResult::Decision::none);
     }
-    const std::string report = to_markdown(build_report(project, AssetLibrary{}, {analysis}));
+    const std::string report = to_markdown(build_report(*MadeProject::make(project), {analysis}));
     EXPECT_TRUE(contains(report, "The requirements are not judged: the result does not represent")) << report;
     EXPECT_TRUE(contains(report, "| not judged |"));
     for (const char* verdict : {"| met |", "| not met |", "| accepted |", "| rejected |", "risk"})
@@ -211,7 +211,9 @@ TEST(Report, RequirementsOnWhatDoesNotRepresentTheMeasurandAreNotJudged) {
     for (const char* key : {"\"targetMet\": true", "\"decision\": \"", "\"conformance\""})
         EXPECT_FALSE(contains(json, key)) << key;
     for (const DataTable& table : result_tables(project, analysis))
-        if (table.id == "requirements") EXPECT_TRUE(contains(to_csv(table), "not judged")) << to_csv(table);
+        if (table.id == "requirements") {
+            EXPECT_TRUE(contains(to_csv(table), "not judged")) << to_csv(table);
+        }
 }
 
 TEST(Report, ShowsWhatRemainsWithAContributorHeld) {
@@ -222,12 +224,12 @@ TEST(Report, ShowsWhatRemainsWithAContributorHeld) {
         c.without.first_order = c.alone.first_order = std::vector<double>(result.outputs.size(), 1.25e-6);
         result.contributors.push_back(std::move(c));
     }
-    const std::string text =
-        to_markdown(build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)}));
+    const std::string text = to_markdown(
+        build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)}));
     EXPECT_TRUE(contains(text, "Robot held"));
     EXPECT_TRUE(contains(text, "By the law of propagation."));
     const ReportDocument document =
-        build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)});
+        build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)});
     const TableBlock* table = table_with_id(document, "contributors-typed");
     ASSERT_NE(table, nullptr);
     EXPECT_GT(table->table.rows.size(), result.outputs.size()) << "every output, and heads of groups";
@@ -261,8 +263,8 @@ TEST(Report, ZeroUncertaintyMakesNoNonsense) {
     }
     result.covariance.setZero();
     for (auto& rows : result.budget.rows) rows.clear();
-    const std::string text =
-        to_markdown(build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)}));
+    const std::string text = to_markdown(
+        build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)}));
     EXPECT_FALSE(contains(text, "| nan"));
     EXPECT_FALSE(contains(text, "–"));
     EXPECT_TRUE(contains(text, "-119"));
@@ -305,7 +307,7 @@ TEST(Report, ComponentsThatOnlyRoundingMakesCountAreLeftOut) {
     UncertaintyResult result = test::sample_result({1, 3, 3, true, "pose"});
     result.budget.rows[0][17].contribution = 1e-16 * result.outputs[0].standard_uncertainty;
     const ReportDocument document =
-        build_report(test::sample_project(), AssetLibrary{}, {test::sample_analysis(result)});
+        build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)});
     EXPECT_EQ(table_with_id(document, "budget-typed-x-pose-1")->table.rows.size(), 17U + 1U);
     EXPECT_EQ(table_with_id(document, "budget-typed-y-pose-1")->table.rows.size(), 18U + 1U);
 }

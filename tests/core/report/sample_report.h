@@ -245,17 +245,24 @@ inline UncertaintyResult sample_result(const SampleOptions& options = {}) {
 }
 
 inline EvaluatedAnalysis sample_analysis(UncertaintyResult result) {
-    auto prepared = std::make_shared<PreparedAnalysis>();
-    prepared->id = "typed";
-    prepared->name = "Pose of the platform";
-    prepared->descriptor = &sample_model();
-    prepared->inputs = result.inputs;
-    prepared->fingerprint = "fedcba9876543210";
+    const auto propagated =
+        std::make_shared<const PropagatedModel>(nullptr, std::make_shared<const InputSet>(result.inputs));
+    const auto prepared = std::make_shared<PreparedAnalysis>(
+        PreparedAnalysis{.id = "typed",
+                         .name = "Pose of the platform",
+                         .descriptor = &sample_model(),
+                         .assets = {},
+                         .propagated = propagated,
+                         .model = nullptr,
+                         .inputs = propagated->inputs(),
+                         .options = {},
+                         .numbers = std::make_shared<const AnalysisNumbers>(
+                             std::make_shared<const Project>(sample_project()), "typed")});
     return {prepared, std::make_shared<UncertaintyResult>(std::move(result)), {}};
 }
 
 inline ReportDocument sample_report(const SampleOptions& options = {}) {
-    return build_report(sample_project(), AssetLibrary{}, {sample_analysis(sample_result(options))});
+    return build_report(*MadeProject::make(sample_project()), {sample_analysis(sample_result(options))});
 }
 
 }  // namespace covaria::test

@@ -153,7 +153,8 @@ TEST(StudyPlot, NothingToShowSaysWhy) {
 
 TEST(StudyReport, HasTableChartsAndReasons) {
     const EvaluatedAnalysis evaluated = analysis_with(sample({3, 2, 4}, 7));
-    const std::string text = to_markdown(build_report(test::sample_project(), {}, {evaluated}));
+    const std::string text =
+        to_markdown(build_report(*MadeProject::make(test::sample_project()), {evaluated}));
     EXPECT_NE(text.find("Evaluated at 24 grid points"), std::string::npos);
     EXPECT_NE(text.find("best and worst grid points"), std::string::npos);
     EXPECT_NE(text.find("the bars do not meet"), std::string::npos);

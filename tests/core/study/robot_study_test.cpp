@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/made/load_project.h"
 #include "core/study/study.h"
 #include "tests/core/kinds/robot/robot_project.h"
 
@@ -13,8 +14,7 @@ using robot_test::Robot;
 
 StudyResult run(Robot& robot, const char* analysis, const char* study) {
     Problems problems;
-    const auto prepared =
-        prepare_study(robot.project, analysis, study, make_assets(robot.project, problems), problems);
+    const auto prepared = prepare_study(MadeProject::make(robot.project), analysis, study, problems);
     for (const Problem& p : problems.items()) ADD_FAILURE() << p.path << " " << p.message;
     return run_study(*prepared).value();
 }

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
 #include "core/study/study.h"
+#include "tests/core/made.h"
 
 namespace covaria::study_test {
 namespace {
@@ -28,8 +28,8 @@ StudyAxis cell_of_b(const std::string& column, double from, double to, std::size
 }
 
 std::shared_ptr<const PreparedStudy> prepared(const Project& project, Problems& problems) {
-    return prepare_study(project, "recommended", project.analyses[0].studies[0].id,
-                         make_assets(project, problems), problems);
+    return prepare_study(MadeProject::make(project), "recommended", project.analyses[0].studies[0].id,
+                         problems);
 }
 
 StudyResult run(const Project& project, int threads = 2) {
@@ -41,7 +41,7 @@ StudyResult run(const Project& project, int threads = 2) {
 
 UncertaintyResult whole_result(const Project& project) {
     Problems problems;
-    const auto analysis = prepare_analysis(project, "recommended", make_assets(project, problems), problems);
+    const auto analysis = made_analysis(project, "recommended", problems);
     return *run_analysis(*analysis);
 }
 
@@ -75,12 +75,12 @@ TEST(Study, AnInstrumentIsVariedInsideItsNetwork) {
                                    .values = 2}},
                          .outputs = {{"pose 1", "z"}}}};
     Problems problems;
-    const auto study = prepare_study(project, analysis.id, "s", make_assets(project, problems), problems);
+    const auto study = prepare_study(MadeProject::make(project), analysis.id, "s", problems);
     ASSERT_TRUE(study);
     const StudyResult result = *run_study(*study, {});
     for (const std::size_t point : {0, 1}) {
         project.assets[0].setup.values["u_scale"] = Quantity{point == 0 ? 1.0 : 50.0, Unit::of("ppm")};
-        const auto changed = prepare_analysis(project, analysis.id, make_assets(project, problems), problems);
+        const auto changed = made_analysis(project, analysis.id, problems);
         ASSERT_TRUE(changed);
         const UncertaintyResult whole = *run_analysis(*changed);
         EXPECT_DOUBLE_EQ(result.points[point].values[0].standard_uncertainty,
@@ -186,8 +186,7 @@ TEST(Study, UncertaintyOfAnInputQuantityByAFactor) {
     Project project = network();
     const std::string symbol = [&] {
         Problems problems;
-        const auto analysis =
-            prepare_analysis(project, "recommended", make_assets(project, problems), problems);
+        const auto analysis = made_analysis(project, "recommended", problems);
         return analysis->inputs.quantities.front().symbol;
     }();
     project.analyses[0].studies = {{.id = "s",

@@ -167,7 +167,7 @@ TEST_F(DocumentFileTest, RecoversAfterACrash) {
     EXPECT_EQ(entries[0].title, "unsaved work");
     const LoadedProject loaded = RecoveryStore::load(entries[0]);
     ASSERT_FALSE(loaded.problems.has_errors());
-    document.restore(loaded.project, entries[0].original_file);
+    document.restore(loaded, entries[0].original_file);
     EXPECT_EQ(document.project().title, "unsaved work");
     EXPECT_TRUE(document.is_modified());
     RecoveryStore::remove(entries[0].recovery_file);

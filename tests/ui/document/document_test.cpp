@@ -12,8 +12,10 @@ namespace covaria::ui::document_test {
 namespace {
 
 /// A problem for every project without a title.
-void check_title(const Project& project, Problems& problems) {
-    if (project.title.empty()) problems.error("/title", "the project has no title");
+Problems check_title(const MadeProject& made) {
+    Problems problems;
+    if (made.project().title.empty()) problems.error("/title", "the project has no title");
+    return problems;
 }
 
 struct DocumentTest : testing::Test {
@@ -114,7 +116,7 @@ TEST_F(DocumentTest, ReplacingForgetsTheHistory) {
     EXPECT_EQ(replaced.count(), 1);
     EXPECT_FALSE(document.undo_stack().canUndo());
     EXPECT_FALSE(document.is_modified());
-    document.restore({}, "/nowhere/x.covaria");
+    document.restore({{}, {}, MadeProject::make(Project{})}, "/nowhere/x.covaria");
     EXPECT_TRUE(document.is_modified()) << "what was recovered has not been saved";
 }
 
@@ -130,25 +132,49 @@ TEST_F(DocumentTest, ProblemsFollowInTheBackground) {
     EXPECT_EQ(document.problems().items()[0].path, "/title");
 }
 
-TEST(ProblemChecker, TheLatestSnapshotWins) {
+ProjectSnapshot titled(const std::string& title) {
+    Project project;
+    project.title = title;
+    return std::make_shared<const Project>(project);
+}
+
+TEST(ProjectMaker, TheLatestSnapshotWins) {
     std::atomic<int> checks = 0;
     std::atomic<bool> all_requested = false;
-    ProblemChecker checker([&](const Project& project, Problems& problems) {
-        ++checks;
-        all_requested.wait(false);
-        problems.error("/title", project.title);
-    });
-    QSignalSpy done(&checker, &ProblemChecker::checked);
-    for (int i = 0; i < 30; ++i) {
-        Project project;
-        project.title = std::to_string(i);
-        checker.request(std::make_shared<const Project>(project));
-    }
+    ProjectMaker maker(
+        [&](const MadeProject& made) {
+            ++checks;
+            all_requested.wait(false);
+            Problems problems;
+            problems.error("/title", made.project().title);
+            return problems;
+        },
+        Execution::threads, nullptr);
+    for (int i = 0; i < 30; ++i) maker.request(titled(std::to_string(i)));
     all_requested = true;
     all_requested.notify_all();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return done.count() > 0; }));
-    EXPECT_EQ(checker.problems().items().at(0).message, "29");
-    EXPECT_EQ(checks, 2) << "one that was running and the newest";
+    EXPECT_TRUE(maker.is_making());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !maker.is_making(); }));
+    EXPECT_EQ(maker.problems().items().at(0).message, "29");
+    EXPECT_EQ(maker.made()->project().title, "29");
+    EXPECT_LE(checks, 2) << "one that was running and the newest";
+}
+
+TEST(ProjectMaker, WhatIsMadeAlreadyIsNotMadeAgain) {
+    ProjectMaker maker(Execution::inline_execution);
+    QSignalSpy changed(&maker, &ProjectMaker::made_changed);
+    const auto made = MadeProject::make(titled("a"));
+    maker.take(made);
+    EXPECT_EQ(maker.made(), made);
+    maker.request(made->snapshot());
+    EXPECT_EQ(changed.count(), 1);
+    maker.request(titled("b"));
+    EXPECT_EQ(maker.made()->project().title, "b");
+    EXPECT_EQ(changed.count(), 2);
+    QSignalSpy forgotten(&maker, &ProjectMaker::forgotten);
+    maker.forget();
+    EXPECT_EQ(forgotten.count(), 1);
+    EXPECT_FALSE(maker.made());
 }
 
 TEST(ProjectEdits, IdsAndNamesAreUnique) {

@@ -32,9 +32,9 @@ int dark_pixels(const FormulaPicture& formula, const QRect& area) {
     formula.paint(painter, {10.0, 10.0}, Qt::black);
     painter.end();
     int dark = 0;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            if (area.contains(x, y) && qGray(image.pixel(x, y)) < 128) ++dark;
+    for (int row = 0; row < image.height(); ++row)
+        for (int column = 0; column < image.width(); ++column)
+            if (area.contains(column, row) && qGray(image.pixel(column, row)) < 128) ++dark;
     return dark;
 }
 
@@ -47,8 +47,8 @@ TEST(FormulaPicture, AFractionStacksItsParts) {
     // The bar: a dark row somewhere in the middle, as wide as the fraction.
     const int middle = 10 + int(fraction.baseline());
     int widest = 0;
-    for (int y = middle - 16; y < middle; ++y)
-        widest = std::max(widest, dark_pixels(fraction, QRect(10, y, int(fraction.width()), 1)));
+    for (int row = middle - 16; row < middle; ++row)
+        widest = std::max(widest, dark_pixels(fraction, QRect(10, row, int(fraction.width()), 1)));
     EXPECT_GT(widest, 0.8 * fraction.width());
 }
 

@@ -36,7 +36,7 @@ struct LinesEditorTest : testing::Test {
         return std::get<std::string>(document.project().analyses[0].setup.values.at("equations"));
     }
     Problems found;
-    Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
+    Document document{[this](const MadeProject&) { return found; }, nullptr};
     std::unique_ptr<SetupForm> form;
     LinesEditor* editor = nullptr;
 };

@@ -46,7 +46,7 @@ struct SetupFormTest : testing::Test {
         QTest::keyClick(box, key);
     }
     Problems found;
-    Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
+    Document document{[this](const MadeProject&) { return found; }, nullptr};
     std::unique_ptr<SetupForm> form;
 };
 

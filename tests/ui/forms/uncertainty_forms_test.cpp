@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 
 #include "core/project/component_edit.h"
+#include "tests/core/made.h"
 #include "tests/ui/qt_application.h"
 #include "tests/ui/sample_schema.h"
 #include "ui/document/quantity_edits.h"
@@ -100,8 +101,7 @@ struct AnalysisFormsTest : testing::Test {
         Project project;
         project.analyses.push_back({"a", "model", "Analysis", {}, {}, {}, {}, {}, {}});
         document.replace(project);
-        auto prepared = std::make_shared<PreparedAnalysis>();
-        prepared->id = "a";
+        InputSet inputs;
         for (const char* symbol : {"x", "y", "z"}) {
             UncertaintyComponent component;
             component.id = std::string(symbol) + ".reading";
@@ -111,13 +111,13 @@ struct AnalysisFormsTest : testing::Test {
             InputQuantity quantity;
             quantity.symbol = symbol;
             quantity.unit = Unit::of("mm");
-            prepared->inputs.add(quantity, {component});
+            inputs.add(quantity, {component});
         }
-        analysis = prepared;
+        analysis = analysis_with("a", std::move(inputs));
     }
     const AnalysisEntry& entry() const { return document.project().analyses[0]; }
     Problems found;
-    Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
+    Document document{[this](const MadeProject&) { return found; }, nullptr};
     std::shared_ptr<const PreparedAnalysis> analysis;
 };
 

@@ -106,7 +106,8 @@ TEST_F(EquationSession, AChangedLimitIsJudgedAtOnce) {
     };
     const auto report = [&] {
         const Project& project = window_->document().project();
-        return to_markdown(build_report(project, {}, current_results(project, window_->runner())));
+        return to_markdown(
+            build_report(*MadeProject::make(project), current_results(project, window_->runner())));
     };
     EXPECT_NE(report().find("accepted"), std::string::npos);
     type_into("upperLimit", QStringLiteral("850"));

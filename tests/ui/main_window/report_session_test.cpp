@@ -11,6 +11,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/export_actions.h"
 #include "ui/pages/report_preview.h"
+#include "ui/pages/sortable_table.h"
 
 namespace covaria::ui::report_session_test {
 namespace {

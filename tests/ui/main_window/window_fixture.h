@@ -8,6 +8,7 @@
 #include <QTest>
 #include <memory>
 
+#include "core/made/load_project.h"
 #include "core/project/project_file.h"
 #include "tests/ui/qt_application.h"
 #include "ui/main_window/main_window.h"

@@ -5,6 +5,7 @@
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
+#include "tests/core/made.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_edits.h"
@@ -26,10 +27,8 @@ struct ProjectModelsTest : testing::Test {
         });
     }
     Problems found;
-    Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
-    AnalysisRunner runner{
-        RunBackend{[](const Project&) { return std::map<std::string, Preparation>(); }, {}, {}},
-        Execution::inline_execution};
+    Document document{[this](const MadeProject&) { return found; }, nullptr};
+    AnalysisRunner runner{document.maker(), RunBackend{}, Execution::inline_execution};
 };
 
 TEST_F(ProjectModelsTest, TheTreeFollowsAddingMovingAndRemoving) {
@@ -108,10 +107,9 @@ TEST_F(ProjectModelsTest, ProblemsComeWithTheirPlaceErrorsFirst) {
     EXPECT_EQ(model.index(0, ProblemsModel::place_column).data().toString(), "x.covaria, line 3: /format");
 }
 
-/// Two quantities with a component each.
-std::shared_ptr<const PreparedAnalysis> prepared() {
-    auto analysis = std::make_shared<PreparedAnalysis>();
-    analysis->id = "a";
+/// Three quantities with a component each; the last one of another analysis, where one is named.
+InputSet sample_inputs(const std::string& last_of = {}) {
+    InputSet inputs;
     for (const char* symbol : {"b_1x", "b_1y", "b_1z"}) {
         UncertaintyComponent component;
         component.id = std::string(symbol) + ".calibration";
@@ -123,9 +121,14 @@ std::shared_ptr<const PreparedAnalysis> prepared() {
         quantity.name = "base point 1";
         quantity.unit = Unit::of("mm");
         quantity.offset = 0.1;
-        analysis->inputs.add(quantity, {component});
+        inputs.add(quantity, {component});
     }
-    return analysis;
+    inputs.quantities.back().analysis = last_of;
+    return inputs;
+}
+
+std::shared_ptr<const PreparedAnalysis> prepared() {
+    return analysis_with("a", sample_inputs());
 }
 
 TEST_F(ProjectModelsTest, InputQuantitiesAreEditedAndReset) {
@@ -156,9 +159,13 @@ TEST_F(ProjectModelsTest, InputQuantitiesAreEditedAndReset) {
 
 TEST_F(ProjectModelsTest, LinkedQuantitiesAreShownWhereTheyComeFrom) {
     add_analysis_entry("a");
-    auto chain = std::make_shared<PreparedAnalysis>(*prepared());
-    chain->inputs.quantities[2].analysis = "gauge";  // of upstream: not edited here
-    LinkedInput linked{.symbol = "L_S", .name = "length", .unit = Unit::of("mm"), .analysis = "gauge"};
+    // The last quantity is one of upstream: it is not edited here.
+    auto chain = std::make_shared<PreparedAnalysis>(*analysis_with("a", sample_inputs("gauge")));
+    LinkedInput linked;
+    linked.symbol = "L_S";
+    linked.name = "length";
+    linked.unit = Unit::of("mm");
+    linked.analysis = "gauge";
     linked.analysis_name = "End gauge";
     linked.output.symbol = "l";
     linked.estimate = 0.05;

@@ -24,7 +24,7 @@ struct SetupTableModelTest : testing::Test {
         return std::get<SetupTable>(document.project().assets[0].setup.values.at("points"));
     }
     Problems found;
-    Document document{[this](const Project&, Problems& problems) { problems = found; }, nullptr};
+    Document document{[this](const MadeProject&) { return found; }, nullptr};
     SetupTableModel model{document, sample_address(), &sample_schema(), "points"};
     QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::Fatal};
 };

@@ -9,10 +9,17 @@
 #include <new>
 #include <stop_token>
 
+#include "core/base/resource_path.h"
+#include "core/made/load_project.h"
 #include "tests/ui/qt_application.h"
 
 namespace covaria::ui::analysis_runner_test {
 namespace {
+
+constexpr std::uint64_t bad = 1000;     ///< cannot be made
+constexpr std::uint64_t fails = 1001;   ///< cannot be run
+constexpr std::uint64_t huge = 1002;    ///< there is no memory to make it
+constexpr std::uint64_t greedy = 1003;  ///< there is no memory to run it
 
 /// A door that runs wait at while it is closed, or until they are stopped.
 class Gate {
@@ -35,8 +42,7 @@ private:
     bool closed_ = false;
 };
 
-/// The project's notes are the fingerprint of all its analyses; "bad" cannot be prepared, "fail" fails; for
-/// "huge" and "greedy" there is no memory.
+/// The number that a project is about is the seed of all its analyses; see `project`.
 struct Script {
     Gate block;  ///< of full runs
     std::atomic<int> runs = 0;
@@ -44,8 +50,7 @@ struct Script {
     std::atomic<int> runs_of_x = 0;
 
     RunBackend backend() {
-        return {[](const Project& project) { return prepare(project); },
-                [this](const PreparedAnalysis&) {
+        return {[this](const PreparedAnalysis&) {
                     ++first_orders;
                     return Result<UncertaintyResult>(UncertaintyResult{});
                 },
@@ -53,52 +58,52 @@ struct Script {
                     return full(analysis, control);
                 }};
     }
-    static std::map<std::string, Preparation> prepare(const Project& project) {
-        if (project.notes == "huge") throw std::bad_alloc();
-        std::map<std::string, Preparation> prepared;
-        for (const AnalysisEntry& entry : project.analyses) {
-            auto analysis = std::make_shared<PreparedAnalysis>();
-            analysis->id = entry.id;
-            analysis->fingerprint = project.notes;
-            analysis->options = entry.options;
-            if (project.notes == "bad")
-                prepared[entry.id] = {nullptr, "no points", {}};
-            else
-                prepared[entry.id] = {analysis, {}, {}};
-        }
-        return prepared;
-    }
     Result<UncertaintyResult> full(const PreparedAnalysis& analysis, const RunControl& control) {
         ++runs;
         if (analysis.id == "x") ++runs_of_x;
         if (control.progress) control.progress({500, 1000});
         block.pass(control.stop);
         if (control.stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped");
-        if (analysis.fingerprint == "greedy") throw std::bad_alloc();
-        if (analysis.fingerprint == "fail") return fail(ErrorCode::numeric, "no value at the estimates");
+        if (analysis.options.seed == greedy) throw std::bad_alloc();
+        if (analysis.options.seed == fails) return fail(ErrorCode::numeric, "no value at the estimates");
         UncertaintyResult result;
         result.trials = analysis.options.trials;
-        result.provenance.project_fingerprint = analysis.fingerprint;
+        result.provenance.seed = analysis.options.seed;
         return result;
     }
 };
 
-ProjectSnapshot project(const std::string& notes, std::vector<std::string> ids = {"x"}) {
+/// Analyses of a smallest model with this seed.
+ProjectSnapshot project(std::uint64_t seed, std::vector<std::string> ids = {"x"}) {
+    static const Project start =
+        load_project(data_directory() / "resources/verification/distributions.covaria").project;
     Project value;
-    value.notes = notes;
-    for (const std::string& id : ids) value.analyses.push_back({id, "model", id, {}, {}, {}, {}, {}, {}});
+    for (const std::string& id : ids) {
+        AnalysisEntry& entry = value.analyses.emplace_back(start.analyses.front());
+        entry.id = entry.name = id;
+        entry.options = {};
+        entry.options.seed = seed;
+        if (seed == bad) entry.model = "none";
+    }
     return std::make_shared<const Project>(value);
+}
+
+Problems check(const MadeProject& made) {
+    for (const AnalysisEntry& analysis : made.project().analyses)
+        if (analysis.options.seed == huge) throw std::bad_alloc();
+    return made.problems();
 }
 
 struct AnalysisRunnerTest : testing::Test {
     const AnalysisStatus& status(const char* id = "x") { return runner.status(id); }
     bool settle() { return runner.wait_until_idle(5000); }
     Script script;
-    AnalysisRunner runner{script.backend(), Execution::threads};
+    ProjectMaker maker{check, Execution::threads, nullptr};
+    AnalysisRunner runner{maker, script.backend(), Execution::threads};
 };
 
 TEST_F(AnalysisRunnerTest, RunsAndBecomesUpToDate) {
-    runner.set_project(project("1"));
+    maker.request(project(1));
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::out_of_date);
     EXPECT_FALSE(status().result);
@@ -111,29 +116,29 @@ TEST_F(AnalysisRunnerTest, RunsAndBecomesUpToDate) {
 }
 
 TEST_F(AnalysisRunnerTest, ARunAskedForBeforeThePreparationIsNotLost) {
-    runner.set_project(project("1"));
+    maker.request(project(1));
     runner.run("x");
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::up_to_date);
 }
 
 TEST_F(AnalysisRunnerTest, AChangeMakesTheResultOutOfDateAndUndoingItCurrentAgain) {
-    runner.set_project(project("1"));
+    maker.request(project(1));
     runner.run("x");
     ASSERT_TRUE(settle());
-    runner.set_project(project("2"));
+    maker.request(project(2));
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::out_of_date);
     EXPECT_TRUE(status().result) << "still there to be seen, marked as old";
     EXPECT_FALSE(status().is_current());
-    runner.set_project(project("1"));
+    maker.request(project(1));
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::up_to_date);
 }
 
 TEST_F(AnalysisRunnerTest, StopsARun) {
     script.block = true;
-    runner.set_project(project("1"));
+    maker.request(project(1));
     runner.run("x");
     ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs == 1; }));
     runner.stop("x");
@@ -144,31 +149,31 @@ TEST_F(AnalysisRunnerTest, StopsARun) {
 }
 
 TEST_F(AnalysisRunnerTest, MemoryThatIsNotThereIsAFailureLikeAnother) {
-    for (const char* notes : {"huge", "greedy"}) {
-        runner.set_project(project(notes));
+    for (const std::uint64_t seed : {huge, greedy}) {
+        maker.request(project(seed));
         runner.run("x");
         ASSERT_TRUE(settle());
-        EXPECT_EQ(status().state, RunState::failed) << notes;
+        EXPECT_EQ(status().state, RunState::failed) << seed;
         EXPECT_EQ(status().message, "the memory of this machine does not suffice");
         EXPECT_FALSE(status().is_current());
     }
-    runner.set_project(project("good"));
+    maker.request(project(1));
     runner.run("x");
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::up_to_date) << "the workers are still there";
 }
 
 TEST_F(AnalysisRunnerTest, FailuresSayWhy) {
-    runner.set_project(project("fail"));
+    maker.request(project(fails));
     runner.run("x");
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::failed);
     EXPECT_EQ(status().message, "no value at the estimates");
-    runner.set_project(project("bad"));
+    maker.request(project(bad));
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::failed);
-    EXPECT_EQ(status().message, "no points");
-    runner.set_project(project("good"));
+    EXPECT_TRUE(status().message.contains("there is no measurement model 'none'"));
+    maker.request(project(7));
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::out_of_date);
     EXPECT_TRUE(status().message.isEmpty());
@@ -176,7 +181,7 @@ TEST_F(AnalysisRunnerTest, FailuresSayWhy) {
 
 TEST_F(AnalysisRunnerTest, ReportsProgress) {
     QSignalSpy progress(&runner, &AnalysisRunner::progress_changed);
-    runner.set_project(project("1"));
+    maker.request(project(1));
     runner.run("x");
     ASSERT_TRUE(settle());
     ASSERT_EQ(progress.count(), 1);
@@ -185,7 +190,7 @@ TEST_F(AnalysisRunnerTest, ReportsProgress) {
 }
 
 TEST_F(AnalysisRunnerTest, LiveModeShowsFirstOrderBeforeMonteCarlo) {
-    runner.set_project(project("1"));
+    maker.request(project(1));
     ASSERT_TRUE(settle());
     runner.set_live(true);
     ASSERT_TRUE(settle());
@@ -193,7 +198,7 @@ TEST_F(AnalysisRunnerTest, LiveModeShowsFirstOrderBeforeMonteCarlo) {
     std::vector<ResultStage> stages;
     QObject::connect(&runner, &AnalysisRunner::result_changed, &runner,
                      [&] { stages.push_back(status().stage); });
-    runner.set_project(project("2"));
+    maker.request(project(2));
     ASSERT_TRUE(settle());
     EXPECT_EQ(stages, (std::vector{ResultStage::first_order, ResultStage::preview, ResultStage::complete}));
     EXPECT_EQ(script.first_orders, 1);
@@ -203,42 +208,41 @@ TEST_F(AnalysisRunnerTest, LiveModeShowsFirstOrderBeforeMonteCarlo) {
 TEST_F(AnalysisRunnerTest, InLiveModeTheLatestChangeWins) {
     runner.set_live(true);
     script.block = true;
-    runner.set_project(project("old"));
+    maker.request(project(8));
     ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs >= 1; }));
     QSignalSpy results(&runner, &AnalysisRunner::result_changed);
-    for (int i = 0; i < 100; ++i) runner.set_project(project("edit " + std::to_string(i)));
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return status().prepared && status().prepared->fingerprint == "edit 99"; }));
+    for (int i = 0; i < 100; ++i) maker.request(project(100 + std::uint64_t(i)));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return status().prepared && status().prepared->options.seed == 199; }));
     script.block = false;
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::up_to_date);
-    EXPECT_EQ(status().result->provenance.project_fingerprint, "edit 99");
+    EXPECT_EQ(status().result->provenance.seed, 199u);
     EXPECT_GT(results.count(), 0);
     EXPECT_LT(script.runs, 100) << "most changes are skipped, not queued";
 }
 
 TEST_F(AnalysisRunnerTest, AStaleRunNeverReplacesACurrentResult) {
-    runner.set_project(project("1"));
+    maker.request(project(1));
     runner.run("x");
     ASSERT_TRUE(settle());
-    runner.set_project(project("2"));
+    maker.request(project(2));
     ASSERT_TRUE(settle());
     script.block = true;
     runner.run("x");
     ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs == 2; }));
-    runner.set_project(project("1"));
+    maker.request(project(1));
     ASSERT_TRUE(QTest::qWaitFor([&] { return status().state == RunState::up_to_date; }));
     script.block = false;  // the run of "2" ends now
     ASSERT_TRUE(settle());
     EXPECT_EQ(status().state, RunState::up_to_date);
-    EXPECT_EQ(status().result->provenance.project_fingerprint, "1");
+    EXPECT_EQ(status().result->provenance.seed, 1u);
 }
 
 TEST_F(AnalysisRunnerTest, TheAnalysisInFocusComesFirst) {
     QStringList order;
     QObject::connect(&runner, &AnalysisRunner::result_changed, &runner,
                      [&](const QString& id) { order << id; });
-    runner.set_project(project("1", {"a", "b", "c"}));
+    maker.request(project(1, {"a", "b", "c"}));
     ASSERT_TRUE(settle());
     runner.set_focus("c");
     runner.run_all();
@@ -250,7 +254,7 @@ TEST_F(AnalysisRunnerTest, TheAnalysisInFocusComesFirst) {
 
 TEST_F(AnalysisRunnerTest, StopAllEmptiesTheQueue) {
     script.block = true;
-    runner.set_project(project("1", {"a", "b", "c"}));
+    maker.request(project(1, {"a", "b", "c"}));
     ASSERT_TRUE(settle());
     runner.run_all();
     ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs == 1; }));
@@ -261,22 +265,23 @@ TEST_F(AnalysisRunnerTest, StopAllEmptiesTheQueue) {
 }
 
 TEST_F(AnalysisRunnerTest, RemovedAnalysesAreForgotten) {
-    runner.set_project(project("1", {"a", "b"}));
+    maker.request(project(1, {"a", "b"}));
     runner.run_all();
     ASSERT_TRUE(settle());
-    runner.set_project(project("1", {"b"}));
+    maker.request(project(1, {"b"}));
     ASSERT_TRUE(settle());
     EXPECT_FALSE(runner.status("a").result);
     EXPECT_EQ(runner.status("b").state, RunState::up_to_date);
-    runner.reset(project("1", {"b"}));
+    maker.forget();
+    maker.request(project(1, {"b"}));
     ASSERT_TRUE(settle());
     EXPECT_EQ(runner.status("b").state, RunState::out_of_date);
 }
 
 TEST_F(AnalysisRunnerTest, CanBeDestroyedWhileRunning) {
     script.block = true;
-    auto other = std::make_unique<AnalysisRunner>(script.backend(), Execution::threads);
-    other->set_project(project("1"));
+    auto other = std::make_unique<AnalysisRunner>(maker, script.backend(), Execution::threads);
+    maker.request(project(1));
     other->run("x");
     ASSERT_TRUE(QTest::qWaitFor([&] { return script.runs == 1; }));
     other.reset();
@@ -285,16 +290,17 @@ TEST_F(AnalysisRunnerTest, CanBeDestroyedWhileRunning) {
 
 TEST(AnalysisRunnerInline, EverythingHappensAtOnce) {
     Script script;
-    AnalysisRunner runner(script.backend(), Execution::inline_execution);
+    ProjectMaker maker(Execution::inline_execution);
+    AnalysisRunner runner(maker, script.backend(), Execution::inline_execution);
     runner.set_live(true);
-    runner.set_project(project("1", {"a", "b"}));
+    maker.request(project(1, {"a", "b"}));
     EXPECT_EQ(runner.status("a").state, RunState::up_to_date);
     EXPECT_EQ(runner.status("b").state, RunState::up_to_date);
     EXPECT_FALSE(runner.is_busy());
 }
 
 TEST_F(AnalysisRunnerTest, WhatIsHeldDoesNotRunAndHasNoCurrentResult) {
-    runner.set_project(project("1", {"x", "y"}));
+    maker.request(project(1, {"x", "y"}));
     ASSERT_TRUE(settle());
     runner.run_all();
     ASSERT_TRUE(settle());
@@ -307,7 +313,7 @@ TEST_F(AnalysisRunnerTest, WhatIsHeldDoesNotRunAndHasNoCurrentResult) {
     EXPECT_TRUE(status("y").is_current());
     runner.run("x");
     runner.run_all();
-    runner.set_project(project("2", {"x", "y"}));
+    maker.request(project(2, {"x", "y"}));
     runner.set_live(true);
     ASSERT_TRUE(settle());
     EXPECT_EQ(script.runs_of_x, runs_of_x);

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/kinds/models.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 #include "tests/ui/qt_application.h"
 #include "ui/run/analysis_runner.h"
 
@@ -29,13 +29,14 @@ TEST(LiveEdit, EveryExampleRunsAndFollowsAnEdit) {
         Project project = example(model);
         ASSERT_FALSE(project.analyses.empty()) << model.id;
         const QString id = QString::fromStdString(project.analyses.front().id);
-        AnalysisRunner runner;
+        ProjectMaker maker;
+        AnalysisRunner runner(maker);
         runner.set_live(true);
         std::vector<ResultStage> stages;
         QObject::connect(&runner, &AnalysisRunner::result_changed, &runner, [&](const QString& changed) {
             if (changed == id) stages.push_back(runner.status(id).stage);
         });
-        runner.set_project(std::make_shared<const Project>(project));
+        maker.request(std::make_shared<const Project>(project));
         ASSERT_TRUE(runner.wait_until_idle(60'000)) << model.id;
         ASSERT_EQ(runner.status(id).state, RunState::up_to_date)
             << model.id << ": " << runner.status(id).message.toStdString();
@@ -43,7 +44,7 @@ TEST(LiveEdit, EveryExampleRunsAndFollowsAnEdit) {
 
         const auto seed_1 = runner.status(id).result;
         for (AnalysisEntry& analysis : project.analyses) ++analysis.options.seed;
-        runner.set_project(std::make_shared<const Project>(project));
+        maker.request(std::make_shared<const Project>(project));
         ASSERT_TRUE(runner.wait_until_idle(60'000)) << model.id;
         const auto seed_2 = runner.status(id).result;
         EXPECT_TRUE(runner.status(id).is_current());

@@ -1,8 +1,10 @@
 // Studies in the worker thread: results, what becomes out of date, stopping.
 #include <gtest/gtest.h>
 
+#include "core/base/guarded.h"
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
+#include "tests/ui/qt_application.h"
 #include "ui/run/study_runner.h"
 
 namespace covaria::ui::study_runner_test {
@@ -23,39 +25,75 @@ ProjectSnapshot changed(const ProjectSnapshot& project, const std::function<void
 const QString analysis = QStringLiteral("recommended"), sweep = QStringLiteral("station-angle");
 
 TEST(StudyRunner, ResultIsCurrentUntilSomethingThatMattersChanges) {
-    StudyRunner runner(Execution::inline_execution);
+    ProjectMaker maker(Execution::inline_execution);
+    StudyRunner runner(maker, Execution::inline_execution);
     const ProjectSnapshot project = network();
-    runner.set_project(project);
+    maker.request(project);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::out_of_date);
     runner.run(analysis, sweep);
     ASSERT_TRUE(runner.status(analysis, sweep).is_current());
     EXPECT_EQ(runner.status(analysis, sweep).result->points.size(), 16u);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::up_to_date);
 
-    runner.set_project(changed(project, [](AnalysisEntry& entry) { entry.name = "another name"; }));
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.name = "another name"; }));
     EXPECT_TRUE(runner.status(analysis, sweep).is_current());
-    runner.set_project(changed(project, [](AnalysisEntry& entry) { entry.studies[1].axes[0].values = 4; }));
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.studies[1].axes[0].values = 4; }));
     EXPECT_FALSE(runner.status(analysis, sweep).is_current());
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::out_of_date);
     EXPECT_TRUE(runner.status(analysis, sweep).result) << "the old result is kept";
-    runner.set_project(project);
+    maker.request(project);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::up_to_date) << "undone";
-    runner.set_project(changed(project, [](AnalysisEntry& entry) { entry.studies.clear(); }));
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.studies.clear(); }));
     EXPECT_FALSE(runner.status(analysis, sweep).result);
 }
 
 TEST(StudyRunner, FailureSaysWhy) {
-    StudyRunner runner(Execution::inline_execution);
-    runner.set_project(
+    ProjectMaker maker(Execution::inline_execution);
+    StudyRunner runner(maker, Execution::inline_execution);
+    maker.request(
         changed(network(), [](AnalysisEntry& entry) { entry.studies[1].axes[0].target = "/setup/nothing"; }));
     runner.run(analysis, sweep);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::failed);
     EXPECT_FALSE(runner.status(analysis, sweep).message.isEmpty());
 }
 
+TEST(StudyRunner, RunsTheStateThatIsBeingMade) {
+    ProjectMaker maker(Execution::threads);
+    StudyRunner runner(maker, Execution::threads);
+    const ProjectSnapshot project = network();
+    maker.make_now(project);
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.studies[1].axes[0].values = 4; }));
+    ASSERT_TRUE(maker.is_making());
+    runner.run(analysis, sweep);
+    EXPECT_EQ(runner.status(analysis, sweep).state, RunState::running);
+    ASSERT_TRUE(runner.wait_until_idle(20'000));
+    ASSERT_TRUE(runner.status(analysis, sweep).is_current());
+    EXPECT_EQ(runner.status(analysis, sweep).result->points.size(), 4u);
+}
+
+TEST(StudyRunner, AStateThatCannotBeMadeFailsWhatWaitsForIt) {
+    ProjectMaker maker(
+        [](const MadeProject& made) -> Problems {
+            if (made.project().title == "impossible") throw ImpossibleValue("width below zero");
+            return {};
+        },
+        Execution::threads, nullptr);
+    StudyRunner runner(maker, Execution::threads);
+    const ProjectSnapshot project = network();
+    maker.make_now(project);
+    Project other = *project;
+    other.title = "impossible";
+    maker.request(std::make_shared<const Project>(other));
+    runner.run(analysis, sweep);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !maker.is_making() && !runner.is_busy(); }));
+    EXPECT_EQ(runner.status(analysis, sweep).state, RunState::failed);
+    EXPECT_TRUE(runner.status(analysis, sweep).message.contains("width below zero"));
+}
+
 TEST(StudyRunner, StopsInTheWorkerThread) {
-    StudyRunner runner(Execution::threads);
-    runner.set_project(changed(network(), [](AnalysisEntry& entry) {
+    ProjectMaker maker(Execution::inline_execution);
+    StudyRunner runner(maker, Execution::threads);
+    maker.request(changed(network(), [](AnalysisEntry& entry) {
         entry.studies[1].method = Method::monte_carlo;
         entry.studies[1].trials = 1'000'000'000;
     }));

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 #include "core/study/study.h"
 #include "viz/scene/dump_scene.h"
 #include "viz/scene/study_scene.h"
@@ -19,7 +19,7 @@ struct Map {
             for (Study& study : analysis.studies)
                 if (!outputs.empty()) study.outputs = outputs;
         Problems problems;
-        prepared = prepare_study(project, "recommended", id, make_assets(project, problems), problems);
+        prepared = prepare_study(MadeProject::make(project), "recommended", id, problems);
         result = *run_study(*prepared);
     }
     Scene scene(const StudySceneOptions& wanted = {}) const {

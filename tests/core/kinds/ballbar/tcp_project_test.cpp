@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 
 namespace covaria::tcp_project_test {
 namespace {
@@ -44,8 +43,7 @@ struct Procedure {
 
     std::shared_ptr<const PreparedAnalysis> prepare(const std::string& id = "paper") {
         problems = {};
-        const AssetLibrary assets = make_assets(project, problems);
-        return prepare_analysis(project, id, assets, problems);
+        return made_analysis(project, id, problems);
     }
     UncertaintyResult run(std::uint64_t trials, const std::string& id = "paper") {
         EvaluationOptions& options = analysis(id).options;

@@ -5,7 +5,7 @@
 
 #include "core/base/resource_path.h"
 #include "core/kinds/assets.h"
-#include "core/project/project_file.h"
+#include "tests/core/made.h"
 
 namespace covaria {
 
@@ -60,8 +60,7 @@ void ForceProject::change_readings(const Place& place,
 
 std::shared_ptr<const PreparedAnalysis> ForceProject::prepare(const std::string& analysis_id) {
     problems = {};
-    const AssetLibrary assets = make_assets(project, problems);
-    return prepare_analysis(project, analysis_id, assets, problems);
+    return made_analysis(project, analysis_id, problems);
 }
 
 UncertaintyResult ForceProject::first_order(const std::string& analysis_id) {
@@ -82,7 +81,7 @@ UncertaintyResult ForceProject::monte_carlo(const std::string& analysis_id, std:
 
 std::vector<DataTable> ForceProject::asset_tables(const std::string& id) {
     problems = {};
-    const AssetLibrary assets = make_assets(project, problems);
+    const AssetLibrary assets = made_assets(project, problems);
     const AssetLibrary::Entry* entry = assets.find(id);
     if (!entry || !entry->asset) throw std::runtime_error(words());
     return entry->asset->evaluation();

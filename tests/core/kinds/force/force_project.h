@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/made/load_project.h"
 #include "core/project/project.h"
-#include "core/project/workspace.h"
 
 namespace covaria {
 

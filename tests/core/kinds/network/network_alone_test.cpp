@@ -11,9 +11,8 @@
 
 #include "core/kinds/instruments/sensor.h"
 #include "core/kinds/points/point_uncertainty.h"
-#include "core/project/library.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "core/made/library.h"
+#include "tests/core/made.h"
 
 namespace covaria::network_alone_test {
 namespace {
@@ -130,7 +129,7 @@ TEST(NetworkOfOne, EqualsTheInstrumentAlone) {
             Project project;
             project.assets = {sensor, network_of("n", {sensor.id}, weights)};
             Problems problems;
-            const AssetLibrary assets = make_assets(project, problems);
+            const AssetLibrary assets = made_assets(project, problems);
             ASSERT_NE(assets.find("n"), nullptr) << sensor.name;
             const Asset& alone = *assets.find(sensor.id)->asset;
             if (!offers<PointUncertaintySource>(&alone)) continue;
@@ -155,7 +154,7 @@ TEST(NetworkOfOne, NothingJumpsNearTheZenith) {
     Project project;
     project.assets = {entry("t", "spherical-instrument", full_tracker(g, false, false))};
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
+    const AssetLibrary assets = made_assets(project, problems);
     const Asset& t = *assets.find("t")->asset;
     const Eigen::Isometry3d X_WS = offers<SensorSource>(&t)->station().X_WS();
     const auto at = [&](double off) { return deviations_of(t, "t", {X_WS * Eigen::Vector3d(off, 0, 3)}); };
@@ -255,7 +254,7 @@ TEST(Networks, EqualPlainLeastSquares) {
             }
             project.assets.push_back(network_of("n", {"a", "b", "c"}, weights));
             Problems problems;
-            const AssetLibrary assets = make_assets(project, problems);
+            const AssetLibrary assets = made_assets(project, problems);
             std::vector<const SensorSource*> sensors;
             for (const char* id : {"a", "b", "c"}) sensors.push_back(offers<SensorSource>(assets.find(id)));
             std::vector<Eigen::Vector3d> points;
@@ -292,7 +291,7 @@ TEST(Networks, AFigureOfZeroCountsAsTheLimitOfASmallOne) {
     const auto covariance = [&](const std::string& id, double figure_mm) {
         project.assets[0].setup.values["distance_constant"] = Quantity{figure_mm, Unit::of("mm")};
         Problems problems;
-        const AssetLibrary assets = make_assets(project, problems);
+        const AssetLibrary assets = made_assets(project, problems);
         return covariance_of(deviations_of(*assets.find(id)->asset, id, points), points.size());
     };
     const Eigen::MatrixXd network = covariance("n", 0.0), small = covariance("n", 1e-5);
@@ -313,8 +312,7 @@ struct Case {
             if (trials > 0) analysis.options.trials = trials;
         }
         problems = {};
-        const AssetLibrary assets = make_assets(project, problems);
-        const auto prepared = prepare_analysis(project, id, assets, problems);
+        const auto prepared = made_analysis(project, id, problems);
         if (!prepared) throw std::runtime_error(problems.items().front().message);
         return *run_analysis(*prepared, {});
     }
@@ -369,7 +367,7 @@ TEST(Cases, NoTrialIsLostToTheIteration) {
 TEST(Cases, AContradictionIsWarnedOf) {
     Case blunder("blunder");
     Problems problems;
-    check_project(blunder.project, problems);
+    problems.take(MadeProject::make(blunder.project)->problems(), "");
     ASSERT_FALSE(problems.empty());
     const std::string& message = problems.items().front().message;
     EXPECT_NE(message.find("Chi-square"), std::string::npos) << message;

@@ -7,8 +7,7 @@
 #include <numbers>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 
 namespace covaria {
 
@@ -50,8 +49,8 @@ struct Network {
     std::shared_ptr<const PreparedAnalysis> prepare(const std::string& id = "paper") {
         problems = {};
         Problems of_assets;
-        assets = make_assets(project, of_assets);
-        return prepare_analysis(project, id, assets, problems);
+        assets = made_assets(project, of_assets);
+        return made_analysis(project, id, problems);
     }
     UncertaintyResult run(const std::string& id, std::uint64_t trials) {
         AnalysisEntry& analysis = find(id);

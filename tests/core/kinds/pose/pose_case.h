@@ -6,9 +6,6 @@
 #include <memory>
 #include <string>
 
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
-
 namespace covaria::pose_case {
 
 inline Project project(const std::string& name) {
@@ -20,8 +17,8 @@ inline Project project(const std::string& name) {
 
 inline std::shared_ptr<const PreparedAnalysis> prepared(const Project& project, const std::string& id,
                                                         Problems& problems) {
-    const AssetLibrary assets = make_assets(project, problems);
-    return prepare_analysis(project, id, assets, problems);
+    return made_analysis(project, id, problems);
 }
 
 }  // namespace covaria::pose_case
+#include "tests/core/made.h"

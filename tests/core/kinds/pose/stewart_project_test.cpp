@@ -3,17 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
 #include "tests/core/kinds/pose/stewart.h"
+#include "tests/core/made.h"
 
 namespace covaria::stewart_project_test {
 namespace {
 
 struct Loaded {
     Loaded() : project(load_project(data_directory() / "projects/stewart-platform.covaria").project) {
-        assets = make_assets(project, problems);
+        assets = made_assets(project, problems);
     }
     Project project;
     Problems problems;
@@ -58,7 +57,7 @@ TEST(StewartProject, TheFilesSayThatTheyAreSynthetic) {
 
 TEST(StewartProject, TheChainFromTheArtefacts) {
     Loaded loaded;
-    const auto prepared = prepare_analysis(loaded.project, "from-artefacts", loaded.assets, loaded.problems);
+    const auto prepared = made_analysis(loaded.project, "from-artefacts", loaded.problems);
     ASSERT_TRUE(prepared);
     EXPECT_EQ(prepared->options.trials, 1'000'000u);
     EXPECT_EQ(prepared->options.seed, 1u);

@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
 #include "core/propagation/engine.h"
+#include "tests/core/made.h"
 
 namespace covaria::tracker_pose_project_test {
 namespace {
@@ -37,7 +36,7 @@ struct TrackerPose {
 
     std::shared_ptr<const PreparedAnalysis> prepare(const std::string& id) {
         problems = {};
-        return prepare_analysis(project, id, make_assets(project, problems), problems);
+        return made_analysis(project, id, problems);
     }
     UncertaintyResult first_order(const std::string& id) {
         analysis(id).options.method = Method::first_order;

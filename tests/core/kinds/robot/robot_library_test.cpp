@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/kinds/robot/serial_robot.h"
-#include "core/project/library.h"
-#include "core/project/workspace.h"
+#include "core/made/library.h"
+#include "tests/core/made.h"
 
 namespace covaria::robot_library_test {
 namespace {
@@ -22,7 +22,7 @@ TEST(RobotLibrary, FlangesStandWhereTheirMakersSay) {
     Project project;
     for (const LibraryItem& item : load_library().items) project.assets.push_back(item.asset);
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
+    const AssetLibrary assets = made_assets(project, problems);
     for (const auto& e : expected) {
         const AssetLibrary::Entry* entry = assets.find(e.id);
         ASSERT_NE(entry, nullptr) << e.id;

@@ -4,8 +4,7 @@
 #include <stdexcept>
 
 #include "core/base/resource_path.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 
 namespace covaria::robot_test {
 
@@ -34,7 +33,7 @@ struct Robot {
     }
     std::shared_ptr<const Asset> asset(const std::string& id) {
         problems = {};
-        assets = make_assets(project, problems);
+        assets = made_assets(project, problems);
         const AssetLibrary::Entry* entry = assets.find(id);
         if (!entry) throw std::runtime_error(words());
         return entry->asset;
@@ -42,8 +41,8 @@ struct Robot {
 
     std::shared_ptr<const PreparedAnalysis> prepare(const std::string& id) {
         problems = {};
-        assets = make_assets(project, problems);
-        return prepare_analysis(project, id, assets, problems);
+        assets = made_assets(project, problems);
+        return made_analysis(project, id, problems);
     }
     /// 0 trials: the law of propagation alone.
     UncertaintyResult run(const std::string& id, std::uint64_t trials) {

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "core/kinds/robot/serial_robot.h"
-#include "core/project/project_file.h"
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 
 namespace covaria::robot_sliding_test {
 namespace {
@@ -41,8 +40,8 @@ struct Made {
     explicit Made(const std::string& text) {
         LoadedProject loaded = parse_project(text, {}, "test");
         problems = loaded.problems;
-        assets = make_assets(loaded.project, problems);
-        if (!problems.has_errors()) analysis = prepare_analysis(loaded.project, "a", assets, problems);
+        assets = made_assets(loaded.project, problems);
+        if (!problems.has_errors()) analysis = made_analysis(loaded.project, "a", problems);
     }
     const SerialRobotSource& robot() const {
         return *offers<SerialRobotSource>(assets.find("gantry")->asset);

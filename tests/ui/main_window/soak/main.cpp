@@ -217,7 +217,7 @@ Figures soak(const QString& file, int edits, unsigned seed) {
     QSignalSpy opened(&window.document(), &Document::open_finished);
     const QString copy = folder.filePath(QFileInfo(file).fileName());
     loaded.project.directory = to_path(QFileInfo(file).absolutePath());
-    window.document().restore(std::move(loaded.project), copy);
+    window.document().restore({loaded.project, {}, MadeProject::make(loaded.project)}, copy);
     emit window.files().project_opened();
     Hands hands(window, seed);
     Figures figures;

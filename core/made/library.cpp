@@ -1,11 +1,11 @@
-#include "core/project/library.h"
+#include "core/made/library.h"
 
 #include <algorithm>
 #include <cstdlib>
 
 #include "core/base/resource_path.h"
 #include "core/kinds/assets.h"
-#include "core/project/project_file.h"
+#include "core/made/load_project.h"
 #include "core/project/references.h"
 
 namespace covaria {

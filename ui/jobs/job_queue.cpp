@@ -1,5 +1,5 @@
 // A thread pool of one thread.
-#include "ui/run/job_queue.h"
+#include "ui/jobs/job_queue.h"
 
 #include <QMetaObject>
 

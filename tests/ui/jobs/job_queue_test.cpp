@@ -1,5 +1,5 @@
 // What a job throws is told on the owner's thread; the queue goes on.
-#include "ui/run/job_queue.h"
+#include "ui/jobs/job_queue.h"
 
 #include <gtest/gtest.h>
 

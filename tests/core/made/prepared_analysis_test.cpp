@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "core/project/workspace.h"
+#include "tests/core/made.h"
 #include "tests/core/project/test_kinds.h"
 
-namespace covaria::test::workspace_test {
+namespace covaria::test::prepared_analysis_test {
 
 namespace {
 
@@ -25,8 +25,7 @@ Project plain_project() {
 
 std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
-    auto analysis = prepare_analysis(project, "sum-1", assets, problems);
+    auto analysis = made_analysis(project, "sum-1", problems);
     for (const Problem& problem : problems.items()) ADD_FAILURE() << problem.path << ": " << problem.message;
     return analysis;
 }
@@ -41,7 +40,7 @@ const ComponentEdit normal_3_um{"certificate", "normal", {0.0, 3.0}, Unit::of("u
 
 }  // namespace
 
-TEST(Workspace, ModelAsItIsWithoutEdits) {
+TEST(PreparedAnalysis, ModelAsItIsWithoutEdits) {
     const auto analysis = prepared(plain_project());
     ASSERT_TRUE(analysis);
     EXPECT_EQ(analysis->descriptor->id, "sum");
@@ -50,7 +49,7 @@ TEST(Workspace, ModelAsItIsWithoutEdits) {
     EXPECT_NE(analysis->assets.find("block-1"), nullptr);
 }
 
-TEST(Workspace, EstimateIsTheEditedOne) {
+TEST(PreparedAnalysis, EstimateIsTheEditedOne) {
     Project project = plain_project();
     InputEdit edit{"a"};
     edit.estimate = Quantity{12.5, Unit::of("mm")};
@@ -61,7 +60,7 @@ TEST(Workspace, EstimateIsTheEditedOne) {
     EXPECT_NEAR(estimate_of(analysis->inputs, 0), 0.0125, 1e-15);
 }
 
-TEST(Workspace, ReplacedComponentsKeepThePlacesOfTheOthers) {
+TEST(PreparedAnalysis, ReplacedComponentsKeepThePlacesOfTheOthers) {
     Project project = plain_project();
     project.analyses[0].inputs = {
         with_components("a", {normal_3_um, {"second", "rectangular", {-3.0, 3.0}, Unit::of("um")}})};
@@ -78,7 +77,7 @@ TEST(Workspace, ReplacedComponentsKeepThePlacesOfTheOthers) {
     EXPECT_NEAR(standard_uncertainty_of(analysis->inputs, 0), std::sqrt(13.0) * micrometre, 1e-18);
 }
 
-TEST(Workspace, NoComponentsLeaveOnlyTheSharedOne) {
+TEST(PreparedAnalysis, NoComponentsLeaveOnlyTheSharedOne) {
     Project project = plain_project();
     project.analyses[0].inputs = {with_components("a", {}), with_components("c", {})};
     const auto analysis = prepared(project);
@@ -88,7 +87,7 @@ TEST(Workspace, NoComponentsLeaveOnlyTheSharedOne) {
     EXPECT_EQ(analysis->inputs.components.size(), 4u);
 }
 
-TEST(Workspace, ParametersWithoutUnitStay) {
+TEST(PreparedAnalysis, ParametersWithoutUnitStay) {
     Project project = plain_project();
     project.analyses[0].inputs = {
         with_components("a", {{"log", "lognormal", {-10.0, 0.5}, Unit::of("um")},
@@ -104,7 +103,7 @@ TEST(Workspace, ParametersWithoutUnitStay) {
     EXPECT_EQ(components[5].distribution, Distribution::of(Discrete{{-micrometre, micrometre}, {0.5, 0.5}}));
 }
 
-TEST(Workspace, HeldQuantityIsConstantAndOthersStay) {
+TEST(PreparedAnalysis, HeldQuantityIsConstantAndOthersStay) {
     Project project = plain_project();
     InputEdit hold{"a"};
     hold.held = true;
@@ -121,7 +120,7 @@ TEST(Workspace, HeldQuantityIsConstantAndOthersStay) {
     EXPECT_NEAR(result->outputs[0].standard_uncertainty, 2 * 3.0 * micrometre, 1e-15);
 }
 
-TEST(Workspace, ComponentIsHeldByItsId) {
+TEST(PreparedAnalysis, ComponentIsHeldByItsId) {
     Project project = plain_project();
     InputEdit hold{"temperature"};
     hold.held = true;
@@ -133,7 +132,7 @@ TEST(Workspace, ComponentIsHeldByItsId) {
     EXPECT_NEAR(result->outputs[0].standard_uncertainty, 2 * std::sqrt(12.0) * micrometre, 1e-15);
 }
 
-TEST(Workspace, CorrelationsAndCombination) {
+TEST(PreparedAnalysis, CorrelationsAndCombination) {
     Project project = plain_project();
     InputEdit sum{"a"};
     sum.combination = Combination::arithmetic;
@@ -148,7 +147,7 @@ TEST(Workspace, CorrelationsAndCombination) {
 }
 
 // r of the total deviations, however many components they have and however these combine.
-TEST(Workspace, QuantitiesAreCorrelatedAsAWhole) {
+TEST(PreparedAnalysis, QuantitiesAreCorrelatedAsAWhole) {
     for (const double r : {-1.0, -0.4, 0.7, 1.0})
         for (const bool arithmetic : {false, true}) {
             Project project = plain_project();
@@ -178,7 +177,7 @@ TEST(Workspace, QuantitiesAreCorrelatedAsAWhole) {
         }
 }
 
-TEST(Workspace, RunHasItsProvenance) {
+TEST(PreparedAnalysis, RunHasItsProvenance) {
     Project project = plain_project();
     project.analyses[0].options.method = Method::monte_carlo;
     project.analyses[0].options.trials = 1000;
@@ -189,38 +188,40 @@ TEST(Workspace, RunHasItsProvenance) {
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(result->trials, 1000u);
     EXPECT_EQ(result->provenance.seed, 42u);
-    EXPECT_EQ(result->provenance.project_fingerprint, analysis->fingerprint);
+    EXPECT_EQ(result->provenance.project_fingerprint, analysis->fingerprint());
     EXPECT_FALSE(result->provenance.covaria_version.empty());
 }
 
-TEST(Workspace, WarningsAreThoseOfTheAssetsThatAreUsedAndOfTheAnalysis) {
+TEST(PreparedAnalysis, WarningsAreThoseOfTheAssetsThatAreUsedAndOfTheAnalysis) {
     Project project = plain_project();
+    project.assets[0].setup.values["rounds"] = Quantity{1.0};
     AssetEntry unused = project.assets[0];
     unused.id = "unused";
     project.assets.insert(project.assets.begin(), unused);
-    Problems of_assets, of_analysis;
-    of_assets.warning("/assets/0/setup/readings", "nobody uses this");
-    of_assets.warning("/assets/1/setup/readings", "readings contradict each other");
-    of_analysis.error("/setup", "wrong");
-    of_analysis.warning("/inputs", "no uncertainty");
-    EXPECT_EQ(warnings_of(project, "sum-1", of_assets, of_analysis),
-              (std::vector<std::string>{"asset block-1: readings contradict each other", "no uncertainty"}));
+    for (const char* symbol : {"a", "b", "c"})
+        project.analyses[0].inputs.push_back({.symbol = symbol, .held = true});
+    const auto made = MadeProject::make(project);
+    const std::vector<std::string> warnings = made->warnings_of("sum-1");
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_EQ(warnings[0], "asset block-1: one round does not say how well it repeats");
+    EXPECT_TRUE(warnings[1].starts_with("no input quantity has an uncertainty")) << warnings[1];
+    EXPECT_TRUE(made->warnings_of("nothing").empty());
 }
 
-TEST(Workspace, FingerprintFollowsTheAssetsThatAreUsed) {
+TEST(PreparedAnalysis, FingerprintFollowsTheAssetsThatAreUsed) {
     Project project = plain_project();
     AssetEntry unused = project.assets[0];
     unused.id = "unused";
     project.assets.push_back(unused);
-    const std::string before = prepared(project)->fingerprint;
+    const std::string before = prepared(project)->fingerprint();
     Project other = project;
     other.assets[2].setup.values["rounds"] = Quantity{7.0};
-    EXPECT_EQ(prepared(other)->fingerprint, before);
+    EXPECT_EQ(prepared(other)->fingerprint(), before);
     other.assets[0].setup.values["rounds"] = Quantity{7.0};
-    EXPECT_NE(prepared(other)->fingerprint, before);
+    EXPECT_NE(prepared(other)->fingerprint(), before);
 }
 
-TEST(Workspace, WhatUsesWhat) {
+TEST(PreparedAnalysis, WhatUsesWhat) {
     Project project = plain_project();
     project.analyses[0].setup.values.erase("clamp");
     AnalysisEntry second = project.analyses[0];
@@ -234,7 +235,7 @@ TEST(Workspace, WhatUsesWhat) {
     EXPECT_TRUE(analyses_using(project, "none").empty());
 }
 
-TEST(Workspace, UsedThroughAnotherAsset) {
+TEST(PreparedAnalysis, UsedThroughAnotherAsset) {
     Project project = plain_project();
     AssetEntry inner = project.assets[0];
     inner.id = "inner";
@@ -243,24 +244,25 @@ TEST(Workspace, UsedThroughAnotherAsset) {
     EXPECT_EQ(analyses_using(project, "inner"), std::vector<std::string>{"sum-1"});
 }
 
-TEST(Workspace, AssetsWithErrorsAreNamedByTheirUsers) {
+TEST(PreparedAnalysis, AssetsWithErrorsAreNamedByTheirUsers) {
     Project project = plain_project();
     project.assets[0].setup.values.erase("length");
     Problems problems;
-    const AssetLibrary assets = make_assets(project, problems);
+    const AssetLibrary assets = made_assets(project, problems);
     EXPECT_EQ(assets.find("block-1"), nullptr);
     EXPECT_EQ(problem_with(problems, "'length of the block' must be given").path, "/assets/0/setup/length");
     EXPECT_EQ(problem_with(problems, "which has errors of its own").path, "/assets/1/setup/block");
-    Problems of_analysis;
-    EXPECT_EQ(prepare_analysis(project, "sum-1", assets, of_analysis), nullptr);
-    EXPECT_EQ(problem_with(of_analysis, "which has errors of its own").path, "/analyses/0/setup/block");
+    const auto made = MadeProject::make(project);
+    EXPECT_EQ(made->analysis("sum-1"), nullptr);
+    EXPECT_EQ(problem_with(made->problems_of_analysis("sum-1"), "which has errors of its own").path,
+              "/analyses/0/setup/block");
 }
 
-TEST(Workspace, UnknownAnalysis) {
+TEST(PreparedAnalysis, UnknownAnalysis) {
     Problems problems;
-    EXPECT_EQ(prepare_analysis(plain_project(), "sum1", {}, problems), nullptr);
+    EXPECT_EQ(made_analysis(plain_project(), "sum1", problems), nullptr);
     EXPECT_EQ(problem_with(problems, "there is no analysis 'sum1' (did you mean 'sum-1'?)").severity,
               Severity::error);
 }
 
-}  // namespace covaria::test::workspace_test
+}  // namespace covaria::test::prepared_analysis_test

@@ -1,0 +1,29 @@
+// Project files read and made.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/made/made_project.h"
+#include "core/project/project_file.h"
+#include "core/project/set_values.h"
+
+namespace covaria {
+
+struct LoadedProject {
+    Project project;            ///< meaningful only if `problems` has no errors
+    Problems problems;          ///< with JSON path, file and line where known
+    MadeProject::Pointer made;  ///< of `project`; null where there is no project at all
+};
+
+/// Reads, migrates older versions, reads referenced CSV files, makes and so checks everything (setups against
+/// schemas, units, references, edits, correlations, options). An unknown key, a wrong unit, a missing
+/// reference, a newer version: an error.
+/// `values`: read as if they stood in the file; problems of the file have no lines then.
+LoadedProject load_project(const std::filesystem::path& file, const std::vector<ValueAt>& values = {});
+/// The same from text; `directory` is where CSV files are looked for; `name` stands for the file in messages.
+LoadedProject parse_project(const std::string& text, const std::filesystem::path& directory,
+                            const std::string& name);
+
+}  // namespace covaria

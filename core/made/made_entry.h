@@ -1,0 +1,57 @@
+// What an asset or an analysis of a project was made into.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/made/prepared_analysis.h"
+#include "core/model/asset.h"
+
+namespace covaria {
+
+/// Immutable; later states of the project take it over while it stays what it is.
+struct MadeEntry {
+    virtual ~MadeEntry() = default;
+    /// For each reference of the entry (EntryGraph::references): what it refers to; null: nothing, or it is
+    /// refused because it refers back.
+    std::vector<std::shared_ptr<const MadeEntry>> uses = {};
+    /// That it uses, directly or through others, and itself if it is one; those with errors are left out.
+    AssetLibrary assets = {};
+    Problems problems = {};  ///< paths relative to the entry: "/setup/points/rows/2/x"
+};
+
+struct MadeAsset : MadeEntry {
+    AssetLibrary::Entry made = {};  ///< its asset is null after an error
+};
+
+/// What a chain of analyses is made of: an analysis that another one takes something from.
+struct UsedAnalysis {
+    std::string id, name;
+    std::vector<InputLink> links;
+    std::shared_ptr<const MeasurementModel> model;
+    std::shared_ptr<const InputSet> inputs;
+    bool operator==(const UsedAnalysis&) const = default;
+};
+
+/// Made in steps, each kept while what it depends on stays: the model by set-up and references, the inputs by
+/// that and the edits, the chain by that, the links and what is upstream, the rest by that, options and
+/// requirements.
+struct MadeAnalysis : MadeEntry {
+    std::string name = {};
+    // By itself, without what it takes from other analyses.
+    std::shared_ptr<const MeasurementModel> model = {};  ///< null after an error
+    Problems of_model = {};                              ///< relative to the set-up
+    std::shared_ptr<const InputSet> inputs = {};         ///< with edits applied; null after an exception
+    Problems of_edits = {};
+    Problems of_own = {};  ///< both, and an unknown model; relative to the analysis
+    // Behind the analyses that it takes inputs from; for one without links, itself.
+    std::vector<UsedAnalysis> upstream = {};
+    std::shared_ptr<const PropagatedModel> propagated = {};  ///< null after an error
+    Problems of_chain = {};
+    std::shared_ptr<const PreparedAnalysis> prepared = {};  ///< null after an error
+    Problems of_studies = {};                               ///< not among `problems`
+};
+
+}  // namespace covaria
