@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/propagation/batch_estimates.h"
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/first_order.h"
 #include "core/propagation/options.h"
@@ -16,6 +17,7 @@ namespace covaria::detail {
 /// The statistics of one batch whose scatter between batches is watched. Empty: too few trials had a value.
 struct BatchSummary {
     std::vector<double> values;
+    std::vector<BatchFigures> figures;  ///< of each row of the source, where they are asked for
 };
 
 /// Which statistics are watched. One measurand: y, u, y_low, y_high (JCGM 101 7.9.4). Several: these of each
@@ -29,6 +31,7 @@ struct WatchedStatistics {
     /// moment does not exist: the scatter of u between batches says nothing, however many there are. With two
     /// or fewer there is no u, and the mean is no better. The ends of the interval remain.
     std::vector<double> least_degrees_of_freedom;
+    bool figures_of_rows = false;  ///< of all outputs and linear parts, for BatchEstimates
 
     bool several() const { return outputs.size() > 1; }
     static constexpr std::size_t per_output = 4;
@@ -52,6 +55,8 @@ public:
     bool summarise(const UnitStatistics& statistics, TrialBlockRunner& runner, BatchSummary& summary);
 
 private:
+    void add_values(const UnitStatistics& statistics, TrialBlockRunner& runner, BatchSummary& summary);
+    void add_figures(const UnitStatistics& statistics, TrialBlockRunner& runner, BatchSummary& summary);
     template <class Use>
     void each_block(TrialBlockRunner& runner, Use use);
     double tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t output,
@@ -61,7 +66,7 @@ private:
 
     const WatchedStatistics& watched_;
     const Pilot& pilot_;
-    std::size_t outputs_;
+    std::size_t rows_;
     std::size_t kept_numbers_limit_;
     std::uint64_t first_ = 0, last_ = 0;
     bool keeping_ = false;
@@ -77,19 +82,22 @@ public:
     /// M = max(J, 10^4) with J = smallest integer >= 100/(1-p), in whole blocks.
     static std::uint64_t batch_trials(double probability);
 
-    std::unique_ptr<BatchSummariser> make_summariser(const TrialSource& source, const Pilot& pilot,
-                                                     const EngineSettings& settings) const;
+    const WatchedStatistics& watched() const { return watched_; }
+    /// Stability is then judged by these standard errors, where there are any.
+    void judge_by(const BatchEstimates* estimates);
     /// Called in the order of batches. True: every watched statistic is stable.
     bool stable_after(const BatchSummary& summary, const Moments& all);
     bool stabilised() const { return stabilised_; }
 
 private:
+    double standard_error(std::size_t value) const;
     double watched_uncertainty(const Moments& all, std::size_t i) const;
     std::vector<double> tolerances(const Moments& all) const;
 
     EvaluationOptions options_;
     WatchedStatistics watched_;
     std::vector<bool> judged_;
+    const BatchEstimates* estimates_ = nullptr;
     std::uint64_t batches_ = 0;
     std::vector<double> mean_, squares_;  ///< of the summaries (Welford)
     bool stabilised_ = false;
