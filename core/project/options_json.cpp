@@ -1,7 +1,11 @@
 #include "core/project/options_json.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/project/setup_json.h"
 #include "core/setup/message_text.h"
@@ -18,6 +22,9 @@ constexpr std::array<MethodName, 3> methods{{{Method::first_order, "first-order"
                                              {Method::monte_carlo, "monte-carlo"},
                                              {Method::adaptive, "adaptive"}}};
 
+constexpr std::array<VarianceReduction, 3> variance_reductions{
+    VarianceReduction::none, VarianceReduction::control_variate, VarianceReduction::sobol};
+
 constexpr double largest_whole_number = 9007199254740992.0;  // 2^53: beyond, doubles skip whole numbers
 
 // Reads into members of EvaluationOptions; a key that is absent leaves the default.
@@ -31,6 +38,7 @@ public:
         method(options.method);
         count("trials", options.trials);
         seed(options.seed);
+        variance_reduction(options.variance_reduction);
         if (auto number = reader_.number("coverageProbability")) options.coverage_probability = *number;
         options.coverage_factor = reader_.number("coverageFactor");
         if (auto flag = reader_.flag("secondOrder")) options.second_order = *flag;
@@ -49,18 +57,26 @@ public:
 
 private:
     void method(Method& out) {
-        const std::string key = reader_.text("method");
-        if (!reader_.has("method") || !value_.at("method").is_string()) return;
         std::vector<std::string> keys;
-        for (const MethodName& name : methods) {
-            if (key == name.key) {
-                out = name.method;
-                return;
-            }
-            keys.push_back(name.key);
-        }
-        problems_.error(reader_.path_of("method"), "'method' must be one of " + listed(keys) + "; it is '" +
-                                                       key + "'" + did_you_mean(key, keys));
+        for (const MethodName& name : methods) keys.push_back(name.key);
+        if (const auto chosen = choice("method", keys)) out = methods[*chosen].method;
+    }
+
+    void variance_reduction(VarianceReduction& out) {
+        std::vector<std::string> keys;
+        for (const VarianceReduction reduction : variance_reductions) keys.emplace_back(key_of(reduction));
+        if (const auto chosen = choice("varianceReduction", keys)) out = variance_reductions[*chosen];
+    }
+
+    /// Which of these texts it is.
+    std::optional<std::size_t> choice(const std::string& name, const std::vector<std::string>& keys) {
+        const std::string key = reader_.text(name);
+        if (!reader_.has(name) || !value_.at(name).is_string()) return {};
+        const auto found = std::find(keys.begin(), keys.end(), key);
+        if (found != keys.end()) return static_cast<std::size_t>(found - keys.begin());
+        problems_.error(reader_.path_of(name), "'" + name + "' must be one of " + listed(keys) + "; it is '" +
+                                                   key + "'" + did_you_mean(key, keys));
+        return {};
     }
 
     /// A quantity; a bare number is meant in the SI unit of every output.
@@ -136,6 +152,8 @@ void write_options(JsonWriter& out, const EvaluationOptions& options) {
     write_changed(out, "trials", options.trials, defaults.trials, count);
     write_changed(out, "seed", options.seed, defaults.seed,
                   [&](std::uint64_t seed) { out.text(std::to_string(seed)); });
+    write_changed(out, "varianceReduction", options.variance_reduction, defaults.variance_reduction,
+                  [&](VarianceReduction reduction) { out.text(std::string(key_of(reduction))); });
     write_changed(out, "coverageProbability", options.coverage_probability, defaults.coverage_probability,
                   number);
     write_changed(out, "coverageFactor", options.coverage_factor, defaults.coverage_factor, maybe);

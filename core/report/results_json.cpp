@@ -90,26 +90,47 @@ OrderedJson shortest_json(const OutputResult& output) {
             {"high", json_number(unit.from_si(output.monte_carlo->shortest.high))}};
 }
 
+/// Standard errors and gains of the figures; nulls with too few batches.
+OrderedJson variance_reduction_json(const ReducedVariance& reduced, const Unit& unit) {
+    const OutputFigures &e = reduced.standard_errors, &g = reduced.gains;
+    OrderedJson json = {{"standardErrors",
+                         {{"mean", json_number(unit.interval_from_si(e.mean))},
+                          {"standardUncertainty", json_number(unit.interval_from_si(e.standard_uncertainty))},
+                          {"low", json_number(unit.interval_from_si(e.low))},
+                          {"high", json_number(unit.interval_from_si(e.high))}}},
+                        {"gains",
+                         {{"mean", json_number(g.mean)},
+                          {"standardUncertainty", json_number(g.standard_uncertainty)},
+                          {"low", json_number(g.low)},
+                          {"high", json_number(g.high)}}}};
+    if (!reduced.plain_because.empty()) json["plainBecause"] = reduced.plain_because;
+    return json;
+}
+
 OrderedJson output_json(const OutputResult& output, const UncertaintyResult& result) {
     const OutputQuantity& quantity = output.quantity;
     const Unit& unit = quantity.unit;
     const auto& trials = output.monte_carlo;
-    return {{"symbol", quantity.symbol},
-            {"group", quantity.group},
-            {"unit", unit.text()},
-            {"role", quantity.role == OutputRole::measurand ? "measurand" : "intermediate"},
-            {"estimate", json_number(unit.from_si(output.estimate))},
-            {"mean", trials ? json_number(unit.from_si(trials->mean)) : OrderedJson(nullptr)},
-            {"standardUncertainty", json_number(unit.interval_from_si(output.standard_uncertainty))},
-            {"expandedUncertainty", json_number(unit.interval_from_si(output.expanded_uncertainty))},
-            {"coverageFactor", json_number(output.coverage_factor)},
-            {"expandedUncertaintyBy", expanded_key(result)},
-            {"interval", interval_json(output, result)},
-            {"shortestInterval", shortest_json(output)},
-            {"skewness", trials ? json_number(trials->skewness) : OrderedJson(nullptr)},
-            {"kurtosis", trials ? json_number(3.0 + trials->kurtosis) : OrderedJson(nullptr)},
-            {"excessKurtosis", trials ? json_number(trials->kurtosis) : OrderedJson(nullptr)},
-            {"firstOrder", first_order_json(output)}};
+    OrderedJson json = {
+        {"symbol", quantity.symbol},
+        {"group", quantity.group},
+        {"unit", unit.text()},
+        {"role", quantity.role == OutputRole::measurand ? "measurand" : "intermediate"},
+        {"estimate", json_number(unit.from_si(output.estimate))},
+        {"mean", trials ? json_number(unit.from_si(trials->mean)) : OrderedJson(nullptr)},
+        {"standardUncertainty", json_number(unit.interval_from_si(output.standard_uncertainty))},
+        {"expandedUncertainty", json_number(unit.interval_from_si(output.expanded_uncertainty))},
+        {"coverageFactor", json_number(output.coverage_factor)},
+        {"expandedUncertaintyBy", expanded_key(result)},
+        {"interval", interval_json(output, result)},
+        {"shortestInterval", shortest_json(output)},
+        {"skewness", trials ? json_number(trials->skewness) : OrderedJson(nullptr)},
+        {"kurtosis", trials ? json_number(3.0 + trials->kurtosis) : OrderedJson(nullptr)},
+        {"excessKurtosis", trials ? json_number(trials->kurtosis) : OrderedJson(nullptr)},
+        {"firstOrder", first_order_json(output)}};
+    if (trials && trials->reduced)
+        json["varianceReduction"] = variance_reduction_json(*trials->reduced, unit);
+    return json;
 }
 
 /// Entry (i, j) in the product of the units of outputs i and j.
@@ -226,6 +247,11 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     std::vector<std::string> warnings = evaluated.warnings;
     warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
     if (!warnings.empty()) json["warnings"] = warnings;
+    if (result.variance_reduction != VarianceReduction::none) {
+        const auto gain = least_gain(result);
+        json["varianceReduction"] = {{"kind", key_of(result.variance_reduction)},
+                                     {"leastGain", gain ? json_number(*gain) : OrderedJson(nullptr)}};
+    }
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
     if (const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id))

@@ -40,6 +40,7 @@ OptionsForm::OptionsForm(Document& document, std::string analysis, QWidget* pare
       analysis_(std::move(analysis)),
       layout_(new QFormLayout(this)),
       method_(new QComboBox(this)),
+      variance_reduction_(new QComboBox(this)),
       second_order_(new QCheckBox(tr("Second-order terms"), this)) {
     build_method();
     build_common();
@@ -108,6 +109,7 @@ void OptionsForm::build_common() {
 void OptionsForm::build_monte_carlo() {
     add_count({"trials", tr("Trials"), tr("Number of trials M."), true, {1.0, largest_count}},
               {Method::monte_carlo}, &EvaluationOptions::trials);
+    build_variance_reduction();
     add_count({"seed",
                tr("Seed"),
                tr("The same seed gives the same numbers, whatever the number of threads."),
@@ -136,6 +138,27 @@ void OptionsForm::build_monte_carlo() {
          true,
          {0.0, largest_count}},
         with_trials, &EvaluationOptions::sobol_trials);
+}
+
+void OptionsForm::build_variance_reduction() {
+    const auto add_kind = [this](const QString& title, VarianceReduction reduction) {
+        variance_reduction_->addItem(title, static_cast<int>(reduction));
+    };
+    add_kind(tr("None: plain trials"), VarianceReduction::none);
+    add_kind(tr("Control variate: the linear part"), VarianceReduction::control_variate);
+    add_kind(tr("Sobol points, scrambled"), VarianceReduction::sobol);
+    variance_reduction_->setAccessibleName(tr("Variance reduction"));
+    variance_reduction_->setObjectName("variance_reduction");
+    variance_reduction_->setToolTip(
+        tr("Makes each trial tell more. The gain is measured and stated with the result; plain trials are "
+           "those of "
+           "JCGM 101."));
+    layout_->addRow(tr("Variance reduction"), variance_reduction_);
+    connect(variance_reduction_, &QComboBox::activated, this, [this](int row) {
+        const auto reduction = static_cast<VarianceReduction>(variance_reduction_->itemData(row).toInt());
+        change("variance_reduction",
+               [&](EvaluationOptions& options) { options.variance_reduction = reduction; });
+    });
 }
 
 void OptionsForm::build_adaptive() {
@@ -236,6 +259,9 @@ void OptionsForm::refresh() {
     if (!shown) return;
     method_->setCurrentIndex(method_->findData(static_cast<int>(shown->method)));
     second_order_->setChecked(shown->second_order);
+    variance_reduction_->setCurrentIndex(
+        variance_reduction_->findData(static_cast<int>(shown->variance_reduction)));
+    layout_->setRowVisible(variance_reduction_, shown->method != Method::first_order);
     for (const Row& row : rows_) {
         const bool used =
             std::find(row.methods.begin(), row.methods.end(), shown->method) != row.methods.end();
@@ -261,9 +287,10 @@ void OptionsForm::refresh_problems() {
 bool OptionsForm::focus_field(const std::string& path) {
     const QString key = key_of_path(path);
     if (key == method_->objectName()) method_->setFocus(Qt::OtherFocusReason);
+    if (key == variance_reduction_->objectName()) variance_reduction_->setFocus(Qt::OtherFocusReason);
     for (const Row& row : rows_)
         if (row.key == key) row.edit->setFocus(Qt::OtherFocusReason);
-    return key == method_->objectName() ||
+    return key == method_->objectName() || key == variance_reduction_->objectName() ||
            std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.key == key; });
 }
 

@@ -47,6 +47,7 @@ private:
     void build_method();
     void build_common();
     void build_monte_carlo();
+    void build_variance_reduction();
     void build_adaptive();
     void add(const Field& field, std::vector<Method> methods, Get get, Set set);
     void add_quantity(const Field& field, std::vector<Method> methods, GetQuantity get, SetQuantity set);
@@ -60,6 +61,7 @@ private:
     std::string analysis_;
     QFormLayout* layout_;
     QComboBox* method_;
+    QComboBox* variance_reduction_;
     QCheckBox* second_order_;
     QLabel* forecast_ = nullptr;
     std::vector<Row> rows_;
