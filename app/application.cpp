@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/base/version.h"
+
 namespace covaria {
 namespace {
 
@@ -34,7 +36,7 @@ std::unique_ptr<QApplication> make_application(Platform platform) {
     auto application = std::make_unique<QApplication>(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("Covaria"));
     QApplication::setApplicationName(QStringLiteral("Covaria"));
-    QApplication::setApplicationVersion(QStringLiteral(COVARIA_VERSION));
+    QApplication::setApplicationVersion(QString::fromLatin1(version()));
     return application;
 }
 

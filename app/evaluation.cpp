@@ -1,8 +1,10 @@
 #include "app/evaluation.h"
 
 #include "app/terminal.h"
+#include "core/base/file_io.h"
 #include "core/base/guarded.h"
 #include "core/project/project_file.h"
+#include "core/project/set_values.h"
 #include "core/result/representation.h"
 #include "core/study/study.h"
 
@@ -59,9 +61,14 @@ std::string words_of(const FailedAnalysis& failed) {
 /// Evaluates analysis after analysis and keeps what failed.
 class Evaluator {
 public:
-    Evaluator(const Project& project, const AssetLibrary& assets, const RunRequest& request,
+    /// `project` is that of `opened` as the command line wants it.
+    Evaluator(const Project& project, const OpenedProject& opened, const RunRequest& request,
               const std::stop_token& stop)
-        : project_(project), assets_(assets), request_(request), stop_(stop) {}
+        : project_(project),
+          assets_(opened.assets),
+          of_assets_(opened.of_assets),
+          request_(request),
+          stop_(stop) {}
 
     /// Error{cancelled} only.
     Result<void> add(const std::string& id) {
@@ -90,7 +97,7 @@ private:
         if (!result) return fail(result.error());
         EvaluatedAnalysis evaluated{
             prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};
-        for (const Problem& problem : problems.items()) evaluated.warnings.push_back(problem.message);
+        evaluated.warnings = warnings_of(project_, id, of_assets_, problems);
         return evaluated;
     }
 
@@ -138,20 +145,42 @@ private:
 
     const Project& project_;
     const AssetLibrary& assets_;
+    const Problems& of_assets_;
     const RunRequest& request_;
     std::stop_token stop_;
 };
 
+/// The lines of problems are those of the file, so there are none where values were set.
+Result<LoadedProject> load_with_values(const std::string& file, const std::vector<std::string>& values) {
+    std::vector<ValueAt> places;
+    for (const std::string& value : values) {
+        auto place = value_at(value);
+        if (!place) return fail(place.error());
+        places.push_back(std::move(*place));
+    }
+    const auto text = read_file(file);
+    if (!text) return fail(text.error());
+    const auto changed = with_values(*text, places);
+    if (!changed) return fail(changed.error());
+    LoadedProject loaded = parse_project(*changed, project_folder(file), file);
+    for (Problem& problem : loaded.problems.items())
+        if (problem.file == file) problem.line = 0;
+    return loaded;
+}
+
 }  // namespace
 
-Result<OpenedProject> open_project(const std::string& file) {
-    LoadedProject loaded = load_project(file);
+Result<OpenedProject> open_project(const std::string& file, const std::vector<std::string>& values) {
+    Result<LoadedProject> read =
+        values.empty() ? Result<LoadedProject>(load_project(file)) : load_with_values(file, values);
+    if (!read) return fail(read.error());
+    LoadedProject& loaded = *read;
     print_problems(loaded.problems);
     if (loaded.problems.has_errors())
         return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");
     Problems asset_problems;
     AssetLibrary assets = make_assets(loaded.project, asset_problems);
-    return OpenedProject{std::move(loaded.project), std::move(assets)};
+    return OpenedProject{std::move(loaded.project), std::move(assets), std::move(asset_problems)};
 }
 
 Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunRequest& request,
@@ -159,7 +188,7 @@ Result<Evaluation> evaluate_analyses(const OpenedProject& opened, const RunReque
     const Project project = with_overrides(opened.project, request);
     const auto ids = selected(project, request.analyses);
     if (!ids) return fail(ids.error());
-    Evaluator evaluator(project, opened.assets, request, stop);
+    Evaluator evaluator(project, opened, request, stop);
     for (const std::string& id : *ids)
         if (auto added = evaluator.add(id); !added) return fail(added.error());
     return std::move(evaluator.evaluation);

@@ -23,16 +23,19 @@ struct RunRequest {
     std::optional<std::uint64_t> seed = {};
     std::optional<VarianceReduction> variance_reduction = {};
     int threads = 0;
+    std::vector<std::string> values =
+        {};  ///< "/assets/0/setup/temperature=23.5": the file is read as if they stood there
 };
 
 /// A loaded project with its assets made.
 struct OpenedProject {
     Project project;
     AssetLibrary assets;
+    Problems of_assets;  ///< warnings
 };
 
-/// Prints every problem; an error of the project becomes Error{bad_input}.
-Result<OpenedProject> open_project(const std::string& file);
+/// Prints every problem; an error of the project becomes Error{bad_input}. `values`: see RunRequest.
+Result<OpenedProject> open_project(const std::string& file, const std::vector<std::string>& values = {});
 
 /// What was evaluated, and what has no results.
 struct Evaluation {

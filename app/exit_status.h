@@ -5,7 +5,13 @@
 
 namespace covaria {
 
-enum ExitStatus : int { exit_success = 0, exit_bad_input = 1, exit_wrong_usage = 2, exit_interrupted = 130 };
+enum ExitStatus : int {
+    exit_success = 0,
+    exit_bad_input = 1,
+    exit_wrong_usage = 2,
+    exit_not_met = 3,
+    exit_interrupted = 130
+};
 
 inline int exit_status_of(const Error& error) {
     switch (error.code) {

@@ -11,6 +11,7 @@
 #include "app/window.h"
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
+#include "core/base/version.h"
 #include "core/setup/message_text.h"
 
 namespace {
@@ -30,7 +31,8 @@ const char* const footer =
     "  covaria validate my.covaria\n"
     "  covaria describe pose-from-points\n"
     "\n"
-    "Exit status: 0 success, 1 bad input or something without results, 2 wrong usage, 130 interrupted.";
+    "Exit status: 0 success, 1 bad input or something without results, 2 wrong usage, 3 a requirement is not "
+    "met (check), 130 interrupted.";
 
 /// "there is no command ..." where the first word is neither a file nor an option; else empty.
 std::string mistyped_command(const CLI::App& app, int argc, char** argv) {
@@ -52,7 +54,7 @@ int main(int argc, char** argv) {
     using namespace covaria;
     CLI::App app(description, "covaria");
     app.footer(footer);
-    app.set_version_flag("--version", std::string("covaria ") + COVARIA_VERSION);
+    app.set_version_flag("--version", std::string("covaria ") + version());
     app.require_subcommand(0, 1);
     std::string file;
     app.add_option("FILE", file, "project file to open in the window")->check(CLI::ExistingFile);

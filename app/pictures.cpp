@@ -39,7 +39,7 @@ Result<Scene> scene_of_study(const EvaluatedAnalysis& evaluated, const PictureRe
         for (const StudyQuantity& quantity : quantities) titles.push_back("\"" + quantity.id + "\"");
         const auto found =
             std::find_if(quantities.begin(), quantities.end(), [&](const StudyQuantity& quantity) {
-                return quantity.id == request.quantity || quantity.title == request.quantity;
+                return quantity.id == request.quantity || to_unicode(quantity.title) == request.quantity;
             });
         if (!request.quantity.empty() && found == quantities.end())
             return fail(ErrorCode::bad_input,
@@ -50,9 +50,13 @@ Result<Scene> scene_of_study(const EvaluatedAnalysis& evaluated, const PictureRe
     return fail(ErrorCode::not_found, "the analysis has no study \"" + request.study + "\"");
 }
 
-Result<void> render_to(SceneRenderer& renderer, const std::string& view, const std::filesystem::path& file) {
+// Either takes some 3 GB while a picture is drawn, the whole picture at once in either case.
+constexpr std::int64_t most_fine_pixels = 9'000'000, most_pixels = 36'000'000;
+
+Result<void> render_to(SceneRenderer& renderer, const std::string& view, const std::filesystem::path& file,
+                       RenderQuality quality = RenderQuality::fine) {
     renderer.set_view(*standard_view_from(view));
-    const auto image = renderer.render(RenderQuality::fine);
+    const auto image = renderer.render(quality);
     if (!image) return fail(image.error());
     return write_png(*image, file);
 }
@@ -72,11 +76,11 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
 
 Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
                            const std::filesystem::path& file) {
-    constexpr std::int64_t most_pixels = 9'000'000;  // some 3 GB while a picture is drawn
-    if (std::int64_t{request.width} * request.height > most_pixels)
+    const std::int64_t pixels = std::int64_t{request.width} * request.height;
+    if (pixels > most_pixels)
         return fail(ErrorCode::usage, "a picture of " + std::to_string(request.width) + " x " +
                                           std::to_string(request.height) +
-                                          " pixels is too large: at most 9 million, such as 4000 x 2250");
+                                          " pixels is too large: at most 36 million, such as 8000 x 4500");
     if (!standard_view_from(request.view))
         return fail(ErrorCode::bad_input,
                     "there is no view \"" + request.view + "\"; there are: " + joined(views));
@@ -88,7 +92,8 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
     renderer.set_size(request.width, request.height);
     renderer.set_palette(request.dark ? ScenePalette::dark : ScenePalette::light);
     renderer.set_scene(std::move(*scene));
-    return render_to(renderer, request.view, file);
+    return render_to(renderer, request.view, file,
+                     pixels > most_fine_pixels ? RenderQuality::full : RenderQuality::fine);
 }
 
 std::vector<PlannedPicture> planned_pictures(const std::vector<EvaluatedAnalysis>& analyses) {

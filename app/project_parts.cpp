@@ -20,6 +20,7 @@ struct Definition {
 };
 const std::vector<Definition>& definitions() {
     static const std::vector<Definition> all{
+        {{"links", "input quantities taken from other analyses"}, "link"},
         {{"inputs", "edits of input quantities"}, "inputEdit"},
         {{"components", "components of uncertainty, in inputs"}, "component"},
         {{"correlations", "correlations between components"}, "correlation"},

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/text/numbers.h"
+
 namespace covaria {
 namespace {
 
@@ -28,16 +30,10 @@ const char* kind_name(FieldKind kind) {
     return "";
 }
 
-std::string number_text(double value) {
-    std::ostringstream out;
-    out.precision(12);
-    out << value;
-    return out.str();
-}
-
 std::string value_text(const SetupValue& value) {
     if (const auto* quantity = std::get_if<Quantity>(&value))
-        return number_text(quantity->value) + (quantity->unit == Unit() ? "" : " " + quantity->unit.text());
+        return format_short(quantity->value, 12) +
+               (quantity->unit == Unit() ? "" : " " + quantity->unit.text());
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (std::holds_alternative<PoseValue>(value)) return "identity";
@@ -47,9 +43,9 @@ std::string value_text(const SetupValue& value) {
 std::string range_text(const Range& range, const Unit& unit) {
     if (std::isinf(range.low) && std::isinf(range.high)) return {};
     std::string text = range.low_open ? "(" : "[";
-    text += std::isinf(range.low) ? "-inf" : number_text(unit.from_si(range.low));
+    text += std::isinf(range.low) ? "-inf" : format_short(unit.from_si(range.low), 12);
     text += ", ";
-    text += std::isinf(range.high) ? "inf" : number_text(unit.from_si(range.high));
+    text += std::isinf(range.high) ? "inf" : format_short(unit.from_si(range.high), 12);
     return text + (std::isinf(range.high) ? ")" : "]");
 }
 

@@ -13,7 +13,7 @@ target_compile_options(covaria_options INTERFACE
 if(CMAKE_UNITY_BUILD AND COVARIA_WERROR)
     target_compile_options(covaria_options INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
-target_compile_definitions(covaria_options INTERFACE EIGEN_DONT_PARALLELIZE COVARIA_VERSION="${PROJECT_VERSION}")
+target_compile_definitions(covaria_options INTERFACE EIGEN_DONT_PARALLELIZE)
 if(COVARIA_WERROR)
     target_compile_options(covaria_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
 endif()

@@ -18,7 +18,7 @@ struct RenderArguments {
 };
 
 Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
-    auto opened = open_project(arguments.request.file);
+    auto opened = open_project(arguments.request.file, arguments.request.values);
     if (!opened) return fail(opened.error());
     if (opened->project.analyses.empty())
         return fail(ErrorCode::bad_input, "the project has no analysis to draw");

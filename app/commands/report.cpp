@@ -20,7 +20,7 @@ struct ReportArguments {
 
 Result<void> report(const ReportArguments& arguments, const std::stop_token& stop) {
     if (auto made = make_output_folder(arguments.files.folder); !made) return made;
-    auto opened = open_project(arguments.request.file);
+    auto opened = open_project(arguments.request.file, arguments.request.values);
     if (!opened) return fail(opened.error());
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());

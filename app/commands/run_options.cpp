@@ -40,6 +40,13 @@ void add_run_options(CLI::App& command, RunRequest& request) {
     command.add_option("--threads", request.threads, "number of threads (results do not depend on it)")
         ->type_name("T")
         ->check(CLI::Range(0, 1024));
+    command
+        .add_option("--set", request.values,
+                    "a value of the project file, for this run: /assets/0/setup/temperature=23.5 (may be "
+                    "repeated; lists "
+                    "are also entered by id, tables by first cell and column)")
+        ->type_name("PLACE=VALUE")
+        ->allow_extra_args(false);
     command.add_flag("!--no-studies", request.studies, "leave the studies (sweeps and maps) out");
 }
 

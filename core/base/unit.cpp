@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/superscript.h"
 #include "core/base/unit_table.h"
 
 namespace covaria {
@@ -170,13 +171,6 @@ private:
 
     std::string_view rest_, whole_;
 };
-
-std::string superscript(int exponent) {
-    static constexpr std::array<std::string_view, 10> digits{
-        "\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074", "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-    return std::string(exponent < 0 ? "\u207B" : "") +
-           std::string(digits[static_cast<std::size_t>(std::abs(exponent))]);
-}
 
 struct Texts {
     std::string file, shown;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/symbol.h"
+#include "core/text/symbol.h"
 
 namespace covaria::equation {
 

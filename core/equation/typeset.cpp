@@ -21,22 +21,18 @@ struct Built {
     Binding binding = tight;
 };
 
-Formula leaf(K kind, std::string text) {
-    return {kind, std::move(text), {}};
-}
-
-Formula row(std::vector<Formula> parts) {
-    return {K::row, {}, std::move(parts)};
+Formula symbol(std::string_view name) {
+    return Formula::of_symbol(parse_symbol(name));
 }
 
 Formula fence(Formula inside, std::string text = "(") {
-    Formula f{K::fence, std::move(text), {}};
+    Formula f = Formula::leaf(K::fence, std::move(text));
     f.parts.push_back(std::move(inside));
     return f;
 }
 
 Formula two(K kind, Formula first, Formula second) {
-    Formula f{kind, {}, {}};
+    Formula f = Formula::leaf(kind, {});
     f.parts.push_back(std::move(first));
     f.parts.push_back(std::move(second));
     return f;
@@ -57,21 +53,21 @@ void append(std::vector<Formula>& parts, Formula f) {
 Built joined(Built a, const char* sign, Built b, Binding binding) {
     std::vector<Formula> parts;
     append(parts, bound(std::move(a), binding));
-    parts.push_back(leaf(K::sign, sign));
+    parts.push_back(Formula::leaf(K::sign, sign));
     append(parts, bound(std::move(b), static_cast<Binding>(binding + 1)));
-    return {row(std::move(parts)), binding};
+    return {Formula::row(std::move(parts)), binding};
 }
 
 Built call(std::string name, std::vector<Built> arguments) {
     std::vector<Formula> inside;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (i > 0) inside.push_back(leaf(K::sign, ","));
+        if (i > 0) inside.push_back(Formula::leaf(K::sign, ","));
         append(inside, std::move(arguments[i].formula));
     }
     std::vector<Formula> parts;
-    parts.push_back(leaf(K::word, std::move(name)));
-    parts.push_back(fence(row(std::move(inside))));
-    return {row(std::move(parts)), tight};
+    parts.push_back(Formula::leaf(K::word, std::move(name)));
+    parts.push_back(fence(Formula::row(std::move(inside))));
+    return {Formula::row(std::move(parts)), tight};
 }
 
 std::string name_of(Operation operation) {
@@ -111,25 +107,25 @@ public:
 
     Formula definition() {
         const Definition& d = statement_.defined.front();
-        std::vector<Formula> parts{leaf(K::symbol, d.name), leaf(K::sign, "=")};
+        std::vector<Formula> parts{symbol(d.name), Formula::leaf(K::sign, "=")};
         append(parts, taken(d.root).formula);
-        return row(std::move(parts));
+        return Formula::row(std::move(parts));
     }
 
     Formula system() {
         std::vector<Formula> parts;
         for (const Residual& r : statement_.equations) {
-            if (!parts.empty()) parts.push_back(leaf(K::sign, ";"));
+            if (!parts.empty()) parts.push_back(Formula::leaf(K::sign, ";"));
             append(parts, taken(r.left).formula);
-            parts.push_back(leaf(K::sign, "="));
+            parts.push_back(Formula::leaf(K::sign, "="));
             append(parts, taken(r.right).formula);
         }
-        parts.push_back(leaf(K::word, " solved for "));
+        parts.push_back(Formula::leaf(K::word, " solved for "));
         for (std::size_t k = 0; k < statement_.defined.size(); ++k) {
-            if (k > 0) parts.push_back(leaf(K::sign, ","));
-            parts.push_back(leaf(K::symbol, statement_.defined[k].name));
+            if (k > 0) parts.push_back(Formula::leaf(K::sign, ","));
+            parts.push_back(symbol(statement_.defined[k].name));
         }
-        return row(std::move(parts));
+        return Formula::row(std::move(parts));
     }
 
 private:
@@ -142,7 +138,7 @@ private:
             case O::constant:
                 return number(node);
             case O::symbol:
-                return {leaf(K::symbol, node.text), tight};
+                return {symbol(node.text), tight};
             case O::add:
                 return joined(taken(node.a), "+", taken(node.b), adding);
             case O::subtract:
@@ -161,16 +157,16 @@ private:
     }
 
     static Built number(const Node& node) {
-        if (node.text == "pi") return {leaf(K::symbol, "pi"), tight};
+        if (node.text == "pi") return {symbol("pi"), tight};
         const bool has_unit = !(node.unit == Unit{});
-        return {leaf(K::number, node.text + (has_unit ? "\u00a0" + node.unit.display() : "")),
+        return {Formula::leaf(K::number, node.text + (has_unit ? "\u00a0" + node.unit.display() : "")),
                 has_unit ? multiplying : tight};
     }
 
     Built negative(const Node& node) {
-        std::vector<Formula> parts{leaf(K::sign, "−")};
+        std::vector<Formula> parts{Formula::leaf(K::sign, "−")};
         append(parts, bound(taken(node.a), multiplying));
-        return {row(std::move(parts)), signing > multiplying ? adding : signing};
+        return {Formula::row(std::move(parts)), signing > multiplying ? adding : signing};
     }
 
     Built condition(const Node& node) {
@@ -178,16 +174,16 @@ private:
             return joined(taken(node.a), sign_of(node.operation), taken(node.b), comparing);
         std::vector<Formula> parts;
         if (node.operation != O::logical_not) append(parts, taken(node.a).formula);
-        parts.push_back(leaf(K::word, node.operation == O::logical_not
-                                          ? "not "
-                                          : " " + std::string(sign_of(node.operation)) + " "));
+        parts.push_back(Formula::leaf(K::word, node.operation == O::logical_not
+                                                   ? "not "
+                                                   : " " + std::string(sign_of(node.operation)) + " "));
         append(parts, bound(taken(node.operation == O::logical_not ? node.a : node.b), comparing));
-        return {row(std::move(parts)), loose};
+        return {Formula::row(std::move(parts)), loose};
     }
 
     Built function(const Node& node) {
         if (node.operation == O::square_root || node.operation == O::cube_root) {
-            Formula root{K::root, node.operation == O::cube_root ? "3" : "", {}};
+            Formula root = Formula::leaf(K::root, node.operation == O::cube_root ? "3" : "");
             root.parts.push_back(taken(node.a).formula);
             return {std::move(root), tight};
         }
@@ -209,7 +205,7 @@ std::vector<Formula> formulas(const ParsedText& parsed) {
     std::vector<Formula> all;
     for (const Statement& s : parsed.statements) {
         if (s.last_node - s.first_node > most_nodes) {
-            all.push_back(leaf(K::word, s.defined.front().name + " = … (see the set-up)"));
+            all.push_back(Formula::leaf(K::word, s.defined.front().name + " = … (see the set-up)"));
             continue;
         }
         StatementBuilder builder(parsed, s);

@@ -13,15 +13,15 @@ namespace covaria {
 /// results are bit-identical for any blocking.
 template <class Function>
 void transform_batches(std::span<const double> p, std::span<double> x, double padding, Function&& f) {
-    using Batch = xsimd::batch<double>;
-    constexpr std::size_t lanes = Batch::size;
+    using Pack = xsimd::batch<double>;
+    constexpr std::size_t lanes = Pack::size;
     const std::size_t whole = p.size() - p.size() % lanes;
-    for (std::size_t i = 0; i < whole; i += lanes) f(Batch::load_unaligned(&p[i])).store_unaligned(&x[i]);
+    for (std::size_t i = 0; i < whole; i += lanes) f(Pack::load_unaligned(&p[i])).store_unaligned(&x[i]);
     if (whole == p.size()) return;
     std::array<double, lanes> last;
     last.fill(padding);
     for (std::size_t i = whole; i < p.size(); ++i) last[i - whole] = p[i];
-    f(Batch::load_unaligned(last.data())).store_unaligned(last.data());
+    f(Pack::load_unaligned(last.data())).store_unaligned(last.data());
     for (std::size_t i = whole; i < p.size(); ++i) x[i] = last[i - whole];
 }
 

@@ -1,9 +1,10 @@
 #include "core/math/circle_fit.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
+
+#include "core/math/decompositions.h"
 
 namespace covaria {
 
@@ -32,7 +33,7 @@ CircleShape circle_shape(std::span<const Eigen::Vector3d> points) {
     for (const Eigen::Vector3d& p : points) mean += p / n;
     Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
     for (const Eigen::Vector3d& p : points) S += (p - mean) * (p - mean).transpose() / n;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(S);
+    const auto solver = eigen_decomposition(S);
     shape.extents = solver.eigenvalues().reverse().cwiseMax(0.0).cwiseSqrt();
     Eigen::Matrix3d& axes = shape.start.axes;
     axes.col(0) = solver.eigenvectors().col(2);

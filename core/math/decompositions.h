@@ -3,6 +3,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <optional>
 
 #include "core/base/guarded.h"
 
@@ -12,7 +14,8 @@ namespace covaria {
 template <class Derived>
 auto cholesky(const Eigen::MatrixBase<Derived>& matrix) {
     Eigen::LLT<typename Derived::PlainObject> factors(matrix);
-    if (factors.info() != Eigen::Success)
+    // Of values that are no numbers it says nothing.
+    if (factors.info() != Eigen::Success || !factors.matrixLLT().allFinite())
         throw ImpossibleValue(
             "system of equations without a unique solution: its matrix is not positive definite (singular "
             "geometry, or uncertainties that differ by too many orders of magnitude)");
@@ -28,6 +31,31 @@ auto eigen_decomposition(const Eigen::MatrixBase<Derived>& matrix, int options =
     if (!matrix.allFinite() || solver.info() != Eigen::Success)
         throw ImpossibleValue("matrix without eigenvalues: some of its values are not finite");
     return solver;
+}
+
+/// Singular values, falling, and vectors as `options` ask. Throws ImpossibleValue where there are none
+/// (values that are not finite).
+template <class Derived>
+auto singular_values(const Eigen::MatrixBase<Derived>& matrix, unsigned int options = 0) {
+    const typename Derived::PlainObject values = matrix;
+    Eigen::JacobiSVD<typename Derived::PlainObject> svd(values.rows(), values.cols(), options);
+    const bool finite = values.allFinite();
+    if (finite) svd.compute(values);
+    if (!finite || svd.info() != Eigen::Success)
+        throw ImpossibleValue("matrix without singular values: some of its values are not finite");
+    return svd;
+}
+
+/// The step that damped normal equations ask for; nothing where they have no factors or no finite solution:
+/// damp more.
+inline std::optional<Eigen::VectorXd> damped_step(const Eigen::MatrixXd& normal,
+                                                  const Eigen::VectorXd& right) {
+    if (!normal.allFinite()) return std::nullopt;
+    const Eigen::LDLT<Eigen::MatrixXd> factors(normal);
+    if (factors.info() != Eigen::Success) return std::nullopt;
+    Eigen::VectorXd step = factors.solve(right);
+    if (!step.allFinite()) return std::nullopt;
+    return step;
 }
 
 }  // namespace covaria

@@ -1,7 +1,7 @@
 // Checks of point sets before a frame is made from them.
 #include "core/math/frames.h"
 
-#include <Eigen/SVD>
+#include "core/math/decompositions.h"
 
 namespace covaria {
 
@@ -16,8 +16,7 @@ double spread_off_a_line(std::span<const Eigen::Vector3d> points) {
     Eigen::Matrix3Xd centred(3, static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i) centred.col(static_cast<Eigen::Index>(i)) = points[i];
     centred.colwise() -= centred.rowwise().mean().eval();
-    const Eigen::Vector3d s =
-        Eigen::JacobiSVD<Eigen::Matrix3d>(centred * centred.transpose()).singularValues();
+    const Eigen::Vector3d s = singular_values(centred * centred.transpose()).singularValues();
     return s[0] > 0.0 ? std::sqrt(s[1] / s[0]) : 0.0;
 }
 

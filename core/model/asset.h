@@ -11,10 +11,10 @@
 
 #include "core/base/data_table.h"
 #include "core/base/error.h"
-#include "core/base/plot_specification.h"
 #include "core/model/capability.h"
 #include "core/model/layout.h"
 #include "core/setup/setup_schema.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria {
 
@@ -86,7 +86,7 @@ class AssetLibrary {
 public:
     struct Entry {
         std::string name;
-        const AssetDescriptor* descriptor = nullptr;
+        const AssetDescriptor* descriptor = nullptr;  ///< null: an analysis stands for an asset
         std::shared_ptr<const Asset> asset;
     };
     void add(const std::string& id, Entry entry) { entries_[id] = std::move(entry); }

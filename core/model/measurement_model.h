@@ -4,17 +4,21 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/data_table.h"
-#include "core/base/plot_specification.h"
 #include "core/model/layout.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/formula.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria {
+
+class Asset;  // core/model/asset.h
 
 /// A block of trials, structure of arrays: quantity i of trial t is inputs[i * stride + t], output j is
 /// outputs[j * stride + t]. `stride` is a multiple of 8 and all rows are 64-byte aligned; lanes from `trials`
@@ -36,9 +40,9 @@ struct Sensitivity {
 using SensitivityRows = std::vector<std::vector<Sensitivity>>;
 
 struct ModelEquation {
-    std::string text;         ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
-    std::string source;       ///< "Porath et al., Eq. 19, corrected"
-    std::string mathml = {};  ///< the same as a <math> element, where there is one
+    std::string text;      ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"
+    std::string source;    ///< "Porath et al., Eq. 19, corrected"
+    Formula formula = {};  ///< the same as a formula, where there is one
 };
 
 /// Immutable after construction and safe to use from many threads at once. Everything is SI.
@@ -75,6 +79,10 @@ public:
     virtual std::vector<DataTable> evaluation() const { return {}; }
     /// The same as charts; ids are unique in the model.
     virtual std::vector<PlotSpecification> figures() const { return {}; }
+
+    /// What stands for an analysis of this model (`id`) where a set-up asks for an asset: its outputs as
+    /// points, or as a robot. Null: nothing does.
+    virtual std::shared_ptr<const Asset> as_asset(const std::string& /*id*/) const { return nullptr; }
 
     MeasurementModel() = default;
     MeasurementModel(const MeasurementModel&) = delete;

@@ -21,6 +21,8 @@ struct ModelDescriptor {
     std::vector<std::string> notes;  ///< deviations from the paper, conventions, limits of validity
     std::string help_page;           ///< file in resources/help
     std::string example;             ///< file in projects/
+    /// Where a reference asks for an asset with one of these, an analysis may stand: `as_asset`.
+    std::vector<std::string> capabilities = {};
     SetupSchema schema;
     /// Null if `problems` got an error (paths relative to the set-up). `setup` has passed check_setup and its
     /// references exist. Warnings may be added to `problems` beside a model.

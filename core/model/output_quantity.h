@@ -13,10 +13,10 @@ enum class OutputRole {
 };
 
 struct OutputQuantity {
-    std::string symbol;      ///< unique within its group: "x", "alpha"
-    std::string name;        ///< "x of the platform"
-    Unit unit = {};          ///< for display and results.json; values are SI
-    std::string group = {};  ///< "pose 7"; one joint coverage region per group of measurands
+    std::string symbol = {};  ///< unique within its group: "x", "alpha"
+    std::string name = {};    ///< "x of the platform"
+    Unit unit = {};           ///< for display and results.json; values are SI
+    std::string group = {};   ///< "pose 7"; one joint coverage region per group of measurands
     OutputRole role = OutputRole::measurand;
     bool periodic = false;  ///< an angle on the circle (period 2 pi): unwrapped to the estimate
 };

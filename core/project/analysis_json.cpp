@@ -127,6 +127,18 @@ InputEdit read_input(const Json& value, const std::string& path, Problems& probl
     return edit;
 }
 
+InputLink read_link(const Json& value, const std::string& path, Problems& problems) {
+    ObjectReader reader(value, path, "a link", problems);
+    InputLink link;
+    link.input = reader.text("input", true);
+    link.output.analysis = reader.text("analysis", true);
+    link.output.group = reader.text("group");
+    link.output.symbol = reader.text("output", true);
+    link.linearised = reader.flag("linearised").value_or(false);
+    reader.refuse_unknown_keys();
+    return link;
+}
+
 CorrelationEdit read_correlation(const Json& value, const std::string& path, Problems& problems) {
     ObjectReader reader(value, path, "a correlation", problems);
     CorrelationEdit edit;
@@ -244,6 +256,22 @@ void write_input(JsonWriter& out, const InputEdit& edit) {
     out.end();
 }
 
+void write_link(JsonWriter& out, const InputLink& link) {
+    out.begin_object(Style::one_line);
+    out.key("input");
+    out.text(link.input);
+    out.key("analysis");
+    out.text(link.output.analysis);
+    text_if_given(out, "group", link.output.group);
+    out.key("output");
+    out.text(link.output.symbol);
+    if (link.linearised) {
+        out.key("linearised");
+        out.boolean(true);
+    }
+    out.end();
+}
+
 void write_correlation(JsonWriter& out, const CorrelationEdit& edit) {
     out.begin_object(Style::one_line);
     out.key("first");
@@ -284,6 +312,7 @@ void write_list(JsonWriter& out, const char* key, const std::vector<T>& items, W
 }  // namespace
 
 void read_analysis_details(ObjectReader& reader, AnalysisEntry& analysis) {
+    read_list(reader, "links", analysis.links, read_link);
     read_list(reader, "inputs", analysis.inputs, read_input);
     read_list(reader, "correlations", analysis.correlations, read_correlation);
     if (const Json* options = reader.find("options"))
@@ -293,6 +322,7 @@ void read_analysis_details(ObjectReader& reader, AnalysisEntry& analysis) {
 }
 
 void write_analysis_details(JsonWriter& out, const AnalysisEntry& analysis) {
+    write_list(out, "links", analysis.links, write_link);
     write_list(out, "inputs", analysis.inputs, write_input);
     write_list(out, "correlations", analysis.correlations, write_correlation);
     if (analysis.options != EvaluationOptions{}) {

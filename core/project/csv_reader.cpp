@@ -32,7 +32,7 @@ public:
             if (auto read = read_row(row); !read) return fail(read.error());
             const bool empty = std::all_of(row.cells.begin(), row.cells.end(),
                                            [](const std::string& cell) { return cell.empty(); });
-            if (!empty) take_(std::move(row));
+            if (!empty && !take_(std::move(row))) break;
         }
         return {};
     }
@@ -140,7 +140,10 @@ Result<void> scan_csv(std::string_view text, char separator, const TakeCsvRow& t
 Result<CsvText> read_csv(std::string_view text, std::optional<char> separator) {
     CsvText csv;
     csv.separator = separator ? *separator : csv_separator(text);
-    auto scanned = scan_csv(text, csv.separator, [&](CsvRow&& row) { csv.rows.push_back(std::move(row)); });
+    auto scanned = scan_csv(text, csv.separator, [&](CsvRow&& row) {
+        csv.rows.push_back(std::move(row));
+        return true;
+    });
     if (!scanned) return fail(scanned.error());
     return csv;
 }

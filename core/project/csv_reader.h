@@ -28,8 +28,8 @@ Result<CsvText> read_csv(std::string_view text, std::optional<char> separator = 
 
 /// The separator that the first line with content suggests; what stands in quotes does not count.
 char csv_separator(std::string_view text);
-/// Row by row, for files that are not to be kept whole; errors as `read_csv`.
-using TakeCsvRow = std::function<void(CsvRow&&)>;
+/// Row by row, for files that are not to be kept whole; errors as `read_csv`. False: no more are wanted.
+using TakeCsvRow = std::function<bool(CsvRow&&)>;
 Result<void> scan_csv(std::string_view text, char separator, const TakeCsvRow& take);
 
 /// A number as people write it: leading '+', the minus sign U+2212, and a decimal comma if `decimal_comma`.

@@ -108,6 +108,10 @@ std::vector<std::string> renamed_headers(const std::vector<std::string>& headers
     return kept;
 }
 
+std::size_t lines_in(std::string_view text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+}
+
 /// Cells of a row without the empty ones at its end: separators behind the last header are no columns.
 std::vector<std::string> headers_in(const CsvRow& row) {
     std::vector<std::string> headers = row.cells;
@@ -118,13 +122,17 @@ std::vector<std::string> headers_in(const CsvRow& row) {
 /// Takes the head, then row by row.
 class TableReader {
 public:
-    TableReader(const FieldSpec& field, const CsvColumns& renamed) : field_(field), renamed_(renamed) {}
+    /// `expected`: rows, for which room is made.
+    TableReader(const FieldSpec& field, const CsvColumns& renamed, std::size_t expected)
+        : field_(field), renamed_(renamed), expected_(expected) {}
 
-    void take(const CsvRow& row, bool decimal_comma) {
+    /// False: the head cannot be read.
+    bool take(const CsvRow& row, bool decimal_comma) {
         if (!head_read_)
             read_head(row, decimal_comma);
-        else if (rows_)
+        else
             rows_->read_row(row);
+        return rows_.has_value();
     }
     CsvTable finish() {
         if (!head_read_) out_.problems.add(problem_at(1, "there is no row with the names of the columns"));
@@ -141,6 +149,8 @@ private:
         for (const Problem& problem : found.items()) out_.problems.add(problem_at(row.line, problem.message));
         if (!columns || found.has_errors()) return;
         out_.table.units = columns->units;
+        out_.table.rows.reserve(expected_);
+        out_.lines.reserve(expected_);
         std::vector<std::size_t> target(all.size(), SetupSchema::npos);
         for (std::size_t i = 0; i < read.size(); ++i) target[read[i]] = columns->target[i];
         rows_.emplace(decimal_comma, field_, std::move(target), out_);
@@ -148,6 +158,7 @@ private:
 
     const FieldSpec& field_;
     const CsvColumns& renamed_;
+    std::size_t expected_;
     CsvTable out_;
     bool head_read_ = false;
     std::optional<RowsReader> rows_;  // after a head that could be read
@@ -160,8 +171,9 @@ std::vector<std::string> headers_of(const CsvText& csv) {
 }
 
 CsvTable table_from_csv(const CsvText& csv, const FieldSpec& field, const CsvColumns& renamed) {
-    TableReader reader(field, renamed);
-    for (const CsvRow& row : csv.rows) reader.take(row, csv.separator != ',');
+    TableReader reader(field, renamed, csv.rows.size());
+    for (const CsvRow& row : csv.rows)
+        if (!reader.take(row, csv.separator != ',')) break;
     return reader.finish();
 }
 
@@ -184,6 +196,18 @@ bool has_header(const CsvText& csv, const FieldSpec& field) {
     });
 }
 
+std::string too_many_rows(const FieldSpec& field, std::string_view text) {
+    constexpr std::size_t block = 16;  // bytes that the heap keeps of each row
+    const std::size_t row =
+        field.columns.size() * sizeof(SetupCell) + sizeof(std::vector<SetupCell>) + block + sizeof(int);
+    const std::size_t lines = lines_in(text), needed = lines * row + text.size();
+    if (needed <= largest_table) return {};
+    const double most = static_cast<double>(lines) * largest_table / static_cast<double>(needed);
+    return "it has " + std::to_string(lines) + " lines, and there is memory for about " +
+           std::to_string(static_cast<std::size_t>(most)) +
+           " of these rows: leave rows out, or take means of several";
+}
+
 CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field,
                              const CsvColumns& renamed) {
     CsvTable out;
@@ -192,10 +216,14 @@ CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec&
         out.problems.add({Severity::error, {}, text.error().message, file.string(), 0});
         return out;
     }
-    TableReader reader(field, renamed);
+    if (const std::string refused = too_many_rows(field, *text); !refused.empty()) {
+        out.problems.add({Severity::error, {}, refused, file.string(), 1});
+        return out;
+    }
+    TableReader reader(field, renamed, lines_in(*text));
     const char separator = csv_separator(*text);
     const auto scanned =
-        scan_csv(*text, separator, [&](CsvRow&& row) { reader.take(row, separator != ','); });
+        scan_csv(*text, separator, [&](CsvRow&& row) { return reader.take(row, separator != ','); });
     out = scanned ? reader.finish() : CsvTable{};
     if (!scanned) out.problems.add(problem_at(scanned.error().line, scanned.error().message));
     for (Problem& problem : out.problems.items()) problem.file = file.string();

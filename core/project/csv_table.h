@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -30,7 +31,13 @@ CsvTable table_from_csv_rows(const CsvText& csv, const FieldSpec& field, const s
 /// Whether the first row names a column of the table: tells the two cases apart.
 bool has_header(const CsvText& csv, const FieldSpec& field);
 
-/// Reads a file; problems carry the file's name. `csv_file` of the table is left empty.
+/// Bytes that the rows of one table may take. A project that is checked takes some three times as much.
+inline constexpr std::size_t largest_table = 128'000'000;
+/// Why a text of so many lines cannot become rows of this field; empty if it can.
+std::string too_many_rows(const FieldSpec& field, std::string_view text);
+
+/// Reads a file; problems carry the file's name. `csv_file` of the table is left empty. What has
+/// `too_many_rows` is refused before any row is kept.
 CsvTable table_from_csv_file(const std::filesystem::path& file, const FieldSpec& field,
                              const CsvColumns& renamed = {});
 

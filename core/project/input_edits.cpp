@@ -5,11 +5,11 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
-#include "core/base/symbol.h"
 #include "core/project/component_edit.h"
 #include "core/quantity/component_pairs.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 

@@ -15,9 +15,9 @@
 namespace covaria {
 
 struct AssetEntry {
-    std::string id;    ///< unique in the project: letters, digits, '-' and '_'
-    std::string kind;  ///< of the asset registry
-    std::string name;
+    std::string id = {};    ///< unique in the project: letters, digits, '-' and '_'
+    std::string kind = {};  ///< of the asset registry
+    std::string name = {};
     std::string notes = {};
     Setup setup = {};
     bool operator==(const AssetEntry&) const = default;
@@ -25,7 +25,7 @@ struct AssetEntry {
 
 /// A component as typed: the distribution's kind and parameters in `unit`.
 struct ComponentEdit {
-    std::string name;
+    std::string name = {};
     std::string distribution;        ///< key of distribution_kinds()
     std::vector<double> parameters;  ///< in the order of distribution_kinds(), in `unit`
     Unit unit = {};
@@ -37,7 +37,7 @@ struct ComponentEdit {
 
 /// Changes to one input quantity of a model, by symbol. Empty fields leave the model's default.
 struct InputEdit {
-    std::string symbol;
+    std::string symbol = {};
     std::optional<Quantity> estimate = {};
     std::optional<std::vector<ComponentEdit>> components = {};  ///< replaces all own components
     std::optional<Combination> combination = {};
@@ -63,12 +63,21 @@ struct Requirement {
     bool operator==(const Requirement&) const = default;
 };
 
+/// An input quantity whose value is an output of another analysis: the models are composed.
+struct InputLink {
+    std::string input;  ///< symbol
+    OutputReference output;
+    bool linearised = false;  ///< the other analysis is replaced by its law of propagation, for speed
+    bool operator==(const InputLink&) const = default;
+};
+
 struct AnalysisEntry {
-    std::string id;
-    std::string model;  ///< of the model registry
-    std::string name;
+    std::string id = {};
+    std::string model = {};  ///< of the model registry
+    std::string name = {};
     std::string notes = {};
     Setup setup = {};
+    std::vector<InputLink> links = {};
     std::vector<InputEdit> inputs = {};
     std::vector<CorrelationEdit> correlations = {};
     EvaluationOptions options = {};
@@ -78,7 +87,7 @@ struct AnalysisEntry {
 };
 
 struct Project {
-    std::string title;
+    std::string title = {};
     std::string notes = {};
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};

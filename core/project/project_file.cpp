@@ -152,6 +152,12 @@ void locate(Problems& problems, const JsonLocations& locations, const std::vecto
     }
 }
 
+std::string too_large(std::size_t bytes) {
+    return "it has " + std::to_string(bytes / 1'000'000) + " MB, and projects of up to " +
+           std::to_string(largest_project / 1'000'000) +
+           " MB are read: put its long tables into CSV files beside it";
+}
+
 Result<Json> project_document(const std::string& text) {
     auto document = parse_json(text);
     if (!document) return document;
@@ -203,6 +209,8 @@ LoadedProject load_project(const fs::path& file) {
     auto read = guarded([&]() -> Result<LoadedProject> {
         const Result<std::string> text = read_file(file);
         if (!text) return fail(text.error());
+        if (text->size() > largest_project)
+            return fail(Error{ErrorCode::io, too_large(text->size()), {}, {}, 1});
         remove_leftovers(file.parent_path());
         return parse_project(*text, project_folder(file), file.string());
     });
@@ -224,6 +232,12 @@ Result<void> save_project(const Project& project, const fs::path& file) {
                   {},
                   file.string(),
                   0});
+    if (written.text.size() > largest_project)
+        return fail(Error{ErrorCode::bad_input,
+                          "the project was not saved: " + too_large(written.text.size()),
+                          {},
+                          file.string(),
+                          0});
     return write_file_atomically(file, written.text);
 }
 

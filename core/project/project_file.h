@@ -17,6 +17,10 @@ struct LoadedProject {
     Problems problems;  ///< with JSON path, file and line where known
 };
 
+/// Bytes; neither read nor written are larger ones. What is made of a project's text takes up to fifty times
+/// its size.
+inline constexpr std::size_t largest_project = 40'000'000;
+
 /// Reads, migrates older versions, reads referenced CSV files, checks everything (setups against schemas,
 /// units, references, edits, correlations, options). An unknown key, a wrong unit, a missing reference, a
 /// newer version: an error.
@@ -35,6 +39,6 @@ Result<void> save_project(const Project& project, const std::filesystem::path& f
 
 /// 16 hexadecimal digits over everything that influences numbers (not titles and notes), CSV contents
 /// included.
-std::string fingerprint(const Project& project);
+std::string fingerprint(Project project);
 
 }  // namespace covaria

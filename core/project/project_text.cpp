@@ -1,5 +1,6 @@
 // Project to canonical text, and its fingerprint.
 #include <cstdint>
+#include <utility>
 
 #include "core/project/analysis_json.h"
 #include "core/project/json_writer.h"
@@ -108,8 +109,8 @@ std::string project_text(const Project& project) {
     return write_project(project).text;
 }
 
-std::string fingerprint(const Project& project) {
-    std::uint64_t hash = hash_of(project_text(numbers_only(project)));
+std::string fingerprint(Project project) {
+    std::uint64_t hash = hash_of(project_text(numbers_only(std::move(project))));
     std::string digits(16, '0');
     for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, hash >>= 4)
         *digit = "0123456789abcdef"[hash & 0xf];

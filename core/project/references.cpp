@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "core/kinds/models.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/project/workspace.h"
 #include "core/setup/message_text.h"
 
@@ -11,9 +13,24 @@ namespace covaria {
 
 namespace {
 
+bool fits(const std::vector<std::string>& offered, const std::vector<std::string>& wanted) {
+    return wanted.empty() ||
+           std::find_first_of(offered.begin(), offered.end(), wanted.begin(), wanted.end()) != offered.end();
+}
+
+void check_offer(const AssetReference& reference, const AnalysisEntry& analysis, Problems& problems) {
+    const ModelDescriptor* model = find_model(analysis.model);
+    if (!model || model->capabilities.empty() || !fits(model->capabilities, reference.capabilities))
+        problems.error(reference.path, "'" + reference.title + "' refers to the analysis '" + reference.id +
+                                           "', which does not offer " + listed(reference.capabilities));
+}
+
 void check_reference(const AssetReference& reference, const Project& project, const AssetLibrary& assets,
                      Problems& problems) {
     const std::string whole = "'" + reference.title + "' refers to the asset '" + reference.id + "'";
+    if (const AnalysisEntry* analysis = project.find_analysis(reference.id);
+        analysis && !project.find_asset(reference.id))
+        return check_offer(reference, *analysis, problems);
     if (!project.find_asset(reference.id)) {
         std::vector<std::string> ids;
         for (const AssetEntry& asset : project.assets) ids.push_back(asset.id);
@@ -26,11 +43,7 @@ void check_reference(const AssetReference& reference, const Project& project, co
         return;
     }
     const auto& offered = entry->descriptor->capabilities;
-    const bool fits = std::any_of(offered.begin(), offered.end(), [&](const std::string& capability) {
-        const auto& wanted = reference.capabilities;
-        return std::find(wanted.begin(), wanted.end(), capability) != wanted.end();
-    });
-    if (!fits && !reference.capabilities.empty())
+    if (!fits(offered, reference.capabilities))
         problems.error(reference.path, whole + ", which is of the kind '" + entry->descriptor->title +
                                            "' and does not offer " + listed(reference.capabilities));
 }
@@ -84,6 +97,9 @@ void check_references(const Project& project, const AssetLibrary& assets, const 
 std::vector<std::string> assets_used_by(const Project& project, const AnalysisEntry& analysis) {
     std::set<std::string> ids;
     collect(project, schema_of(analysis), analysis.setup, ids);
+    for (const std::string& id : analyses_used_by(project, analysis))
+        if (const AnalysisEntry* upstream = project.find_analysis(id))
+            collect(project, schema_of(*upstream), upstream->setup, ids);
     std::vector<std::string> ordered;
     for (const AssetEntry& asset : project.assets)
         if (ids.count(asset.id)) ordered.push_back(asset.id);

@@ -20,7 +20,8 @@ struct AssetReference {
 /// left out.
 std::vector<AssetReference> references_of(const SetupSchema& schema, const Setup& setup);
 
-/// Reports references to assets that do not exist, have errors of their own, or lack the capability.
+/// Reports references to assets that do not exist, have errors of their own, or lack the capability; an
+/// analysis whose model offers it may stand for an asset.
 void check_references(const Project& project, const AssetLibrary& assets, const SetupSchema& schema,
                       const Setup& setup, Problems& problems);
 

@@ -143,6 +143,7 @@ private:
         if (!matched) return {};
         SetupTable table;
         table.units = matched->units;
+        table.rows.reserve(rows.size());
         for (std::size_t row = 0; row < rows.size(); ++row)
             table.rows.push_back(read_row(rows[row], row, *matched));
         return table;
@@ -221,7 +222,7 @@ private:
             problem.message = "CSV file of " + title() + ": " + problem.message;
             context_.problems.add(problem);
         }
-        context_.csv.push_back({path_, file.string(), read.lines});
+        context_.csv.push_back({path_, file.string(), std::move(read.lines)});
         read.table.csv_file = name;
         read.table.csv_columns = std::move(renamed);
         return read.problems.has_errors() ? SetupValue{} : SetupValue(std::move(read.table));

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/base/in_quotes.h"
-#include "core/base/symbol.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 

@@ -75,7 +75,7 @@ private:
         check_change(axis, *target, path);
         if (target->whole && axis.change == StudyChange::value &&
             std::abs(axis.to - axis.from) + 1.0 < static_cast<double>(axis.values))
-            problems_.error(path + "/values", "'" + target->title +
+            problems_.error(path + "/values", "'" + to_unicode(target->title) +
                                                   "' takes whole numbers: there are fewer than " +
                                                   std::to_string(axis.values) + " between the ends");
     }
@@ -99,7 +99,8 @@ private:
         if (target.kind == Kind::estimate && !inputs_) return;
         if (axis.change == StudyChange::added && axis.unit.has_offset())
             return problems_.error(path + "/unit", "a difference of temperatures is given in K");
-        const std::string objection = unit_objection(target.title, {axis.from, axis.unit}, target.unit);
+        const std::string objection =
+            unit_objection(to_unicode(target.title), {axis.from, axis.unit}, target.unit);
         if (!objection.empty() && std::isfinite(axis.from)) problems_.error(path + "/unit", objection);
     }
 

@@ -21,7 +21,7 @@ constexpr std::array<Word<StudyChange>, 3> changes{
     {{StudyChange::value, "value"}, {StudyChange::factor, "factor"}, {StudyChange::added, "added"}}};
 constexpr std::array<Word<StudySpacing>, 2> spacings{
     {{StudySpacing::linear, "linear"}, {StudySpacing::logarithmic, "logarithmic"}}};
-constexpr std::array<Word<Method>, 2> methods{
+constexpr std::array<Word<Method>, 2> study_methods{
     {{Method::first_order, "first-order"}, {Method::monte_carlo, "monte-carlo"}}};
 
 template <class T, std::size_t N>
@@ -121,7 +121,7 @@ Study study_from_json(const Json& value, const std::string& path, Problems& prob
     for (std::size_t i = 0; outputs && i < outputs->size(); ++i)
         study.outputs.push_back(
             read_output((*outputs)[i], reader.path_of("outputs") + "/" + std::to_string(i), problems));
-    read_word(reader, "method", methods, study.method);
+    read_word(reader, "method", study_methods, study.method);
     read_count(reader, "trials", study.trials);
     reader.refuse_unknown_keys();
     return study;
@@ -142,7 +142,7 @@ void write_study(JsonWriter& out, const Study& study) {
         for (const StudyOutput& output : study.outputs) write_output(out, output);
         out.end();
     }
-    if (study.method != defaults.method) out.member("method", key_of(methods, study.method));
+    if (study.method != defaults.method) out.member("method", key_of(study_methods, study.method));
     if (study.trials != defaults.trials) {
         out.key("trials");
         out.integer(study.trials);

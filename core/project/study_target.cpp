@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/in_quotes.h"
-#include "core/base/symbol.h"
 #include "core/project/kind_lookup.h"
 #include "core/setup/message_text.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 
@@ -189,7 +189,7 @@ private:
             return no("of an input quantity, \"estimate\" or \"components\" can be varied");
         target_.kind = estimate ? StudyTarget::Kind::estimate : StudyTarget::Kind::components;
         target_.key = tokens_[1];
-        target_.title = symbol_to_unicode(tokens_[1]) + (estimate ? ": estimate" : ": uncertainty");
+        target_.title = symbol_text(tokens_[1]) + (estimate ? ": estimate" : ": uncertainty");
         if (!estimate) target_.current = 1.0;
         if (!inputs_) return target_;
         target_.index = inputs_->find(target_.key);

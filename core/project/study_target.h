@@ -9,6 +9,7 @@
 #include "core/model/output_quantity.h"
 #include "core/project/project.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/text.h"
 
 namespace covaria {
 
@@ -24,7 +25,7 @@ struct StudyTarget {
     std::size_t index = 0;   ///< of the quantity or component
     bool whole = false;      ///< a whole number
     Unit unit = {};          ///< in which the project gives the number
-    std::string title = {};  ///< "Targets, B: x"
+    Text title = {};         ///< "Targets, B: x"
     double current = 0.0;    ///< in `unit`; of a column that of its first row with a number
 
     bool in_setup() const { return kind <= Kind::column; }

@@ -6,10 +6,12 @@
 
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
+#include "core/base/version.h"
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
 #include "core/project/input_edits.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/project/project_file.h"
 #include "core/project/references.h"
 #include "core/project/stated_requirements.h"
@@ -83,6 +85,10 @@ private:
 
     void make_referred(const AssetReference& reference, Problems& problems) {
         const AssetEntry* other = project_.find_asset(reference.id);
+        if (!other && project_.find_analysis(reference.id))
+            problems.error(reference.path, "'" + reference.title + "' refers to the analysis '" +
+                                               reference.id +
+                                               "': only analyses take something from analyses");
         if (!other) return;  // named by check_references
         const auto index = static_cast<std::size_t>(other - project_.assets.data());
         if (states_[index] == State::in_work)
@@ -132,6 +138,49 @@ std::shared_ptr<const MeasurementModel> make_model(const Project& project, const
     return problems.has_errors() ? nullptr : std::shared_ptr<const MeasurementModel>(std::move(model));
 }
 
+// Models of analyses without what they take from each other.
+class OwnModels {
+public:
+    OwnModels(const Project& project, const AssetLibrary& assets) : project_(project), assets_(assets) {}
+
+    // Paths are relative to the analysis.
+    ModelOfAnalysis make(const AnalysisEntry& entry, Problems& problems) {
+        const ModelDescriptor* descriptor = find_model(entry.model);
+        if (!descriptor) {
+            problems.error("/model", unknown_model(entry));
+            return {};
+        }
+        Problems of_setup;
+        ModelOfAnalysis made{make_with_offers(entry, *descriptor, of_setup), {}};
+        if (took_errors(of_setup, "/setup", problems) || !made.model) return {};
+        made.inputs = apply_edits(made.model->inputs(), entry, problems);
+        return made;
+    }
+
+private:
+    std::shared_ptr<const MeasurementModel> make_with_offers(const AnalysisEntry& entry,
+                                                             const ModelDescriptor& descriptor,
+                                                             Problems& problems) {
+        if (std::find(in_work_.begin(), in_work_.end(), entry.id) != in_work_.end()) {
+            problems.error("", "its set-up refers to itself through others");
+            return nullptr;
+        }
+        in_work_.push_back(entry.id);
+        AssetLibrary assets = assets_;
+        add_offering_analyses(
+            project_, entry,
+            [this](const AnalysisEntry& other, Problems& found) { return make(other, found); }, assets,
+            problems);
+        in_work_.pop_back();
+        if (problems.has_errors()) return nullptr;
+        return make_model(project_, entry, descriptor, assets, problems);
+    }
+
+    const Project& project_;
+    const AssetLibrary& assets_;
+    std::vector<std::string> in_work_;
+};
+
 // How many trials an adaptive run needs, in words; a run that would end at its cap is warned of.
 std::string forecast_trials(const MeasurementModel& model, const InputSet& inputs,
                             const EvaluationOptions& options, Problems& problems) {
@@ -160,7 +209,8 @@ std::string analysis_fingerprint(const Project& project, const AnalysisEntry& en
         part.assets.push_back(*project.find_asset(id));
     part.analyses.push_back(entry);
     part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
-    return fingerprint(part);
+    add_used_analyses(project, entry, part);
+    return fingerprint(std::move(part));
 }
 
 // The assets an analysis uses and no others.
@@ -188,6 +238,7 @@ std::shared_ptr<const PreparedAnalysis> prepare(const Project& project, const An
     prepared->inputs = std::move(made.inputs);
     read_requirements(entry, prepared->model->outputs(), problems);
     if (problems.has_errors()) return nullptr;
+    prepared->linked = linked_inputs(*prepared->model);
     warn_without_uncertainty(prepared->inputs, problems);
     prepared->forecast = forecast_trials(*prepared->model, prepared->inputs, entry.options, problems);
     prepared->id = entry.id;
@@ -220,18 +271,29 @@ bool is_project_id(const std::string& id) {
     });
 }
 
+std::vector<std::string> warnings_of(const Project& project, const std::string& analysis_id,
+                                     const Problems& of_assets, const Problems& of_analysis) {
+    std::vector<std::string> warnings;
+    const AnalysisEntry* entry = project.find_analysis(analysis_id);
+    for (const std::string& id : entry ? assets_used_by(project, *entry) : std::vector<std::string>()) {
+        const auto index = project.find_asset(id) - project.assets.data();
+        const std::string place = "/assets/" + std::to_string(index) + "/";
+        for (const Problem& problem : of_assets.items())
+            if (problem.severity == Severity::warning && problem.path.starts_with(place))
+                warnings.push_back("asset " + id + ": " + problem.message);
+    }
+    for (const Problem& problem : of_analysis.items())
+        if (problem.severity == Severity::warning) warnings.push_back(problem.message);
+    return warnings;
+}
+
 ModelOfAnalysis make_model_of(const Project& project, const AnalysisEntry& entry, const AssetLibrary& assets,
                               Problems& problems) {
-    const ModelDescriptor* descriptor = find_model(entry.model);
-    if (!descriptor) {
-        problems.error("/model", unknown_model(entry));
-        return {};
-    }
-    Problems of_setup;
-    ModelOfAnalysis made{make_model(project, entry, *descriptor, assets, of_setup), {}};
-    if (took_errors(of_setup, "/setup", problems) || !made.model) return {};
-    made.inputs = apply_edits(made.model->inputs(), entry, problems);
-    return made;
+    OwnModels models(project, assets);
+    const MakeOwnModel make_own = [&](const AnalysisEntry& other, Problems& found) {
+        return models.make(other, found);
+    };
+    return compose_analysis(project, entry, make_own(entry, problems), make_own, problems);
 }
 
 std::shared_ptr<const Asset> make_asset_of(const AssetEntry& entry, const AssetLibrary& assets,
@@ -291,7 +353,7 @@ Result<UncertaintyResult> run_unguarded(const PreparedAnalysis& analysis, const 
     auto result = evaluate(*analysis.model, analysis.inputs, analysis.options, control);
     if (!result) return result;
     result->provenance.project_fingerprint = analysis.fingerprint;
-    result->provenance.covaria_version = COVARIA_VERSION;
+    result->provenance.covaria_version = version();
     result->provenance.seed = analysis.options.seed;
     return result;
 }

@@ -16,6 +16,18 @@
 
 namespace covaria {
 
+/// An input quantity of an analysis as its chain gives it, by the law of propagation.
+struct LinkedInput {
+    std::string symbol, name;
+    Unit unit = {};
+    std::string analysis, analysis_name;
+    OutputQuantity output;
+    bool linearised = false;
+    double estimate = 0.0;
+    double standard_uncertainty = 0.0;
+    double degrees_of_freedom = 0.0;
+};
+
 /// An immutable snapshot of what one analysis needs: safe to hand to a worker thread.
 struct PreparedAnalysis {
     std::string id;
@@ -23,7 +35,8 @@ struct PreparedAnalysis {
     const ModelDescriptor* descriptor = nullptr;
     AssetLibrary assets;  ///< kept alive for the model, which may refer to them
     std::shared_ptr<const MeasurementModel> model;
-    InputSet inputs;  ///< the model's, with the analysis' edits and correlations applied
+    InputSet inputs;                       ///< the model's, with the analysis' edits and correlations applied
+    std::vector<LinkedInput> linked = {};  ///< inputs taken from other analyses: they are not in `inputs`
     EvaluationOptions options;
     std::string fingerprint;  ///< of everything that influences this analysis' numbers (its assets included)
     std::string forecast = {};  ///< how many trials an adaptive run needs, in words; empty for other methods
@@ -41,7 +54,8 @@ struct ModelOfAnalysis {
     std::shared_ptr<const MeasurementModel> model;
     InputSet inputs;
 };
-/// As `prepare_analysis` makes it, for an entry that is not in the project: a changed copy, of a study.
+/// As `prepare_analysis` makes it, composed with what it takes from other analyses (links.h), for an entry
+/// that is not in the project: a changed copy, of a study.
 ModelOfAnalysis make_model_of(const Project& project, const AnalysisEntry& entry, const AssetLibrary& assets,
                               Problems& problems);
 /// Null after an error (paths relative to the asset). `assets` has those it refers to, checked.
@@ -59,9 +73,14 @@ void check_project(const Project& project, Problems& problems);
 /// Evaluates and fills in provenance.
 Result<UncertaintyResult> run_analysis(const PreparedAnalysis& analysis, const RunControl& control = {});
 
+/// All that is to be said beside the results of an analysis: warnings of the assets that it uses ("asset ID:
+/// ...", `of_assets` from make_assets), then those of its own preparation.
+std::vector<std::string> warnings_of(const Project& project, const std::string& analysis_id,
+                                     const Problems& of_assets, const Problems& of_analysis);
+
 /// Ids of analyses that use the asset, directly or through another asset.
 std::vector<std::string> analyses_using(const Project& project, const std::string& asset_id);
-/// Ids of assets the analysis (or asset) refers to, transitively.
+/// Ids of assets the analysis refers to, itself or through assets and analyses.
 std::vector<std::string> assets_used_by(const Project& project, const AnalysisEntry& analysis);
 
 }  // namespace covaria

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/version.h"
 #include "core/propagation/contributions.h"
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/engine_parts.h"
@@ -71,7 +72,7 @@ Result<UncertaintyResult> first_order_result(const MeasurementModel& model, cons
     result.inputs = inputs;
     result.coverage_probability = options.coverage_probability;
     result.fixed_coverage_factor = options.coverage_factor;
-    result.provenance.covaria_version = COVARIA_VERSION;
+    result.provenance.covaria_version = version();
     result.provenance.seed = options.seed;
     for (Eigen::Index j = 0; j < law.estimate.size(); ++j)
         result.outputs.push_back(

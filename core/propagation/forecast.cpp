@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/math/normal_quantile.h"
 #include "core/propagation/adaptive.h"
 #include "core/propagation/first_order.h"
 #include "core/propagation/numerical_tolerance.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
 namespace {
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", value);
-    return text;
-}
 
 /// Variance of an end point of the interval times n, for u = 1.
 double end_point_variance(double probability) {
@@ -30,10 +24,10 @@ double end_point_variance(double probability) {
 
 std::string AdaptiveForecast::words() const {
     const std::string unit = output.unit.display();
-    return "a tolerance of " + number(output.unit.interval_from_si(tolerance)) + " " + unit + " for " +
-           output.symbol + (output.group.empty() ? "" : " of " + output.group) +
-           " (u = " + number(output.unit.interval_from_si(u)) + " " + unit + ") needs about " +
-           number(trials) + " trials (" + number(batches) + " batches)";
+    return "a tolerance of " + format_short(output.unit.interval_from_si(tolerance), 2) + " " + unit +
+           " for " + output.symbol + (output.group.empty() ? "" : " of " + output.group) +
+           " (u = " + format_short(output.unit.interval_from_si(u), 2) + " " + unit + ") needs about " +
+           format_short(trials, 2) + " trials (" + format_short(batches, 2) + " batches)";
 }
 
 std::optional<AdaptiveForecast> forecast_adaptive(const MeasurementModel& model, const InputSet& inputs,

@@ -7,6 +7,7 @@
 
 #include "core/math/normal_quantile.h"
 #include "core/math/special_quantiles.h"
+#include "core/result/representation.h"
 
 namespace covaria {
 
@@ -78,8 +79,6 @@ Distribution distribution_of(const OutputResult& output) {
 
 void judge_conformity(RequirementResult& made, const OutputRequirement& r, const OutputResult& output) {
     const double y = output.estimate, u = output.standard_uncertainty;
-    made.lower_limit = r.lower_limit;
-    made.upper_limit = r.upper_limit;
     made.guard_band = r.guard_factor * output.expanded_uncertainty;
     const ToleranceLimits stated = limits_of(r, made.guard_band), limits = at_branch_of(output, stated);
     made.decision =
@@ -98,6 +97,13 @@ RequirementResult judge(const UncertaintyResult& result, const OutputRequirement
     const OutputResult& output = result.outputs[requirement.output];
     RequirementResult made{requirement.output};
     made.target_uncertainty = requirement.target_uncertainty;
+    made.lower_limit = requirement.lower_limit;
+    made.upper_limit = requirement.upper_limit;
+    if (!represents_measurand(result)) {
+        made.not_judged = why_not_judged();
+        made.meets_target = false;
+        return made;
+    }
     if (requirement.target_uncertainty)
         made.meets_target = output.expanded_uncertainty <= *requirement.target_uncertainty;
     if (requirement.lower_limit || requirement.upper_limit) judge_conformity(made, requirement, output);

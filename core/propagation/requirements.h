@@ -18,7 +18,8 @@ struct OutputRequirement {
 };
 
 /// The verdict is a function of the result and the requirement, and is kept nowhere: a changed requirement is
-/// judged at once, without another run. What it takes to meet a target is in reverse_budget.h.
+/// judged at once, without another run. A result that does not represent the measurand is not judged. What it
+/// takes to meet a target is in reverse_budget.h.
 RequirementResult judge(const UncertaintyResult& result, const OutputRequirement& requirement);
 std::vector<RequirementResult> judge(const UncertaintyResult& result,
                                      const std::vector<OutputRequirement>& requirements);

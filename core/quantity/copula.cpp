@@ -1,6 +1,5 @@
 #include "core/quantity/copula.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <variant>
+
+#include "core/math/decompositions.h"
 
 namespace covaria::detail {
 
@@ -237,7 +238,7 @@ Result<std::vector<ComponentCorrelation>> copula_coefficients(
 
 Eigen::MatrixXd nearest_correlation(const Eigen::MatrixXd& matrix) {
     constexpr double rounding = 1e-10;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+    const auto solver = eigen_decomposition(matrix);
     if (solver.eigenvalues().minCoeff() >= -rounding) return matrix;
     const Eigen::MatrixXd possible = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() *
                                      solver.eigenvectors().transpose();

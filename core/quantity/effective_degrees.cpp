@@ -49,7 +49,7 @@ WelchSatterthwaite::Effective WelchSatterthwaite::effective(std::span<const Part
             sum +=
                 terms_[part.component] * terms_[part.component] / sources_[part.component].degrees_of_freedom;
         else
-            add(part, variance, result);
+            add(part, result);
     }
     for (const Part& part : parts)
         if (set_of_[part.component] != InputSet::npos) sum += take(part);
@@ -58,7 +58,7 @@ WelchSatterthwaite::Effective WelchSatterthwaite::effective(std::span<const Part
     return result;
 }
 
-void WelchSatterthwaite::add(const Part& part, double variance, Effective& result) {
+void WelchSatterthwaite::add(const Part& part, Effective& result) {
     const Source& source = sources_[part.component];
     const double term = terms_[part.component];
     Set& set = sets_[set_of_[part.component]];

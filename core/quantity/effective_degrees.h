@@ -46,7 +46,7 @@ private:
     struct Set {
         double variance = 0.0, terms = 0.0, least = infinity;
     };
-    void add(const Part& part, double variance, Effective& result);
+    void add(const Part& part, Effective& result);
     double take(const Part& part);
 
     std::vector<Source> sources_;

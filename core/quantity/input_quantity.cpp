@@ -100,10 +100,11 @@ double standard_uncertainty_of(const InputSet& inputs, std::size_t quantity) {
     return std::sqrt(variance(contributions(inputs, inputs.quantities.at(quantity))));
 }
 
-void InputSet::rest_on_estimate(const std::string& id, std::size_t component) {
+void InputSet::rest_on_estimate(const std::string& id, std::size_t component, bool of_asset) {
     auto known = std::find_if(variance_estimates.begin(), variance_estimates.end(),
                               [&](const VarianceEstimate& estimate) { return estimate.id == id; });
-    if (known == variance_estimates.end()) known = variance_estimates.insert(known, VarianceEstimate{id, {}});
+    if (known == variance_estimates.end())
+        known = variance_estimates.insert(known, VarianceEstimate{id, {}, of_asset});
     known->components.push_back(component);
 }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,15 @@ enum class EvaluationType { type_a, type_b };  // JCGM 100 2.3.2, 2.3.3
 /// A component or quantity belongs to a group of contributions: {"joint", "joint 4"}, {"kind", "lengths"}.
 struct GroupTag {
     std::string grouping;
-    std::string group;
+    std::string group = {};
     bool operator==(const GroupTag&) const = default;
 };
 
 /// One component of uncertainty epsilon_j. Its index in InputSet::components is its address for random draws.
 struct UncertaintyComponent {
-    std::string id;    ///< unique in the set: "b_1x.calibration"
-    std::string name;  ///< for people: "calibration of the artefact"
-    Unit unit = {};    ///< for display
+    std::string id = {};    ///< unique in the set: "b_1x.calibration"
+    std::string name = {};  ///< for people: "calibration of the artefact"
+    Unit unit = {};         ///< for display
     Distribution distribution = {};
     EvaluationType type = EvaluationType::type_b;
     /// Of the standard uncertainty, which for few of them is itself an estimate: see `drawn_distribution`.
@@ -46,6 +47,17 @@ struct UncertaintyComponent {
     /// Of one point, whose coordinates share it only because they do not lie along its direction: an edit of
     /// one of them takes its place there.
     bool local = false;
+    /// Of an asset, or in a chain of models of one of them: one and the same component wherever it occurs in
+    /// a project ("tracker.scale"). Empty: of this set of inputs alone.
+    std::string identity = {};
+};
+
+/// An output of an analysis.
+struct OutputReference {
+    std::string analysis;    ///< its id
+    std::string group = {};  ///< of the output
+    std::string symbol = {};
+    bool operator==(const OutputReference&) const = default;
 };
 
 struct Share {
@@ -61,9 +73,9 @@ enum class Combination {
 };
 
 struct InputQuantity {
-    std::string symbol;  ///< "b_1x"
-    std::string name;    ///< "base point 1, x"
-    Unit unit = {};      ///< for display
+    std::string symbol = {};  ///< "b_1x"
+    std::string name = {};    ///< "base point 1, x"
+    Unit unit = {};           ///< for display
     double offset = 0.0;
     std::vector<Share> shares = {};
     Combination combination = Combination::quadrature;
@@ -71,6 +83,9 @@ struct InputQuantity {
     std::string source =
         {};  ///< JSON pointer of the set-up field the estimate comes from, relative to the set-up
     std::vector<GroupTag> tags = {};  ///< groups of contributions; kept when components are edited
+    /// The set-up says that this output of another analysis is its value; it then has no components here.
+    std::optional<OutputReference> taken_from = {};
+    std::string analysis = {};  ///< in a chain of models: id of the upstream analysis it belongs to
 };
 
 /// Correlation coefficient between two components; copula.h says how they are drawn.
@@ -94,8 +109,9 @@ struct IsotropicVector {
 /// Carlo draws a multivariate t distribution: normal draws over one and the same sqrt(chi^2/nu) in a trial
 /// (JCGM 102 5.3.2). Members that an edit replaces leave the estimate.
 struct VarianceEstimate {
-    std::string id;  ///< unique in the set: "plate.x"
+    std::string id = {};  ///< unique in the set: "plate.x"
     std::vector<std::size_t> components;
+    bool of_asset = false;  ///< as `UncertaintyComponent::identity`: the id names it in all of a project
 };
 
 struct InputSet {
@@ -112,7 +128,7 @@ struct InputSet {
     std::size_t add(InputQuantity quantity, std::vector<UncertaintyComponent> own_components);
     std::size_t find(const std::string& symbol) const;  ///< index of a quantity, or npos
     /// The component rests on the estimate of variance of that id, which is added if it is new.
-    void rest_on_estimate(const std::string& id, std::size_t component);
+    void rest_on_estimate(const std::string& id, std::size_t component, bool of_asset = false);
     /// The estimate of variance that each component rests on, or npos.
     std::vector<std::size_t> estimates_of_components() const;
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);

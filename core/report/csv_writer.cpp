@@ -1,7 +1,7 @@
 // CSV (RFC 4180): full precision, units in the heads, or in a column of their own where rows differ.
 #include "core/report/csv_text.h"
-#include "core/report/number_format.h"
 #include "core/report/report.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 namespace {

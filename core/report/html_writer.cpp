@@ -5,6 +5,7 @@
 #include "core/report/html_style.h"
 #include "core/report/report.h"
 #include "core/report/table_text.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 namespace {
@@ -79,6 +80,10 @@ std::vector<int> widest_decimals(const TableBlock& block) {
     return widest;
 }
 
+std::string rich(const std::string& words) {
+    return to_html(running_text(words));
+}
+
 struct HtmlWriter {
     std::string out;
 
@@ -87,23 +92,24 @@ struct HtmlWriter {
             element("h" + std::to_string(std::min(heading.level + 1, 6)), escape_html(heading.text)) + "\n";
     }
     void operator()(const ParagraphBlock& paragraph) {
-        out += element("p", text_to_html(paragraph.text), paragraph.note ? "note" : "") + "\n";
+        out += element("p", rich(paragraph.text), paragraph.note ? "note" : "") + "\n";
     }
     void operator()(const ListBlock& list) {
         out += "<ul>\n";
-        for (const std::string& item : list.items) out += element("li", text_to_html(item)) + "\n";
+        for (const std::string& item : list.items) out += element("li", rich(item)) + "\n";
         out += "</ul>\n";
     }
     void operator()(const FactsBlock& facts) {
         out += "<dl>\n";
         for (const auto& [key, value] : facts.facts)
-            out += element("dt", text_to_html(key)) + element("dd", text_to_html(value)) + "\n";
+            out += element("dt", rich(key)) + element("dd", rich(value)) + "\n";
         out += "</dl>\n";
     }
     void operator()(const EquationBlock& equation) {
         out += element("p",
                        element("span",
-                               equation.mathml.empty() ? equation_to_html(equation.text) : equation.mathml,
+                               equation.formula.empty() ? to_html(equation_text(equation.text))
+                                                        : to_mathml(equation.formula),
                                "formula") +
                            element("span", escape_html(equation.source), "source"),
                        "equation") +
@@ -115,12 +121,13 @@ struct HtmlWriter {
         if (!table.title.empty()) out += element("caption", escape_html(table.title)) + "\n";
         out += "<thead><tr>";
         for (std::size_t c = 0; c < table.columns.size(); ++c)
-            out += element("th", head_html(table.columns[c]), is_numeric_column(block, c) ? "number" : "");
+            out += element("th", to_html(head_text(table.columns[c])),
+                           is_numeric_column(block, c) ? "number" : "");
         out += "</tr></thead>\n<tbody>\n";
         const std::vector<int> widest = widest_decimals(block);
         for (std::size_t r = 0; r < table.rows.size(); ++r) row(block, r, widest);
         out += "</tbody></table>\n";
-        for (const std::string& note : table.notes) out += element("p", text_to_html(note), "note") + "\n";
+        for (const std::string& note : table.notes) out += element("p", rich(note), "note") + "\n";
         out += "</div>\n";
     }
     void operator()(const PlotBlock& plot) { figure(plot.plot.id + ".svg", plot.caption); }
@@ -130,13 +137,13 @@ struct HtmlWriter {
         out += "<tr>";
         if (is_subhead(block, r)) {
             out += "<td class=\"subhead\" colspan=\"" + std::to_string(widest.size()) + "\">" +
-                   cell_html(block, r, 0) + "</td>";
+                   to_html(cell_typeset(block, r, 0)) + "</td>";
         } else {
             for (std::size_t c = 0; c < widest.size(); ++c) {
                 const bool number = is_numeric_column(block, c);
                 const std::string pad =
                     number ? padding(aligned_decimals(cell_text(block, r, c)), widest[c]) : "";
-                out += element("td", cell_html(block, r, c) + pad, number ? "number" : "");
+                out += element("td", to_html(cell_typeset(block, r, c)) + pad, number ? "number" : "");
             }
         }
         out += "</tr>\n";

@@ -4,6 +4,7 @@
 
 #include "core/report/report.h"
 #include "core/report/table_text.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 namespace {
@@ -52,7 +53,7 @@ std::string escaped_block(const std::string& text) {
 std::string table_cell(const TableBlock& block, std::size_t row, std::size_t column) {
     const std::string text = cell_text(block, row, column);
     const bool symbol = style_of(block, column).symbol && !is_subhead(block, row);
-    return escaped(symbol ? symbols_to_unicode(text) : text);
+    return escaped(symbol ? to_unicode(symbols_text(text)) : text);
 }
 
 struct MarkdownWriter {
@@ -85,7 +86,7 @@ struct MarkdownWriter {
         if (!table.title.empty()) out += "**" + escaped(table.title) + "**\n\n";
         std::string rule;
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            out += "| " + escaped(head_text(table.columns[c])) + " ";
+            out += "| " + escaped(to_unicode(head_text(table.columns[c]))) + " ";
             rule += is_numeric_column(block, c) ? "|---:" : "|---";
         }
         out += "|\n" + rule + "|\n";

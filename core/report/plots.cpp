@@ -8,6 +8,7 @@
 #include "core/math/normal_quantile.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 namespace {
@@ -21,7 +22,7 @@ constexpr double cells_per_u = 12.0;    // at most: finer cells are not told apa
 constexpr std::size_t curve_points = 161;
 
 /// Empty if the output has a distribution to show, else why not.
-std::string missing_distribution(const PlottedOutput& y, const std::string& what) {
+Text missing_distribution(const PlottedOutput& y, const std::string& what) {
     const MonteCarloOutput* trials = y.trials();
     if (!trials) return "Run Monte Carlo to see " + what + " of " + y.label();
     if (!(trials->standard_uncertainty > 0.0))
@@ -109,7 +110,7 @@ void add_normal_curves(PlotSpecification& plot, const PlottedOutput& y) {
 void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probability) {
     const MonteCarloOutput& mc = *y.trials();
     const double low = y.value(mc.symmetric.low), high = y.value(mc.symmetric.high);
-    const std::string words = report_parts::percent_text(probability) + " coverage interval";
+    const std::string words = percent_text(probability) + " coverage interval";
     plot.bands.push_back({words, low, high, SeriesRole::reference});
     plot.marks.push_back({y.result_text(mc.symmetric.low), low, false, SeriesRole::reference});
     plot.marks.push_back({"mean " + y.result_text(mc.mean), y.value(mc.mean), false, SeriesRole::emphasis});
@@ -118,10 +119,11 @@ void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probab
 
 }  // namespace
 
-PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output) {
-    const PlottedOutput y(result, output);
+PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output,
+                                 const DisplayUnits& units) {
+    const PlottedOutput y(result, output, units);
     const std::string id = y.id("histogram");
-    if (const std::string why = missing_distribution(y, "the distribution"); !why.empty())
+    if (const Text why = missing_distribution(y, "the distribution"); !why.empty())
         return nothing_to_show(id, why);
     const Histogram& histogram = y.trials()->histogram;
     if (histogram.counts.empty() || !(histogram.high > histogram.low) || trials_of(histogram) == 0.0)
@@ -139,10 +141,11 @@ PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t ou
     return plot;
 }
 
-PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::size_t output) {
-    const PlottedOutput y(result, output);
+PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::size_t output,
+                                       const DisplayUnits& units) {
+    const PlottedOutput y(result, output, units);
     const std::string id = y.id("quantiles");
-    if (const std::string why = missing_distribution(y, "the quantiles"); !why.empty())
+    if (const Text why = missing_distribution(y, "the quantiles"); !why.empty())
         return nothing_to_show(id, why);
     const MonteCarloOutput& mc = *y.trials();
     const std::size_t n = mc.quantiles.size();

@@ -3,11 +3,10 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/symbol.h"
 #include "core/report/plots.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
-#include "core/report/table_text.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 namespace {
@@ -17,26 +16,26 @@ using plot_parts::PlottedOutput;
 
 /// "b₁ₓ" if that names the component among those shown, else "b₁ₓ, calibration"; the name alone where several
 /// quantities share the component.
-std::vector<std::string> component_labels(const UncertaintyBudget& budget,
-                                          const std::vector<BudgetRow>& rows) {
+std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows) {
     std::map<std::vector<std::string>, int> uses;
     for (const BudgetRow& row : rows) ++uses[budget.components[row.component].quantities];
-    std::vector<std::string> labels;
+    std::vector<Text> labels;
     for (const BudgetRow& row : rows) {
         const BudgetComponent& component = budget.components[row.component];
         if (component.quantities.size() != 1) {
-            labels.push_back(component.name.empty() ? symbols_to_unicode(component.id) : component.name);
+            labels.push_back(component.name.empty() ? symbols_text(component.id)
+                                                    : running_text(component.name));
             continue;
         }
-        const std::string symbol = symbol_to_unicode(component.quantities.front());
+        const Text symbol = symbol_text(component.quantities.front());
         const bool twice = uses[component.quantities] > 1 && !component.name.empty();
-        labels.push_back(twice ? symbol + ", " + component.name : symbol);
+        labels.push_back(twice ? symbol + ", " + running_text(component.name) : symbol);
     }
     return labels;
 }
 
 struct Bars {
-    std::vector<std::string> labels;
+    std::vector<Text> labels;
     std::vector<double> share;  ///< in %
     std::vector<double> alone;  ///< in %, one at a time; empty if not evaluated
 };
@@ -119,8 +118,8 @@ PlotSpecification correlation_plot(const UncertaintyResult& result, const std::s
     plot.title = "Correlation coefficients" + (group.empty() ? "" : ", " + group);
     for (const std::size_t i : outputs) {
         const OutputQuantity& quantity = result.outputs[i].quantity;
-        plot.y.categories.push_back(group.empty() ? report_parts::output_label(quantity)
-                                                  : symbol_to_unicode(quantity.symbol));
+        plot.y.categories.push_back(group.empty() ? report_parts::output_text(quantity)
+                                                  : symbol_text(quantity.symbol));
     }
     plot.x.categories = plot.y.categories;
     PlotSeries map{"correlation coefficient", SeriesKind::heat_map, SeriesRole::data, {}, {}, {}, 0.0};

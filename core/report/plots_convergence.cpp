@@ -9,8 +9,9 @@ namespace covaria {
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
-PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output) {
-    const PlottedOutput y(result, output);
+PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output,
+                                   const DisplayUnits& units) {
+    const PlottedOutput y(result, output, units);
     const std::string id = y.id("convergence");
     if (!y.trials() || result.convergence.empty())
         return nothing_to_show(id, "Run Monte Carlo to see how u of " + y.label() + " settles");
@@ -33,7 +34,7 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
                        0.0};
     PlotSeries low{"± 2 standard errors", SeriesKind::line, SeriesRole::reference, {}, {}, {}, 0.0};
     PlotSeries high = low;
-    high.name.clear();
+    high.name = {};
     // The standard error of u falls with the root of the number of trials.
     const auto used = static_cast<double>(result.convergence.back().trials);
     for (const ConvergencePoint& point : result.convergence) {

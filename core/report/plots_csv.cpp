@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "core/report/csv_text.h"
-#include "core/report/number_format.h"
 #include "core/report/plots.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 namespace {
@@ -20,16 +20,16 @@ std::string at(const std::vector<double>& values, std::size_t i) {
 
 std::string category(const PlotAxis& axis, const std::vector<double>& positions, std::size_t i) {
     if (axis.categories.empty() || i >= positions.size()) return at(positions, i);
-    return axis.categories.at(static_cast<std::size_t>(positions[i]));
+    return to_unicode(axis.categories.at(static_cast<std::size_t>(positions[i])));
 }
 
 std::string matrix_csv(const PlotSpecification& plot, const PlotSeries& map) {
-    std::vector<std::string> head = {map.name};
-    head.insert(head.end(), plot.x.categories.begin(), plot.x.categories.end());
+    std::vector<std::string> head = {to_unicode(map.name)};
+    for (const Text& category : plot.x.categories) head.push_back(to_unicode(category));
     std::string out = line(head);
     const std::size_t columns = plot.x.categories.size();
     for (std::size_t row = 0; row < plot.y.categories.size(); ++row) {
-        std::vector<std::string> fields = {plot.y.categories[row]};
+        std::vector<std::string> fields = {to_unicode(plot.y.categories[row])};
         for (std::size_t i = 0; i < columns; ++i) fields.push_back(at(map.z, row * columns + i));
         out += line(fields);
     }
@@ -43,9 +43,9 @@ std::string plot_csv(const PlotSpecification& plot) {
     std::size_t rows = 0;
     for (const PlotSeries& series : plot.series) {
         if (series.kind == SeriesKind::heat_map) return matrix_csv(plot, series);
-        const std::string name = series.name.empty() ? "" : series.name + ": ";
-        head.push_back(name + plot.x.title);
-        head.push_back(name + plot.y.title);
+        const Text name = series.name.empty() ? Text() : series.name + ": ";
+        head.push_back(to_unicode(name + plot.x.title));
+        head.push_back(to_unicode(name + plot.y.title));
         rows = std::max({rows, series.x.size(), series.y.size()});
     }
     std::string out = head.empty() ? std::string() : line(head);

@@ -52,6 +52,7 @@ void add_analysis(Blocks& blocks, const ReportSource& source, const EvaluatedAna
                   std::set<std::string>& shown_assets) {
     blocks.push_back(HeadingBlock{1, evaluated.analysis->name});
     add_setup(blocks, source, evaluated);
+    add_links(blocks, evaluated);
     add_inputs(blocks, evaluated);
     add_assets(blocks, source, evaluated, shown_assets);
     add_budgets(blocks, evaluated);

@@ -16,7 +16,7 @@ namespace covaria {
 struct EvaluatedAnalysis {
     std::shared_ptr<const PreparedAnalysis> analysis;
     std::shared_ptr<const UncertaintyResult> result;
-    std::vector<std::string> warnings = {};  ///< of the model's creation
+    std::vector<std::string> warnings = {};  ///< of its assets and of its model: `warnings_of`
     std::vector<std::shared_ptr<const StudyResult>> studies = {};
 };
 

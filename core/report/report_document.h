@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "core/base/data_table.h"
-#include "core/base/plot_specification.h"
+#include "core/text/formula.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria {
 
@@ -29,7 +30,7 @@ struct FactsBlock {
 struct EquationBlock {
     std::string text;
     std::string source;
-    std::string mathml = {};  ///< for writers that can set it
+    Formula formula = {};  ///< for writers that can set it; empty: `text` is all
 };
 
 /// How the cells of a column are set.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/report/report.h"
+#include "core/report/table.h"
 
 namespace covaria::report_parts {
 
@@ -26,6 +27,8 @@ void add_title(Blocks& blocks, const ReportSource& source);
 void add_models(Blocks& blocks, const ReportSource& source);
 void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+/// Inputs that are outputs of other analyses; nothing without any.
+void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// `shown` are the assets whose evaluation the report has already.
 void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
                 std::set<std::string>& shown);
@@ -77,8 +80,11 @@ public:
     int number(const std::string& header, int digits = 0, int match = -1);
     int symbol(const std::string& header, int digits = 0, int match = -1);
     int fixed(const std::string& header, int decimals);
-    /// Of input quantities: typed ones with all their digits, computed ones to match their u.
-    int estimate(const std::string& header, bool symbol, int match);
+    /// Those columns of a table, as print has them.
+    void columns(const Table& table, const std::vector<std::string>& keys);
+    /// Those columns of the table of results, and the rows of these outputs under sub-heads of their groups.
+    void results(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+                 const std::vector<std::string>& keys);
     void row(std::vector<TableCell> cells) { block_.table.rows.push_back(std::move(cells)); }
     void subhead(const std::string& text) { block_.table.rows.push_back({TableCell(text)}); }
     void note(std::string text) { block_.table.notes.push_back(std::move(text)); }
@@ -89,16 +95,17 @@ private:
     TableBlock block_;
 };
 
-/// Six significant digits without a tail of zeros.
-std::string value_words(double value);
+/// The cells of a row as print has them.
+std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row);
+
 std::string project_fingerprint(const ReportSource& source);  ///< of the evaluated project
-std::string count_text(std::uint64_t count);                  ///< "1 000 000"
-std::string percent_text(double probability);                 ///< "95 %"
+std::string type_text(EvaluationType type);                   ///< "A", "B"
 std::string unit_text(const Unit& unit);                      ///< "mm", "1" for the unit one
 std::string file_name_part(const std::string& text);          ///< "pose 7" -> "pose-7"
 /// "a, b, c" or, if longer than `most`, "a, b … z (117)".
 std::string short_list(const std::vector<std::string>& items, std::size_t most = 3);
-std::string output_label(const OutputQuantity& quantity);  ///< "x (pose 7)", Unicode
+Text output_text(const OutputQuantity& quantity);          ///< "x (pose 7)"
+std::string output_label(const OutputQuantity& quantity);  ///< likewise, Unicode
 Quantity value_in(const Unit& unit, double si);
 Quantity interval_in(const Unit& unit, double si);  ///< differences and uncertainties
 

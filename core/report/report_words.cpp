@@ -4,10 +4,10 @@
 #include <map>
 
 #include "core/base/file_names.h"
-#include "core/base/symbol.h"
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
-#include "core/report/table_text.h"
+#include "core/report/result_columns.h"
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
 
 namespace covaria::report_parts {
 
@@ -38,23 +38,56 @@ int TableBuilder::fixed(const std::string& header, int decimals) {
     return add({header, {}, looks_like_symbol(header), 0}, {false, true, -1, decimals, false});
 }
 
-int TableBuilder::estimate(const std::string& header, bool symbol, int match) {
-    return add({header, {}, symbol, 0}, {false, true, match, -1, true});
-}
-
-std::string count_text(std::uint64_t count) {
-    const std::string digits = std::to_string(count);
-    std::string out;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0 && digits.size() > 4) out += "\u00a0";
-        out += digits[i];
+void TableBuilder::columns(const Table& table, const std::vector<std::string>& keys) {
+    for (const std::string& key : keys) {
+        const Column& c = table[key];
+        const auto match = std::find(keys.begin(), keys.end(), c.rule.match);
+        const std::string head = c.head + (c.unit ? " in " + unit_text(*c.unit) : "");
+        add({head, {}, c.is_symbol, c.rule.digits},
+            {c.symbols, is_numeric(c), match == keys.end() ? -1 : static_cast<int>(match - keys.begin()),
+             c.rule.decimals, c.rule.input});
     }
-    return out;
 }
 
-std::string percent_text(double probability) {
-    TableColumn plain;
-    return format_cell(100.0 * probability, plain) + "\u00a0%";
+namespace {
+
+TableCell print_cell(const Column& column, std::size_t row) {
+    const Cell cell = column.cell(row);
+    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* symbols = std::get_if<Symbols>(&cell)) return short_list(*symbols);
+    if (const auto* unit = std::get_if<Unit>(&cell)) return unit_text(*unit);
+    if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? answer->yes : answer->no;
+    const auto* number = std::get_if<Measured>(&cell);
+    if (!number) return {};
+    const Quantity shown = number->in({});
+    if (column.rule.degrees_of_freedom) return shown_degrees_of_freedom(shown.value);
+    if (column.rule.percent) return 100.0 * shown.value;
+    return shown.unit == Unit{} ? TableCell(shown.value) : TableCell(shown);
+}
+
+}  // namespace
+
+void TableBuilder::results(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+                           const std::vector<std::string>& keys) {
+    const Table all = results_table(result, outputs);
+    columns(all, keys);
+    std::string group;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const std::string& of = result.outputs[outputs[i]].quantity.group;
+        if (of != group) subhead(of);
+        group = of;
+        row(print_row(all, keys, i));
+    }
+}
+
+std::vector<TableCell> print_row(const Table& table, const std::vector<std::string>& keys, std::size_t row) {
+    std::vector<TableCell> cells;
+    for (const std::string& key : keys) cells.push_back(print_cell(table[key], row));
+    return cells;
+}
+
+std::string type_text(EvaluationType type) {
+    return type == EvaluationType::type_a ? "A" : "B";
 }
 
 std::string unit_text(const Unit& unit) {
@@ -76,9 +109,13 @@ std::string short_list(const std::vector<std::string>& items, std::size_t most) 
     return whole ? out : out + " … " + items.back() + " (" + std::to_string(items.size()) + ")";
 }
 
+Text output_text(const OutputQuantity& quantity) {
+    const Text symbol = symbol_text(quantity.symbol);
+    return quantity.group.empty() ? symbol : symbol + (" (" + quantity.group + ")");
+}
+
 std::string output_label(const OutputQuantity& quantity) {
-    const std::string symbol = symbol_to_unicode(quantity.symbol);
-    return quantity.group.empty() ? symbol : symbol + " (" + quantity.group + ")";
+    return to_unicode(output_text(quantity));
 }
 
 Quantity value_in(const Unit& unit, double si) {

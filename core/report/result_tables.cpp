@@ -3,21 +3,13 @@
 #include "core/project/stated_requirements.h"
 #include "core/report/report.h"
 #include "core/report/report_parts.h"
-#include "core/result/representation.h"
+#include "core/report/result_columns.h"
 #include "core/result/result_line.h"
 
 namespace covaria {
 namespace {
 
 using namespace report_parts;
-
-std::string role_text(OutputRole role) {
-    return role == OutputRole::measurand ? "measurand" : "intermediate";
-}
-
-std::string type_text(EvaluationType type) {
-    return type == EvaluationType::type_a ? "A" : "B";
-}
 
 DataTable table_with(const std::string& id, const std::string& title, const std::vector<std::string>& heads) {
     DataTable table;
@@ -27,155 +19,37 @@ DataTable table_with(const std::string& id, const std::string& title, const std:
     return table;
 }
 
-std::vector<TableCell> monte_carlo_cells(const OutputResult& output) {
-    if (!output.monte_carlo) return std::vector<TableCell>(12);
-    const Unit& unit = output.quantity.unit;
-    const MonteCarloOutput& trials = *output.monte_carlo;
-    return {value_in(unit, trials.mean),
-            interval_in(unit, trials.standard_uncertainty),
-            interval_in(unit, trials.standard_error_of_mean),
-            interval_in(unit, trials.standard_error_of_uncertainty),
-            value_in(unit, trials.symmetric.low),
-            value_in(unit, trials.symmetric.high),
-            value_in(unit, trials.shortest.low),
-            value_in(unit, trials.shortest.high),
-            trials.skewness,
-            trials.kurtosis,
-            trials.normality.coverage_ratio,
-            trials.normality.words};
+DataTable budget_file(const UncertaintyResult& result) {
+    std::vector<BudgetPlace> places;
+    for (std::size_t i = 0; i < result.budget.rows.size() && i < result.outputs.size(); ++i)
+        for (const BudgetPlace& place : budget_places(result, i)) places.push_back(place);
+    Table table = budget_table(result, std::move(places));
+    for (Column& column : table.columns) column.unit.reset();  // the rows say it
+    return data_table(table);
 }
 
-std::vector<TableCell> first_order_cells(const OutputResult& output) {
-    const Unit& unit = output.quantity.unit;
-    const FirstOrderOutput& first = output.first_order;
-    std::vector<TableCell> cells = {value_in(unit, first.estimate),
-                                    interval_in(unit, first.standard_uncertainty),
-                                    first.effective_degrees_of_freedom, first.coverage_factor,
-                                    interval_in(unit, first.expanded_uncertainty)};
-    if (!first.validation) {
-        cells.resize(cells.size() + 4);
-    } else {
-        for (const double d :
-             {first.validation->tolerance, first.validation->d_low, first.validation->d_high})
-            cells.emplace_back(interval_in(unit, d));
-        cells.emplace_back(std::string(first.validation->validated ? "validated" : "not validated"));
-    }
-    for (const auto& of_second_order :
-         {first.second_order_standard_uncertainty, first.second_order_estimate_shift})
-        cells.push_back(of_second_order ? TableCell(interval_in(unit, *of_second_order)) : TableCell{});
-    return cells;
-}
-
-DataTable results_table(const UncertaintyResult& result) {
-    DataTable table = table_with("results", "Results",
-                                 {"group",
-                                  "symbol",
-                                  "name",
-                                  "role",
-                                  "unit",
-                                  "estimate",
-                                  "u",
-                                  "k",
-                                  "U",
-                                  "coverage probability",
-                                  "mean",
-                                  "u Monte Carlo",
-                                  "standard error of mean",
-                                  "standard error of u",
-                                  "interval low",
-                                  "interval high",
-                                  "shortest low",
-                                  "shortest high",
-                                  "skewness",
-                                  "excess kurtosis",
-                                  "coverage ratio",
-                                  "distribution",
-                                  "estimate first order",
-                                  "u first order",
-                                  "nu_eff",
-                                  "k first order",
-                                  "U first order",
-                                  "delta",
-                                  "d_low",
-                                  "d_high",
-                                  "clause 8",
-                                  "u second order",
-                                  "shift second order",
-                                  "U by",
-                                  "remark"});
-    for (const OutputResult& output : result.outputs) {
-        const OutputQuantity& q = output.quantity;
-        std::vector<TableCell> row = {q.group,
-                                      q.symbol,
-                                      q.name,
-                                      role_text(q.role),
-                                      q.unit.text(),
-                                      value_in(q.unit, output.estimate),
-                                      interval_in(q.unit, output.standard_uncertainty),
-                                      output.coverage_factor,
-                                      interval_in(q.unit, output.expanded_uncertainty),
-                                      result.coverage_probability};
-        for (auto& cell : monte_carlo_cells(output)) row.push_back(std::move(cell));
-        for (auto& cell : first_order_cells(output)) row.push_back(std::move(cell));
-        row.emplace_back(expanded_key(result));
-        row.emplace_back(std::string(represents_measurand(result) ? "" : does_not_represent));
-        table.rows.push_back(std::move(row));
-    }
+DataTable links_table(const std::vector<LinkedInput>& linked) {
+    DataTable table = table_with("links", "Input quantities taken from other analyses",
+                                 {"symbol", "name", "unit", "estimate", "u", "degrees of freedom", "analysis",
+                                  "output group", "output", "linearised"});
+    for (const LinkedInput& input : linked)
+        table.rows.push_back(
+            {input.symbol, input.name, input.unit.text(), value_in(input.unit, input.estimate),
+             interval_in(input.unit, input.standard_uncertainty), input.degrees_of_freedom, input.analysis,
+             input.output.group, input.output.symbol, std::string(input.linearised ? "yes" : "no")});
     return table;
 }
 
-std::string comma_list(const std::vector<std::string>& symbols) {
-    std::string text;
-    for (const std::string& symbol : symbols) text += (text.empty() ? "" : ", ") + symbol;
-    return text;
-}
-
-DataTable budget_table(const UncertaintyResult& result) {
-    DataTable table = table_with("budget", "Uncertainty budgets",
-                                 {"group", "output", "output unit", "quantity", "component", "id", "unit",
-                                  "u", "distribution", "type", "degrees of freedom", "sensitivity",
-                                  "contribution", "share of variance", "one at a time", "held", "origin"});
-    for (std::size_t i = 0; i < result.budget.rows.size() && i < result.outputs.size(); ++i) {
-        const OutputQuantity& q = result.outputs[i].quantity;
-        for (const BudgetRow& row : result.budget.rows[i]) {
-            const BudgetComponent& c = result.budget.components[row.component];
-            TableCell alone;
-            if (row.one_at_a_time) alone = interval_in(q.unit, *row.one_at_a_time);
-            table.rows.push_back({q.group, q.symbol, q.unit.text(), comma_list(c.quantities), c.name, c.id,
-                                  c.unit.text(), interval_in(c.unit, c.standard_uncertainty), c.distribution,
-                                  type_text(c.type), c.degrees_of_freedom,
-                                  q.unit.interval_from_si(row.sensitivity * c.unit.interval_to_si(1.0)),
-                                  interval_in(q.unit, row.contribution), row.share, alone,
-                                  std::string(c.held ? "yes" : "no"), c.origin});
-        }
-    }
-    return table;
-}
-
-DataTable inputs_table(const InputSet& inputs) {
-    DataTable table = table_with(
-        "inputs", "Input quantities and their components",
-        {"group", "symbol", "name", "unit", "estimate", "u", "component", "id", "factor", "component unit",
-         "component u", "distribution", "type", "degrees of freedom", "held", "origin"});
-    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
-        const InputQuantity& q = inputs.quantities[i];
-        const std::vector<TableCell> head = {q.group,
-                                             q.symbol,
-                                             q.name,
-                                             q.unit.text(),
-                                             value_in(q.unit, estimate_of(inputs, i)),
-                                             interval_in(q.unit, standard_uncertainty_of(inputs, i))};
-        if (q.shares.empty()) table.rows.push_back(head);
-        for (const Share& share : q.shares) {
-            const UncertaintyComponent& c = inputs.components[share.component];
-            std::vector<TableCell> row = head;
-            row.insert(row.end(), {TableCell(c.name), c.id,
-                                   q.unit.interval_from_si(share.factor * c.unit.interval_to_si(1.0)),
-                                   c.unit.text(), interval_in(c.unit, c.distribution.standard_uncertainty()),
-                                   std::string(drawn_distribution(c).title()), type_text(c.type),
-                                   c.degrees_of_freedom, std::string(c.held ? "yes" : "no"), c.origin});
-            table.rows.push_back(std::move(row));
-        }
+/// Shares of the variance by the analyses of a chain.
+DataTable analyses_table(const UncertaintyResult& result) {
+    DataTable table =
+        table_with("by-analysis", "Shares of the variance by analysis",
+                   {"group", "output", "output unit", "analysis", "contribution", "share of variance"});
+    for (std::size_t j = 0; j < result.outputs.size(); ++j) {
+        const OutputQuantity& q = result.outputs[j].quantity;
+        for (const GroupContribution& g : contributions_by_group(result.budget, j, "analysis"))
+            table.rows.push_back(
+                {q.group, q.symbol, q.unit.text(), g.group, interval_in(q.unit, g.contribution), g.share});
     }
     return table;
 }
@@ -201,27 +75,6 @@ DataTable matrix_table(const UncertaintyResult& result, const Eigen::MatrixXd& m
                                       : matrix(i, j));
         }
         table.rows.push_back(std::move(row));
-    }
-    return table;
-}
-
-DataTable regions_table(const UncertaintyResult& result) {
-    DataTable table = table_with(
-        "regions", "Joint coverage regions",
-        {"group", "outputs", "coverage probability", "ellipsoid first order", "rectangle first order",
-         "ellipsoid Monte Carlo", "rectangle Monte Carlo", "trials", "singular"});
-    const auto cell = [](const std::optional<double>& value) {
-        return value ? TableCell(*value) : TableCell{};
-    };
-    for (const CoverageRegion& region : result.regions) {
-        std::string outputs;
-        for (const std::size_t i : region.outputs)
-            outputs += (outputs.empty() ? "" : " ") + result.outputs[i].quantity.symbol;
-        table.rows.push_back({region.group, outputs, result.coverage_probability,
-                              region.ellipsoid_first_order, region.rectangle_first_order,
-                              cell(region.ellipsoid_monte_carlo), cell(region.rectangle_monte_carlo),
-                              static_cast<double>(region.trials),
-                              std::string(region.singular ? "yes" : "no")});
     }
     return table;
 }
@@ -288,6 +141,11 @@ DataTable sobol_table(const UncertaintyResult& result) {
     return table;
 }
 
+std::string decision_key(const RequirementResult& r) {
+    if (!r.not_judged.empty()) return "not judged";
+    return r.decision == RequirementResult::Decision::accept ? "accept" : "reject";
+}
+
 DataTable requirements_table(const UncertaintyResult& result,
                              const std::vector<RequirementResult>& verdicts) {
     DataTable table = table_with(
@@ -297,7 +155,8 @@ DataTable requirements_table(const UncertaintyResult& result,
     for (const RequirementResult& r : verdicts) {
         const OutputResult& output = result.outputs[r.output];
         const OutputQuantity& q = output.quantity;
-        const bool limited = r.lower_limit || r.upper_limit;
+        const bool judged = r.not_judged.empty(), with_limits = r.lower_limit || r.upper_limit;
+        const bool limited = with_limits && judged;
         const auto value = [&](const std::optional<double>& si) {
             return si ? TableCell(value_in(q.unit, *si)) : TableCell{};
         };
@@ -305,13 +164,13 @@ DataTable requirements_table(const UncertaintyResult& result,
         table.rows.push_back(
             {q.group, q.symbol, q.unit.text(), interval_in(q.unit, output.expanded_uncertainty),
              r.target_uncertainty ? TableCell(interval_in(q.unit, *r.target_uncertainty)) : TableCell{},
-             r.target_uncertainty ? TableCell(std::string(r.meets_target ? "yes" : "no")) : TableCell{},
+             r.target_uncertainty ? TableCell(std::string(!judged          ? "not judged"
+                                                          : r.meets_target ? "yes"
+                                                                           : "no"))
+                                  : TableCell{},
              value(r.lower_limit), value(r.upper_limit),
              limited ? TableCell(interval_in(q.unit, r.guard_band)) : TableCell{},
-             limited ? TableCell(std::string(r.decision == RequirementResult::Decision::accept ? "accept"
-                                                                                               : "reject"))
-                     : TableCell{},
-             number(limited, r.conformance),
+             with_limits ? TableCell(decision_key(r)) : TableCell{}, number(limited, r.conformance),
              limited ? TableCell(distribution_key(r.conformance_by)) : TableCell{},
              number(r.global_risks.has_value(), r.global_risks ? r.global_risks->consumer : 0.0),
              number(r.global_risks.has_value(), r.global_risks ? r.global_risks->producer : 0.0)});
@@ -324,12 +183,12 @@ DataTable requirements_table(const UncertaintyResult& result,
 std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     std::vector<DataTable> tables = {
-        results_table(result),
-        budget_table(result),
+        data_table(results_table(result)),
+        budget_file(result),
         matrix_table(result, result.covariance, "covariance", true),
         matrix_table(result, correlation_of(result.covariance), "correlation", false),
-        inputs_table(result.inputs),
-        regions_table(result)};
+        data_table(inputs_table(result.inputs, all_shares(result.inputs))),
+        data_table(regions_table(result))};
     if (result.trials > 0) {
         tables.push_back(histograms_table(result));
         tables.push_back(convergence_table(result));
@@ -339,6 +198,10 @@ std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnal
     if (entry && !entry->requirements.empty())
         tables.push_back(requirements_table(result, judge(result, *entry)));
     if (!result.contributors.empty()) tables.push_back(contributors_table(result));
+    if (evaluated.analysis && !evaluated.analysis->linked.empty()) {
+        tables.push_back(links_table(evaluated.analysis->linked));
+        tables.push_back(analyses_table(result));
+    }
     if (evaluated.analysis && evaluated.analysis->model)
         for (DataTable& table : evaluated.analysis->model->evaluation()) tables.push_back(std::move(table));
     for (const auto& study : evaluated.studies) tables.push_back(study_table(*study));

@@ -1,14 +1,16 @@
 // results.json: the contract of the command line for scripts (DESIGN 9). No clock, no host: equal runs, equal
 // bytes.
+#include "core/base/version.h"
 #include "core/project/project_file.h"
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
 #include "core/report/json_values.h"
-#include "core/report/number_format.h"
 #include "core/report/report.h"
+#include "core/report/result_columns.h"
 #include "core/report/study_results_json.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 namespace {
@@ -56,38 +58,62 @@ std::string pretty(const OrderedJson& value, const std::string& indent) {
     return (value.is_object() ? "{" : "[") + out + "\n" + indent + (value.is_object() ? "}" : "]");
 }
 
-OrderedJson interval_json(const OutputResult& output, const UncertaintyResult& result) {
-    const Unit& unit = output.quantity.unit;
-    const CoverageInterval interval = coverage_interval_of(output, result);
-    return {{"kind", output.monte_carlo ? "symmetric" : "first-order"},
-            {"probability", result.coverage_probability},
-            {"low", json_number(unit.from_si(interval.low))},
-            {"high", json_number(unit.from_si(interval.high))}};
+OrderedJson json_of(const Cell& cell) {
+    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* symbols = std::get_if<Symbols>(&cell)) return symbols->front();
+    if (const auto* unit = std::get_if<Unit>(&cell)) return unit->text();
+    if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is;
+    if (const auto number = number_in(cell)) return json_number(*number);
+    return nullptr;
 }
 
-OrderedJson first_order_json(const OutputResult& output) {
-    const FirstOrderOutput& first = output.first_order;
-    const Unit& unit = output.quantity.unit;
-    OrderedJson json = {
-        {"estimate", json_number(unit.from_si(first.estimate))},
-        {"standardUncertainty", json_number(unit.interval_from_si(first.standard_uncertainty))},
-        {"effectiveDegreesOfFreedom", json_number(first.effective_degrees_of_freedom)},
-        {"coverageFactor", json_number(first.coverage_factor)},
-        {"expandedUncertainty", json_number(unit.interval_from_si(first.expanded_uncertainty))},
-        {"validated", first.validation ? OrderedJson(first.validation->validated) : OrderedJson(nullptr)}};
-    if (first.second_order_standard_uncertainty)
-        json["secondOrder"] = {
-            {"standardUncertainty",
-             json_number(unit.interval_from_si(*first.second_order_standard_uncertainty))},
-            {"estimateShift", json_number(unit.interval_from_si(*first.second_order_estimate_shift))}};
+/// A member of an output: a column of the table of results.
+struct Member {
+    const char* path;
+    const char* column;
+    enum { null, left_out, without_parent } when_empty = null;
+};
+
+constexpr Member members[] = {
+    {"/symbol", "symbol"},
+    {"/group", "group"},
+    {"/unit", "unit"},
+    {"/role", "role"},
+    {"/estimate", "estimate"},
+    {"/mean", "mean"},
+    {"/standardUncertainty", "u"},
+    {"/expandedUncertainty", "U"},
+    {"/coverageFactor", "k"},
+    {"/expandedUncertaintyBy", "U by"},
+    {"/interval/kind", "stated interval"},
+    {"/interval/probability", "coverage probability"},
+    {"/interval/low", "stated low"},
+    {"/interval/high", "stated high"},
+    {"/shortestInterval/low", "shortest low", Member::without_parent},
+    {"/shortestInterval/high", "shortest high", Member::left_out},
+    {"/skewness", "skewness"},
+    {"/kurtosis", "kurtosis"},
+    {"/excessKurtosis", "excess kurtosis"},
+    {"/firstOrder/estimate", "estimate first order"},
+    {"/firstOrder/standardUncertainty", "u first order"},
+    {"/firstOrder/effectiveDegreesOfFreedom", "nu_eff"},
+    {"/firstOrder/coverageFactor", "k first order"},
+    {"/firstOrder/expandedUncertainty", "U first order"},
+    {"/firstOrder/validated", "clause 8"},
+    {"/firstOrder/secondOrder/standardUncertainty", "u second order", Member::left_out},
+    {"/firstOrder/secondOrder/estimateShift", "shift second order", Member::left_out}};
+
+OrderedJson output_json(const Table& results, std::size_t row) {
+    OrderedJson json;
+    for (const Member& member : members) {
+        const Cell cell = results.cell(row, member.column);
+        OrderedJson::json_pointer path(member.path);
+        const bool empty = std::holds_alternative<std::monostate>(cell);
+        if (empty && member.when_empty == Member::left_out) continue;
+        json[empty && member.when_empty == Member::without_parent ? path.parent_pointer() : path] =
+            json_of(cell);
+    }
     return json;
-}
-
-OrderedJson shortest_json(const OutputResult& output) {
-    if (!output.monte_carlo) return nullptr;
-    const Unit& unit = output.quantity.unit;
-    return {{"low", json_number(unit.from_si(output.monte_carlo->shortest.low))},
-            {"high", json_number(unit.from_si(output.monte_carlo->shortest.high))}};
 }
 
 /// Standard errors and gains of the figures; nulls with too few batches.
@@ -104,32 +130,6 @@ OrderedJson variance_reduction_json(const ReducedVariance& reduced, const Unit& 
                           {"low", json_number(g.low)},
                           {"high", json_number(g.high)}}}};
     if (!reduced.plain_because.empty()) json["plainBecause"] = reduced.plain_because;
-    return json;
-}
-
-OrderedJson output_json(const OutputResult& output, const UncertaintyResult& result) {
-    const OutputQuantity& quantity = output.quantity;
-    const Unit& unit = quantity.unit;
-    const auto& trials = output.monte_carlo;
-    OrderedJson json = {
-        {"symbol", quantity.symbol},
-        {"group", quantity.group},
-        {"unit", unit.text()},
-        {"role", quantity.role == OutputRole::measurand ? "measurand" : "intermediate"},
-        {"estimate", json_number(unit.from_si(output.estimate))},
-        {"mean", trials ? json_number(unit.from_si(trials->mean)) : OrderedJson(nullptr)},
-        {"standardUncertainty", json_number(unit.interval_from_si(output.standard_uncertainty))},
-        {"expandedUncertainty", json_number(unit.interval_from_si(output.expanded_uncertainty))},
-        {"coverageFactor", json_number(output.coverage_factor)},
-        {"expandedUncertaintyBy", expanded_key(result)},
-        {"interval", interval_json(output, result)},
-        {"shortestInterval", shortest_json(output)},
-        {"skewness", trials ? json_number(trials->skewness) : OrderedJson(nullptr)},
-        {"kurtosis", trials ? json_number(3.0 + trials->kurtosis) : OrderedJson(nullptr)},
-        {"excessKurtosis", trials ? json_number(trials->kurtosis) : OrderedJson(nullptr)},
-        {"firstOrder", first_order_json(output)}};
-    if (trials && trials->reduced)
-        json["varianceReduction"] = variance_reduction_json(*trials->reduced, unit);
     return json;
 }
 
@@ -212,11 +212,21 @@ void add_reductions(const EvaluatedAnalysis& evaluated, const RequirementResult&
     if (budget->common_factor) json["commonFactor"] = json_number(*budget->common_factor);
 }
 
+/// Without a verdict: nulls where it would stand, and why.
+OrderedJson not_judged_json(const RequirementResult& r, OrderedJson json) {
+    if (r.target_uncertainty) json["targetMet"] = nullptr;
+    if (r.lower_limit || r.upper_limit) json["decision"] = nullptr;
+    json["notJudged"] = r.not_judged;
+    return json;
+}
+
 OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const RequirementResult& r) {
     const OutputQuantity& q = evaluated.result->outputs[r.output].quantity;
     OrderedJson json = {{"symbol", q.symbol}, {"group", q.group}, {"unit", q.unit.text()}};
-    if (r.target_uncertainty) {
+    if (r.target_uncertainty)
         json["targetUncertainty"] = json_number(q.unit.interval_from_si(*r.target_uncertainty));
+    if (!r.not_judged.empty()) return not_judged_json(r, std::move(json));
+    if (r.target_uncertainty) {
         json["targetMet"] = r.meets_target;
         if (!r.meets_target) add_reductions(evaluated, r, json);
     }
@@ -231,10 +241,44 @@ OrderedJson requirement_json(const EvaluatedAnalysis& evaluated, const Requireme
     return json;
 }
 
+OrderedJson links_json(const PreparedAnalysis& analysis) {
+    OrderedJson list = OrderedJson::array();
+    for (const LinkedInput& input : analysis.linked)
+        list.push_back({{"input", input.symbol},
+                        {"analysis", input.analysis},
+                        {"group", input.output.group},
+                        {"output", input.output.symbol},
+                        {"linearised", input.linearised},
+                        {"unit", input.unit.text()},
+                        {"estimate", json_number(input.unit.from_si(input.estimate))},
+                        {"u", json_number(input.unit.interval_from_si(input.standard_uncertainty))}});
+    return list;
+}
+
+/// Shares of the variance by the analyses of a chain.
+OrderedJson shares_json(const UncertaintyResult& result) {
+    OrderedJson list = OrderedJson::array();
+    for (std::size_t j = 0; j < result.outputs.size(); ++j) {
+        const OutputQuantity& q = result.outputs[j].quantity;
+        OrderedJson shares = OrderedJson::object();
+        for (const GroupContribution& g : contributions_by_group(result.budget, j, "analysis"))
+            shares[g.group] = json_number(g.share);
+        list.push_back({{"symbol", q.symbol}, {"group", q.group}, {"shares", std::move(shares)}});
+    }
+    return list;
+}
+
 OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     OrderedJson outputs = OrderedJson::array();
-    for (const OutputResult& output : result.outputs) outputs.push_back(output_json(output, result));
+    const Table results = results_table(result);
+    for (std::size_t row = 0; row < results.rows; ++row) {
+        outputs.push_back(output_json(results, row));
+        const OutputResult& output = result.outputs[row];
+        if (output.monte_carlo && output.monte_carlo->reduced)
+            outputs.back()["varianceReduction"] =
+                variance_reduction_json(*output.monte_carlo->reduced, output.quantity.unit);
+    }
     OrderedJson json = {{"id", evaluated.analysis->id},
                         {"model", evaluated.analysis->descriptor ? evaluated.analysis->descriptor->id : ""},
                         {"trials", result.trials},
@@ -254,6 +298,10 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     }
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
+    if (!evaluated.analysis->linked.empty()) {
+        json["links"] = links_json(*evaluated.analysis);
+        json["byAnalysis"] = shares_json(result);
+    }
     if (const AnalysisEntry* entry = project.find_analysis(evaluated.analysis->id))
         for (const RequirementResult& r : judge(result, *entry))
             json["requirements"].push_back(requirement_json(evaluated, r));
@@ -280,13 +328,12 @@ std::string results_json(const Project& project, const std::vector<EvaluatedAnal
                          const ResultListing& listing) {
     OrderedJson list = OrderedJson::array();
     for (const EvaluatedAnalysis& evaluated : analyses) list.push_back(analysis_json(project, evaluated));
-    OrderedJson document = {{"format", "covaria-results"},
-                            {"schemaVersion", 1},
-                            {"project",
-                             {{"title", project.title},
-                              {"fingerprint", fingerprint(project)},
-                              {"covariaVersion", COVARIA_VERSION}}},
-                            {"analyses", std::move(list)}};
+    OrderedJson document = {
+        {"format", "covaria-results"},
+        {"schemaVersion", 1},
+        {"project",
+         {{"title", project.title}, {"fingerprint", fingerprint(project)}, {"covariaVersion", version()}}},
+        {"analyses", std::move(list)}};
     for (const FailedAnalysis& failed : listing.failed) document["failed"].push_back(failed_json(failed));
     for (const ResultFile& file : listing.files) document["files"].push_back(file_json(file));
     return pretty(document, "") + "\n";

@@ -13,7 +13,7 @@ void add_asset(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     for (DataTable& table : entry.asset->evaluation()) blocks.push_back(TableBlock{std::move(table), {}});
     for (PlotSpecification& plot : entry.asset->figures()) {
         plot.id = id + "-" + plot.id;
-        std::string caption = plot.title + ".";
+        std::string caption = to_unicode(plot.title) + ".";
         blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
     }
     if (!entry.descriptor || entry.descriptor->references.empty()) return;

@@ -3,121 +3,89 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/symbol.h"
-#include "core/report/number_format.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
-#include "core/report/table_text.h"
+#include "core/report/result_columns.h"
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
 
 namespace covaria::report_parts {
 namespace {
 
 constexpr std::size_t most_budget_rows = 24;  // further components are summed; the CSV budget has them
 
-std::string component_text(const BudgetComponent& component) {
-    return component.held ? component.name + " (held)" : component.name;
-}
-
-/// c in the output's unit per unit of the component.
-double shown_sensitivity(const BudgetRow& row, const Unit& component, const Unit& output) {
-    return output.interval_from_si(row.sensitivity * component.interval_to_si(1.0));
-}
-
 /// Without components whose contribution is only rounding of a sensitivity coefficient of zero.
-std::vector<BudgetRow> rows_that_count(std::vector<BudgetRow> rows, double combined) {
-    std::erase_if(rows, [combined](const BudgetRow& row) {
+std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std::size_t output) {
+    const double combined = result.outputs[output].first_order.standard_uncertainty;
+    std::vector<BudgetPlace> places = budget_places(result, output);
+    std::erase_if(places, [&](const BudgetPlace& place) {
+        const BudgetRow& row = result.budget.rows[output][place.row];
         return row.contribution < 1e-9 * combined &&
                !(row.one_at_a_time && *row.one_at_a_time > 1e-9 * combined);
     });
-    return rows;
+    return places;
 }
 
-class BudgetTable {
+class BudgetBlock {
 public:
-    BudgetTable(const EvaluatedAnalysis& evaluated, std::size_t output)
+    BudgetBlock(const EvaluatedAnalysis& evaluated, std::size_t output)
         : result_(*evaluated.result),
           output_(result_.outputs[output]),
-          rows_(rows_that_count(result_.budget.rows[output], output_.first_order.standard_uncertainty)),
+          places_(places_that_count(result_, output)),
           table_("budget-" + evaluated.analysis->id + "-" +
                      file_name_part(output_.quantity.symbol + " " + output_.quantity.group),
                  "Budget of " + output_label(output_.quantity) + ", " + output_.quantity.name) {
-        one_at_a_time_ = !rows_.empty() && rows_.front().one_at_a_time.has_value();
+        if (!places_.empty() && row(0).one_at_a_time) keys_.insert(keys_.end() - 1, "one at a time");
     }
 
     TableBlock make() {
-        const std::string unit = unit_text(output_.quantity.unit);
-        table_.text("Symbol", true);
-        table_.text("Component");
-        table_.text("Unit");
-        table_.estimate("x_i", true, 4);
-        table_.symbol("u(x_i)", 3);
-        table_.text("Distribution");
-        table_.text("Type");
-        table_.symbol("nu_i");
-        table_.symbol("c_i", 3);
-        table_.number("|cᵢ|·u(xᵢ) in " + unit, 2);
-        if (one_at_a_time_) table_.number("alone, Monte Carlo, in " + unit, 2);
-        table_.fixed("Share of variance in %", 1);
-        const std::size_t shown = std::min(rows_.size(), most_budget_rows);
-        for (std::size_t i = 0; i < shown; ++i) add(rows_[i]);
-        if (shown < rows_.size()) add_rest(shown);
+        const Table budget = budget_table(result_, places_);
+        table_.columns(budget, keys_);
+        const std::size_t shown = std::min(places_.size(), most_budget_rows);
+        for (std::size_t i = 0; i < shown; ++i) table_.row(print_row(budget, keys_, i));
+        if (shown < places_.size()) add_rest(shown);
         add_total();
         table_.note(result_line());
         return table_.take();
     }
 
 private:
-    void push(std::vector<TableCell> cells, const TableCell& alone, double share) {
-        if (one_at_a_time_) cells.push_back(alone);
-        cells.emplace_back(100.0 * share);
-        table_.row(std::move(cells));
+    const BudgetRow& row(std::size_t i) const {
+        return result_.budget.rows[places_[i].output][places_[i].row];
     }
 
-    /// In the component's unit, or with that of its quantity: -49.28° where u is in seconds of arc.
-    static TableCell estimate_cell(const BudgetComponent& c) {
-        const Unit& unit = c.quantity_unit;
-        if (unit == c.unit || !(unit.dimension() == c.unit.dimension())) return value_in(c.unit, c.estimate);
-        const std::string number = typeset_number(
-            format_to_match(unit.from_si(c.estimate), unit.interval_from_si(c.standard_uncertainty)));
-        return number + (unit == Unit::of("deg") ? "" : "\u00a0") + unit.display();
-    }
-
-    void add(const BudgetRow& row) {
-        const BudgetComponent& c = result_.budget.components[row.component];
-        const Unit& unit = output_.quantity.unit;
-        TableCell alone;
-        if (row.one_at_a_time) alone = interval_in(unit, *row.one_at_a_time);
-        // The estimate of a component that several quantities share would be that of one of them.
-        const bool shared = c.quantities.size() > 1;
-        push({short_list(c.quantities), component_text(c), unit_text(c.unit),
-              shared ? TableCell{} : estimate_cell(c), interval_in(c.unit, c.standard_uncertainty),
-              c.distribution, std::string(c.type == EvaluationType::type_a ? "A" : "B"),
-              shown_degrees_of_freedom(c.degrees_of_freedom), shown_sensitivity(row, c.unit, unit),
-              interval_in(unit, row.contribution)},
-             alone, row.share);
+    /// A row that only these columns have something for.
+    void push(const std::map<std::string, TableCell>& cells) {
+        std::vector<TableCell> all;
+        for (const std::string& key : keys_) {
+            const auto found = cells.find(key);
+            all.push_back(found == cells.end() ? TableCell{} : found->second);
+        }
+        table_.row(std::move(all));
     }
 
     void add_rest(std::size_t first) {
         double square = 0.0, share = 0.0;
-        for (std::size_t i = first; i < rows_.size(); ++i) {
-            square += rows_[i].contribution * rows_[i].contribution;
-            share += rows_[i].share;
+        for (std::size_t i = first; i < places_.size(); ++i) {
+            square += row(i).contribution * row(i).contribution;
+            share += row(i).share;
         }
-        push({TableCell{}, std::to_string(rows_.size() - first) + " further components", TableCell{},
-              TableCell{}, TableCell{}, TableCell{}, TableCell{}, TableCell{}, TableCell{},
-              interval_in(output_.quantity.unit, std::sqrt(square))},
-             TableCell{}, share);
+        push({{"component in words", std::to_string(places_.size() - first) + " further components"},
+              {"contribution", interval_in(output_.quantity.unit, std::sqrt(square))},
+              {"share of variance", 100.0 * share}});
     }
 
     void add_total() {
         const FirstOrderOutput& first = output_.first_order;
         const Unit& unit = output_.quantity.unit;
         double share = 0.0;
-        for (const BudgetRow& row : rows_) share += row.share;
-        push({std::string("u_c"), "combined (law of propagation)", unit_text(unit), TableCell{}, TableCell{},
-              TableCell{}, TableCell{}, shown_degrees_of_freedom(first.effective_degrees_of_freedom),
-              TableCell{}, interval_in(unit, first.standard_uncertainty)},
-             TableCell{}, share);
+        for (std::size_t i = 0; i < places_.size(); ++i) share += row(i).share;
+        push({{"quantity", std::string("u_c")},
+              {"component in words", std::string("combined (law of propagation)")},
+              {"unit", unit_text(unit)},
+              {"degrees of freedom", shown_degrees_of_freedom(first.effective_degrees_of_freedom)},
+              {"contribution", interval_in(unit, first.standard_uncertainty)},
+              {"share of variance", 100.0 * share}});
     }
 
     /// y, u_c, nu_eff, k, U, p as EA-4/02 wants them stated, by the law of propagation.
@@ -138,9 +106,19 @@ private:
 
     const UncertaintyResult& result_;
     const OutputResult& output_;
-    std::vector<BudgetRow> rows_;
+    std::vector<BudgetPlace> places_;
+    std::vector<std::string> keys_ = {"quantity",
+                                      "component in words",
+                                      "unit",
+                                      "estimate",
+                                      "u",
+                                      "distribution",
+                                      "type",
+                                      "degrees of freedom",
+                                      "sensitivity",
+                                      "contribution",
+                                      "share of variance"};
     TableBuilder table_;
-    bool one_at_a_time_ = false;
 };
 
 /// Shares of the variance by the groups of one grouping, a column for each measurand of a group of outputs,
@@ -225,7 +203,7 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
         for (const std::string& grouping : groupings_of(result.budget))
             blocks.push_back(GroupTable(evaluated, grouping, measurands_of(result, group)).make());
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(BudgetTable(evaluated, output).make());
+            blocks.push_back(BudgetBlock(evaluated, output).make());
         for (const std::size_t output : measurands_of(result, group))
             blocks.push_back(figure(
                 contribution_plot(result, output), evaluated,

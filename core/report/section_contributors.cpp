@@ -1,6 +1,7 @@
 // U with everything of one contributor held ("ideal robot"), and of that contributor alone.
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {

@@ -1,9 +1,10 @@
 // Correlation coefficients of the measurands: a matrix per group, and the largest between groups.
 #include <cmath>
 
-#include "core/report/number_format.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
+#include "core/report/result_columns.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -14,20 +15,16 @@ double coefficient(const Eigen::MatrixXd& matrix, std::size_t i, std::size_t j) 
     return matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
 }
 
-TableBlock matrix_block(const UncertaintyResult& result, const Eigen::MatrixXd& correlation,
-                        const std::vector<std::size_t>& outputs, const std::string& id) {
+TableBlock matrix_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+                        const std::string& id) {
     const std::string group = result.outputs[outputs.front()].quantity.group;
+    const Table all = correlation_table(result, outputs);
+    std::vector<std::string> keys;
+    for (const Column& column : all.columns) keys.push_back(column.key);
     TableBuilder table(id, "Correlation coefficients" + (group.empty() ? "" : ", " + group));
-    table.text("r", true);
-    for (const std::size_t i : outputs) table.fixed(result.outputs[i].quantity.symbol, 3);
-    for (const std::size_t i : outputs) {
-        std::vector<TableCell> row = {result.outputs[i].quantity.symbol};
-        for (const std::size_t j : outputs) row.emplace_back(coefficient(correlation, i, j));
-        table.row(std::move(row));
-    }
-    TableBlock block = table.take();
-    for (TableColumn& column : block.table.columns) column.is_symbol = true;
-    return block;
+    table.columns(all, keys);
+    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row));
+    return table.take();
 }
 
 void add_between_groups(Blocks& blocks, const UncertaintyResult& result, const Eigen::MatrixXd& correlation) {
@@ -63,8 +60,7 @@ void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
         const std::vector<std::size_t> outputs = measurands_of(result, group);
         const std::string id = "correlation-" + evaluated.analysis->id + "-" + file_name_part(group);
         if (outputs.size() < 2) continue;
-        if (outputs.size() <= largest_matrix)
-            blocks.push_back(matrix_block(result, correlation, outputs, id));
+        if (outputs.size() <= largest_matrix) blocks.push_back(matrix_block(result, outputs, id));
         blocks.push_back(figure(correlation_plot(result, group), evaluated,
                                 "Correlation coefficients" + (group.empty() ? "." : ", " + group + ".")));
     }

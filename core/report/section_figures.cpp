@@ -4,6 +4,7 @@
 #include "core/model/has_layout.h"
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 

@@ -2,20 +2,15 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/symbol.h"
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
-#include "core/report/table_text.h"
+#include "core/report/result_columns.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {
 
 constexpr std::size_t listed_one_by_one = 24;  // up to here every quantity has a row of its own
 constexpr std::size_t smallest_collapsed = 5;  // so many quantities with equal components share a row
-
-std::string type_text(EvaluationType type) {
-    return type == EvaluationType::type_a ? "A" : "B";
-}
 
 /// What must agree for two quantities to share a row: their components with their uncertainties, or, where
 /// several components make one (the axes of a tilted frame), what the components are and the uncertainty they
@@ -55,63 +50,12 @@ std::vector<Members> rows_of(const InputSet& inputs) {
     return rows;
 }
 
-std::string symbols_text(const InputSet& inputs, const Members& members) {
-    std::vector<std::string> symbols;
-    for (const std::size_t i : members) symbols.push_back(inputs.quantities[i].symbol);
-    return short_list(symbols);
-}
-
-std::string names_text(const InputSet& inputs, const Members& members) {
-    const InputQuantity& first = inputs.quantities[members.front()];
-    if (members.size() == 1) return first.name;
-    return first.name + " … " + inputs.quantities[members.back()].name;
-}
-
-std::vector<TableCell> component_cells(const UncertaintyComponent& c, double factor, const Unit& unit) {
-    return {interval_in(unit, std::abs(factor) * c.distribution.standard_uncertainty()),
-            std::string(drawn_distribution(c).title()) + (c.held ? ", held" : ""), type_text(c.type),
-            shown_degrees_of_freedom(c.degrees_of_freedom), c.origin.empty() ? c.name : c.origin};
-}
-
-/// The origin that all components of the quantity have in common: "typed; ", else nothing.
-std::string origins_text(const InputSet& inputs, const InputQuantity& quantity) {
-    const std::string& origin = inputs.components[quantity.shares.front().component].origin;
-    const bool same = std::all_of(quantity.shares.begin(), quantity.shares.end(), [&](const Share& share) {
-        return inputs.components[share.component].origin == origin;
-    });
-    return same && !origin.empty() ? origin + "; " : "";
-}
-
-void add_quantity(TableBuilder& table, const InputSet& inputs, const Members& members) {
-    const InputQuantity& quantity = inputs.quantities[members.front()];
-    std::vector<TableCell> cells = {symbols_text(inputs, members), names_text(inputs, members), TableCell{},
-                                    unit_text(quantity.unit)};
-    if (members.size() == 1) cells[2] = value_in(quantity.unit, estimate_of(inputs, members.front()));
-    const auto append = [](std::vector<TableCell> row, const std::vector<TableCell>& more) {
-        row.insert(row.end(), more.begin(), more.end());
-        return row;
-    };
-    if (quantity.shares.empty()) {
-        table.row(append(cells, {Quantity{0.0, quantity.unit}, std::string("constant")}));
-    } else if (quantity.shares.size() == 1) {
-        const Share& share = quantity.shares.front();
-        table.row(
-            append(cells, component_cells(inputs.components[share.component], share.factor, quantity.unit)));
-    } else {
-        const bool linear = quantity.combination == Combination::arithmetic;
-        const double nu = shown_degrees_of_freedom(degrees_of_freedom_of(inputs, members.front()));
-        table.row(append(
-            cells, {interval_in(quantity.unit, standard_uncertainty_of(inputs, members.front())),
-                    std::string("combined"), TableCell{}, nu,
-                    origins_text(inputs, quantity) + std::to_string(quantity.shares.size()) +
-                        (linear ? " components, added arithmetically" : " components, in quadrature")}));
-        if (members.size() > 1) return;  // their shares differ from one to the next: see the CSV table
-        for (const Share& share : quantity.shares) {
-            const UncertaintyComponent& c = inputs.components[share.component];
-            table.row(append({TableCell{}, "– " + c.name, TableCell{}, unit_text(quantity.unit)},
-                             component_cells(c, share.factor, quantity.unit)));
-        }
-    }
+/// The row of quantities, and of one whose components combine a row for each of them.
+void add_rows(const InputSet& inputs, const Members& members, std::vector<InputRow>& rows) {
+    rows.push_back({members});
+    const std::size_t shares = inputs.quantities[members.front()].shares.size();
+    if (members.size() > 1) return;  // their shares differ from one to the next: see the CSV table
+    for (std::size_t k = 0; shares > 1 && k < shares; ++k) rows.push_back({members, k, true});
 }
 
 void add_correlations(Blocks& blocks, const InputSet& inputs) {
@@ -130,19 +74,19 @@ void add_correlations(Blocks& blocks, const InputSet& inputs) {
 void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     const InputSet& inputs = evaluated.result->inputs;
     blocks.push_back(HeadingBlock{2, "Input quantities"});
+    const std::vector<Members> rows = rows_of(inputs);
+    std::vector<InputRow> lines;
+    for (const Members& members : rows) add_rows(inputs, members, lines);
+    const Table all = inputs_table(inputs, std::move(lines));
+    static const std::vector<std::string> keys = {"symbol",    "name",
+                                                  "estimate",  "unit",
+                                                  "u",         "row distribution",
+                                                  "row type",  "row degrees of freedom",
+                                                  "row origin"};
     TableBuilder table("inputs-" + evaluated.analysis->id,
                        "Input quantities and the origin of their uncertainties");
-    table.text("Symbol", true);
-    table.text("Quantity");
-    table.estimate("Estimate", false, 4);
-    table.text("Unit");
-    table.symbol("u(x_i)", 3);
-    table.text("Distribution");
-    table.text("Type");
-    table.symbol("nu_i");
-    table.text("Origin");
-    const std::vector<Members> rows = rows_of(inputs);
-    for (const Members& members : rows) add_quantity(table, inputs, members);
+    table.columns(all, keys);
+    for (std::size_t row = 0; row < all.rows; ++row) table.row(print_row(all, keys, row));
     if (rows.size() < inputs.quantities.size())
         table.note(std::to_string(inputs.quantities.size()) +
                    " input quantities; many with equal components share a row. The CSV table of inputs lists "

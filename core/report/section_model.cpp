@@ -10,7 +10,7 @@ void add_model(Blocks& blocks, const ModelDescriptor& model) {
     blocks.push_back(HeadingBlock{2, model.title});
     if (!model.summary.empty()) blocks.push_back(ParagraphBlock{model.summary});
     for (const ModelEquation& equation : model.equations)
-        blocks.push_back(EquationBlock{equation.text, equation.source, equation.mathml});
+        blocks.push_back(EquationBlock{equation.text, equation.source, equation.formula});
     if (model.references.empty()) return;
     ListBlock references;
     for (const Reference& reference : model.references) references.items.push_back(reference.text);
@@ -39,7 +39,7 @@ void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     blocks.push_back(HeadingBlock{2, "Evaluation of the set-up"});
     for (DataTable& table : tables) blocks.push_back(TableBlock{std::move(table), {}});
     for (PlotSpecification& plot : plots) {
-        std::string caption = plot.title + ".";
+        std::string caption = to_unicode(plot.title) + ".";
         blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
     }
 }

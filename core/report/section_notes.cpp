@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/report/report_parts.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {

@@ -1,14 +1,9 @@
 // Joint coverage regions of the measurands of each group (JCGM 102 6.5, 7.7).
 #include "core/report/report_parts.h"
+#include "core/report/result_columns.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
-namespace {
-
-TableCell factor(const std::optional<double>& value) {
-    return value ? TableCell(*value) : TableCell{};
-}
-
-}  // namespace
 
 void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
@@ -19,24 +14,20 @@ void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
                        "measurands of a group lie in the "
                        "region together with a probability of " +
                        percent_text(result.coverage_probability) + " (JCGM 102 6.5 and 7.7)."});
+    const Table regions = regions_table(result);
+    std::vector<std::string> keys = {"group in words", "size", "ellipsoid first order",
+                                     "rectangle first order"};
+    if (result.trials > 0) keys.insert(keys.end(), {"ellipsoid Monte Carlo", "rectangle Monte Carlo"});
     TableBuilder table("regions-" + evaluated.analysis->id, "Factors of the coverage regions");
-    table.text("Group");
-    table.number("Quantities");
-    table.fixed("ellipsoid, law of prop.", 3);
-    table.fixed("rectangle, law of prop.", 3);
-    const bool trials = result.trials > 0;
-    if (trials) table.fixed("ellipsoid, Monte Carlo", 3);
-    if (trials) table.fixed("rectangle, Monte Carlo", 3);
+    table.columns(regions, keys);
     bool singular = false;
-    for (const CoverageRegion& region : result.regions) {
-        std::vector<TableCell> row = {region.group.empty() ? "all" : region.group,
-                                      static_cast<double>(region.outputs.size()),
-                                      region.singular ? TableCell{} : TableCell(region.ellipsoid_first_order),
-                                      region.rectangle_first_order};
-        if (trials) row.push_back(region.singular ? TableCell{} : factor(region.ellipsoid_monte_carlo));
-        if (trials) row.push_back(factor(region.rectangle_monte_carlo));
-        table.row(std::move(row));
-        singular = singular || region.singular;
+    for (std::size_t row = 0; row < regions.rows; ++row) {
+        std::vector<TableCell> cells = print_row(regions, keys, row);
+        if (result.regions[row].singular)
+            for (std::size_t c = 0; c < keys.size(); ++c)
+                if (keys[c].starts_with("ellipsoid")) cells[c] = {};
+        singular = singular || result.regions[row].singular;
+        table.row(std::move(cells));
     }
     if (singular) table.note("No ellipsoid is given where the covariance matrix of the group is singular.");
     blocks.push_back(table.take());

@@ -4,9 +4,9 @@
 
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -32,7 +32,9 @@ void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalys
         table.row({quantity.group, quantity.symbol, unit_text(quantity.unit),
                    interval_in(quantity.unit, output.expanded_uncertainty),
                    interval_in(quantity.unit, *r.target_uncertainty),
-                   std::string(r.meets_target ? "met" : "not met")});
+                   std::string(!r.not_judged.empty() ? "not judged"
+                               : r.meets_target      ? "met"
+                                                     : "not met")});
     }
     if (any) blocks.push_back(table.take());
 }
@@ -94,7 +96,24 @@ std::string percent(double probability) {
     const double in_percent = 100.0 * probability;
     if (in_percent > 0.0 && in_percent < 0.001) return "< 0.001 %";
     if (in_percent < 100.0 && in_percent > 99.999) return "> 99.999 %";
-    return value_words(std::round(1000.0 * in_percent) / 1000.0) + " %";
+    return format_trimmed(std::round(1000.0 * in_percent) / 1000.0, 6) + " %";
+}
+
+std::string decision_words(const RequirementResult& r) {
+    if (!r.not_judged.empty()) return "not judged";
+    return r.decision == Decision::accept ? "accepted" : "rejected";
+}
+
+/// Of a decision that was taken.
+ParagraphBlock risks_of(const RequirementResult& r, const OutputQuantity& quantity) {
+    std::string words = output_label(quantity) + ": specific " +
+                        (r.decision == Decision::accept ? "consumer's risk " + percent(1.0 - r.conformance)
+                                                        : "producer's risk " + percent(r.conformance)) +
+                        " of this decision";
+    if (r.global_risks)
+        words += "; global risks of the rule for its prior: consumer's " + percent(r.global_risks->consumer) +
+                 ", producer's " + percent(r.global_risks->producer);
+    return ParagraphBlock{words + "."};
 }
 
 void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
@@ -113,21 +132,14 @@ void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAna
     for (const RequirementResult& r : verdicts) {
         if (!r.lower_limit && !r.upper_limit) continue;
         any = true;
+        const bool judged = r.not_judged.empty();
         const OutputQuantity& quantity = result.outputs[r.output].quantity;
-        table.row(
-            {output_label(quantity), unit_text(quantity.unit), limits_text(r, result.outputs[r.output], 0.0),
-             limits_text(r, result.outputs[r.output], r.guard_band),
-             std::string(r.decision == Decision::accept ? "accepted" : "rejected"), percent(r.conformance),
-             by_words(r.conformance_by), r.capability_index ? TableCell(*r.capability_index) : TableCell{}});
-        std::string words =
-            output_label(quantity) + ": specific " +
-            (r.decision == Decision::accept ? "consumer's risk " + percent(1.0 - r.conformance)
-                                            : "producer's risk " + percent(r.conformance)) +
-            " of this decision";
-        if (r.global_risks)
-            words += "; global risks of the rule for its prior: consumer's " +
-                     percent(r.global_risks->consumer) + ", producer's " + percent(r.global_risks->producer);
-        risks.push_back(ParagraphBlock{words + "."});
+        table.row({output_label(quantity), unit_text(quantity.unit),
+                   limits_text(r, result.outputs[r.output], 0.0),
+                   judged ? limits_text(r, result.outputs[r.output], r.guard_band) : "", decision_words(r),
+                   judged ? percent(r.conformance) : "", judged ? by_words(r.conformance_by) : "",
+                   r.capability_index ? TableCell(*r.capability_index) : TableCell{}});
+        if (judged) risks.push_back(risks_of(r, quantity));
     }
     if (!any) return;
     table.note(
@@ -147,8 +159,11 @@ void add_requirements(Blocks& blocks, const ReportSource& source, const Evaluate
     const Verdicts verdicts = judge(*evaluated.result, *entry);
     add_targets(blocks, verdicts, evaluated);
     for (const RequirementResult& r : verdicts)
-        if (!r.meets_target) add_reductions(blocks, r, evaluated);
+        if (!r.meets_target && r.not_judged.empty()) add_reductions(blocks, r, evaluated);
     add_conformity(blocks, verdicts, evaluated);
+    if (!verdicts.empty() && !verdicts.front().not_judged.empty())
+        blocks.push_back(
+            ParagraphBlock{"The requirements are not judged: " + verdicts.front().not_judged + "."});
 }
 
 }  // namespace covaria::report_parts

@@ -2,10 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
+#include "core/report/result_columns.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -53,24 +54,6 @@ TableBlock groups_as_rows(const UncertaintyResult& result, const std::vector<std
     return block;
 }
 
-std::vector<TableCell> result_row(const OutputResult& output, bool intervals) {
-    const OutputQuantity& quantity = output.quantity;
-    const Unit& unit = quantity.unit;
-    std::vector<TableCell> row = {quantity.symbol,
-                                  unit_text(unit),
-                                  value_in(unit, output.estimate),
-                                  interval_in(unit, output.standard_uncertainty),
-                                  shown_degrees_of_freedom(output.first_order.effective_degrees_of_freedom),
-                                  output.coverage_factor,
-                                  interval_in(unit, output.expanded_uncertainty)};
-    if (!intervals) return row;
-    const MonteCarloOutput& trials = *output.monte_carlo;
-    for (const double end :
-         {trials.symmetric.low, trials.symmetric.high, trials.shortest.low, trials.shortest.high})
-        row.emplace_back(value_in(unit, end));
-    return row;
-}
-
 void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
     std::string words = "Coverage probability " + percent_text(result.coverage_probability) + ". " +
                         expanded_words(result) + " ";
@@ -89,27 +72,15 @@ void add_run_words(Blocks& blocks, const UncertaintyResult& result) {
 
 /// Nothing where they were not asked for.
 void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    const UncertaintyResult& result = *evaluated.result;
+    std::vector<std::size_t> outputs;
+    for (std::size_t i = 0; i < result.outputs.size(); ++i)
+        if (result.outputs[i].first_order.second_order_standard_uncertainty) outputs.push_back(i);
+    if (outputs.empty()) return;
     TableBuilder table("second-order-" + evaluated.analysis->id,
                        "Law of propagation with second-order terms");
-    table.text("Quantity", true);
-    table.text("Unit");
-    table.number("u first order", 3);
-    table.number("u with second-order terms", 3);
-    table.number("shift of the estimate", 2);
-    std::string group;
-    bool any = false;
-    for (const OutputResult& output : evaluated.result->outputs) {
-        const FirstOrderOutput& first = output.first_order;
-        if (!first.second_order_standard_uncertainty) continue;
-        if (output.quantity.group != group) table.subhead(output.quantity.group);
-        group = output.quantity.group;
-        any = true;
-        const Unit& unit = output.quantity.unit;
-        table.row({output.quantity.symbol, unit_text(unit), interval_in(unit, first.standard_uncertainty),
-                   interval_in(unit, *first.second_order_standard_uncertainty),
-                   interval_in(unit, *first.second_order_estimate_shift)});
-    }
-    if (!any) return;
+    table.results(result, outputs,
+                  {"symbol", "unit", "u first order", "u second order", "shift second order"});
     table.note(
         "JCGM 100 5.1.2, NOTE, for independent components with symmetric distributions. The shift, half the "
         "sum "
@@ -123,27 +94,14 @@ void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
 
 TableBlock results_block(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                          const std::string& title) {
-    TableBuilder table("results", title);
     const bool intervals = std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
         return result.outputs[i].monte_carlo.has_value();
     });
-    table.text("Quantity", true);
-    table.text("Unit");
-    table.symbol("y", 0, 6);
-    table.symbol("u(y)", 2);
-    table.symbol("nu_eff");
-    table.fixed("k", 2);
-    table.symbol("U", 2);
+    std::vector<std::string> keys = {"symbol", "unit", "estimate", "u", "nu_eff", "k", "U"};
     if (intervals)
-        for (const char* head : {"interval low", "interval high", "shortest low", "shortest high"})
-            table.number(head, 0, 6);
-    std::string group;
-    for (const std::size_t i : outputs) {
-        const OutputQuantity& quantity = result.outputs[i].quantity;
-        if (quantity.group != group) table.subhead(quantity.group);
-        group = quantity.group;
-        table.row(result_row(result.outputs[i], intervals));
-    }
+        keys.insert(keys.end(), {"interval low", "interval high", "shortest low", "shortest high"});
+    TableBuilder table("results", title);
+    table.results(result, outputs, keys);
     return table.take();
 }
 

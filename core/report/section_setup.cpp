@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
-#include "core/report/table_text.h"
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -128,7 +128,7 @@ void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     add_paragraphs(blocks, entry->notes);
     if (evaluated.analysis->model)
         for (const ModelEquation& equation : evaluated.analysis->model->formulas())
-            blocks.push_back(EquationBlock{equation.text, equation.source, equation.mathml});
+            blocks.push_back(EquationBlock{equation.text, equation.source, equation.formula});
     add_setup_fields(blocks, evaluated.analysis->descriptor->schema, entry->setup, source);
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/report/report_parts.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 namespace {

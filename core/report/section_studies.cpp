@@ -1,10 +1,10 @@
 // Studies in a report: what was varied, best and worst points, charts, what has no values.
 #include <algorithm>
 
-#include "core/report/number_format.h"
 #include "core/report/report_parts.h"
 #include "core/report/study_plots.h"
 #include "core/result/representation.h"
+#include "core/text/numbers.h"
 
 namespace covaria::report_parts {
 
@@ -20,9 +20,9 @@ std::string what_was_done(const StudyResult& study) {
     for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
         const StudyAxisValues& values = study.axes[axis];
         const std::string unit = values.unit == Unit{} ? "" : " " + values.unit.display();
-        words += (axis ? "; " : ". Varied: ") + values.title + " from " + value_words(values.values.front()) +
-                 " to " + value_words(values.values.back()) + unit + " (" +
-                 std::to_string(values.values.size()) + " values" +
+        words += (axis ? "; " : ". Varied: ") + to_unicode(values.title) + " from " +
+                 format_trimmed(values.values.front(), 6) + " to " + format_trimmed(values.values.back(), 6) +
+                 unit + " (" + std::to_string(values.values.size()) + " values" +
                  (values.logarithmic ? ", logarithmic)" : ")");
     }
     return words + ".";
@@ -31,10 +31,11 @@ std::string what_was_done(const StudyResult& study) {
 TableBlock sweep_table(const StudyResult& study) {
     TableBuilder table("study-" + study.id, study.name);
     const StudyAxisValues& axis = study.axes.front();
-    table.number(axis.title + (axis.unit == Unit{} ? "" : " / " + axis.unit.display()), 4);
+    table.number(to_unicode(axis.title) + (axis.unit == Unit{} ? "" : " / " + axis.unit.display()), 4);
     const std::vector<StudyQuantity> all = study_quantities(study);
     const std::size_t shown = std::min(all.size(), most_quantities);
-    for (std::size_t q = 0; q < shown; ++q) table.number(all[q].title + " / " + all[q].unit.display(), 3);
+    for (std::size_t q = 0; q < shown; ++q)
+        table.number(to_unicode(all[q].title) + " / " + all[q].unit.display(), 3);
     for (std::size_t i = 0; i < study.points.size(); ++i) {
         std::vector<TableCell> row{axis.values[i]};
         for (std::size_t q = 0; q < shown && study.points[i].has_values(); ++q)
@@ -60,8 +61,8 @@ TableBlock extremes_table(const StudyResult& study) {
         const auto cell = [&](std::size_t point) {
             return interval_in(all[q].unit, value_at(study, all[q], point));
         };
-        table.row({all[q].title, cell(extremes.best), point_words(study, extremes.best), cell(extremes.worst),
-                   point_words(study, extremes.worst)});
+        table.row({to_unicode(all[q].title), cell(extremes.best), point_words(study, extremes.best),
+                   cell(extremes.worst), point_words(study, extremes.worst)});
     }
     return table.take();
 }
@@ -86,14 +87,6 @@ void add_reasons(Blocks& blocks, const StudyResult& study) {
 
 }  // namespace
 
-std::string value_words(double value) {
-    std::string text = format_significant(value, 6);
-    if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
-}
-
 void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     if (evaluated.studies.empty()) return;
     blocks.push_back(HeadingBlock{2, "Studies"});
@@ -106,7 +99,7 @@ void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
             blocks.push_back(extremes_table(*study));
         for (PlotSpecification& plot : study_plots(*study))
             if (!plot.series.empty()) {
-                std::string caption = plot.title + ".";
+                std::string caption = to_unicode(plot.title) + ".";
                 blocks.push_back(figure(std::move(plot), evaluated, std::move(caption)));
             }
         add_reasons(blocks, *study);

@@ -1,6 +1,7 @@
 // Title block: what was evaluated, and the expanded uncertainties at a glance.
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 #include <algorithm>
 

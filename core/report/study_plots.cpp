@@ -7,10 +7,10 @@
 #include <limits>
 #include <set>
 
-#include "core/base/symbol.h"
-#include "core/report/number_format.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 namespace {
@@ -20,8 +20,8 @@ constexpr std::array<SeriesRole, 6> family = {SeriesRole::family_1, SeriesRole::
                                               SeriesRole::family_5, SeriesRole::family_6};
 constexpr double wide_range = 30.0;  // highest by lowest value, from which an axis is logarithmic
 
-std::string with_unit(const std::string& words, const Unit& unit) {
-    return unit == Unit{} ? words : words + " (" + unit.display() + ")";
+Text with_unit(const Text& words, const Unit& unit) {
+    return unit == Unit{} ? words : words + (" (" + unit.display() + ")");
 }
 
 double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_t point) {
@@ -30,11 +30,11 @@ double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_
 
 /// Six significant digits: 500, 1500.25; no tails of a logarithmic spacing.
 std::string value_text(double value) {
-    return report_parts::value_words(value);
+    return format_trimmed(value, 6);
 }
 
 /// Runs of points with values; only the first has the name.
-void add_line(PlotSpecification& plot, const std::string& name, SeriesRole role, const std::vector<double>& x,
+void add_line(PlotSpecification& plot, const Text& name, SeriesRole role, const std::vector<double>& x,
               const std::vector<double>& y) {
     PlotSeries run;
     run.name = name;
@@ -136,8 +136,8 @@ Plane plane_of(const StudyResult& study, const StudyView& view) {
     return plane;
 }
 
-std::string title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity) {
-    std::string title = study.name + ": " + with_unit(quantity.title, quantity.unit);
+Text title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity) {
+    Text title = study.name + ": " + with_unit(quantity.title, quantity.unit);
     if (study.axes.size() < 3) return title;
     const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
@@ -223,7 +223,7 @@ PlotSpecification study_plot(const StudyResult& study, const StudyView& view) {
 
 std::vector<PlotSpecification> study_plots(const StudyResult& study, std::size_t most) {
     std::vector<PlotSpecification> plots;
-    std::set<std::string> shown_series;
+    std::set<Text> shown_series;
     StudyView view;
     if (study.axes.size() == 3) {
         view.fixed_axis = 2;
@@ -244,7 +244,7 @@ std::string point_words(const StudyResult& study, std::size_t point) {
     std::string words;
     for (std::size_t axis = 0; axis < at.size(); ++axis) {
         const StudyAxisValues& values = study.axes[axis];
-        words += (axis ? ", " : "") + values.title + " = " + value_text(values.values[at[axis]]);
+        words += (axis ? ", " : "") + to_unicode(values.title) + " = " + value_text(values.values[at[axis]]);
         if (!(values.unit == Unit{})) words += " " + values.unit.display();
     }
     return words;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/base/plot_specification.h"
 #include "core/result/study_result.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria {
 

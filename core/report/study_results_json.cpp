@@ -9,7 +9,8 @@ namespace {
 OrderedJson axes_json(const StudyResult& study) {
     OrderedJson axes = OrderedJson::array();
     for (const StudyAxisValues& axis : study.axes)
-        axes.push_back({{"title", axis.title}, {"unit", axis.unit.text()}, {"values", axis.values}});
+        axes.push_back(
+            {{"title", to_unicode(axis.title)}, {"unit", axis.unit.text()}, {"values", axis.values}});
     return axes;
 }
 

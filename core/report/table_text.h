@@ -3,9 +3,9 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/report/report_document.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 
@@ -19,23 +19,9 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
 /// Whether every filled cell of the column is a number: such columns are set flush right.
 bool is_numeric_column(const TableBlock& block, std::size_t column);
 
-/// "U (mm)" with Unicode symbols, for plain text.
-std::string head_text(const TableColumn& column);
-/// "<i>U</i> (mm)": HTML, escaped.
-std::string head_html(const TableColumn& column);
-/// Cell as HTML, escaped; symbols with subscripts, a true minus sign.
-std::string cell_html(const TableBlock& block, std::size_t row, std::size_t column);
-/// Symbols among other marks ("b_1x, b_2x … b_9z"), each set as a symbol.
-std::string symbols_to_html(std::string_view text);
-std::string symbols_to_unicode(std::string_view text);
-/// A formatted number with a true minus sign and powers of ten: "−2.3×10⁻⁵" for "-2.3e-05".
-std::string typeset_number(std::string text);
-/// Running text as HTML, escaped; symbols with subscripts ("u_by", "alpha_7") set as symbols.
-std::string text_to_html(std::string_view text);
-/// The same for an equation, where single letters and names of Greek letters are symbols as well.
-std::string equation_to_html(std::string_view text);
-std::string escape_html(std::string_view text);
-/// Whether a title is better set as a symbol: "u_x", "x", but not "point".
-bool looks_like_symbol(std::string_view title);
+/// Head with its symbols and its unit: "U (mm)".
+Text head_text(const TableColumn& column);
+/// `cell_text` with its symbols, of numbers typeset: as readers of HTML and PDF see it.
+Text cell_typeset(const TableBlock& block, std::size_t row, std::size_t column);
 
 }  // namespace covaria

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/report/result_columns.h"
+
 namespace covaria {
 namespace {
 
@@ -38,88 +40,67 @@ const CoverageRegion& region_of(const Subject& s) {
     return none;
 }
 
-double first_order_expanded(const Subject& s) {
-    return s.output.first_order.expanded_uncertainty;
+/// A column of the table of results; NaN where it has nothing.
+std::function<double(const Subject&)> column(const char* key) {
+    return [key](const Subject& s) {
+        const Cell cell = results_table(s.result, {s.index}).cell(0, key);
+        if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? 1.0 : 0.0;
+        const auto* number = std::get_if<Measured>(&cell);
+        return number ? number->si : std::nan("");
+    };
 }
 
-std::map<std::string, Figure> first_order_figures() {
+/// An end of y -+ U by the law of propagation.
+std::function<double(const Subject&)> first_order_end(double sign) {
+    return [sign](const Subject& s) {
+        return s.output.first_order.estimate + sign * s.output.first_order.expanded_uncertainty;
+    };
+}
+
+std::map<std::string, Figure> all_figures() {
     constexpr auto value = Conversion::value, interval = Conversion::interval, number = Conversion::number;
+    const auto region = [](auto factor) {
+        return [factor](const Subject& s) { return factor(region_of(s)); };
+    };
+    using R = const CoverageRegion&;
     return {
-        {"estimate", {value, false, [](const Subject& s) { return s.output.first_order.estimate; }}},
-        {"u", {interval, false, [](const Subject& s) { return s.output.first_order.standard_uncertainty; }}},
-        {"u-second-order",
-         {interval, false,
-          [](const Subject& s) {
-              return s.output.first_order.second_order_standard_uncertainty.value_or(std::nan(""));
-          }}},
-        {"degrees-of-freedom",
-         {number, false, [](const Subject& s) { return s.output.first_order.effective_degrees_of_freedom; }}},
-        {"k", {number, false, [](const Subject& s) { return s.output.first_order.coverage_factor; }}},
-        {"U", {interval, false, first_order_expanded}},
-        {"low",
-         {value, false,
-          [](const Subject& s) { return s.output.first_order.estimate - first_order_expanded(s); }}},
-        {"high",
-         {value, false,
-          [](const Subject& s) { return s.output.first_order.estimate + first_order_expanded(s); }}},
+        {"estimate", {value, false, column("estimate first order")}},
+        {"u", {interval, false, column("u first order")}},
+        {"u-second-order", {interval, false, column("u second order")}},
+        {"degrees-of-freedom", {number, false, column("nu_eff")}},
+        {"k", {number, false, column("k first order")}},
+        {"U", {interval, false, column("U first order")}},
+        {"low", {value, false, first_order_end(-1.0)}},
+        {"high", {value, false, first_order_end(1.0)}},
         {"correlation",
          {number, false, [](const Subject& s) { return correlation(s.result.covariance_first_order, s); }}},
-        {"ellipsoid", {number, false, [](const Subject& s) { return region_of(s).ellipsoid_first_order; }}},
-        {"rectangle", {number, false, [](const Subject& s) { return region_of(s).rectangle_first_order; }}},
-        {"validated",
-         {number, false,
-          [](const Subject& s) {
-              return s.output.first_order.validation ? s.output.first_order.validation->validated
-                                                     : std::nan("");
-          }}},
-    };
-}
-
-std::map<std::string, Figure> monte_carlo_figures() {
-    constexpr auto value = Conversion::value, interval = Conversion::interval, number = Conversion::number;
-    const auto of = [](auto member) {
-        return [member](const Subject& s) {
-            return s.output.monte_carlo ? member(*s.output.monte_carlo) : std::nan("");
-        };
-    };
-    return {
-        {"mc-mean", {value, true, of([](const MonteCarloOutput& m) { return m.mean; })}},
-        {"mc-u", {interval, true, of([](const MonteCarloOutput& m) { return m.standard_uncertainty; })}},
-        {"mc-low", {value, true, of([](const MonteCarloOutput& m) { return m.symmetric.low; })}},
-        {"mc-high", {value, true, of([](const MonteCarloOutput& m) { return m.symmetric.high; })}},
-        {"mc-skewness", {number, true, of([](const MonteCarloOutput& m) { return m.skewness; })}},
-        {"mc-kurtosis", {number, true, of([](const MonteCarloOutput& m) { return m.kurtosis; })}},
-        {"mc-short-low", {value, true, of([](const MonteCarloOutput& m) { return m.shortest.low; })}},
-        {"mc-short-high", {value, true, of([](const MonteCarloOutput& m) { return m.shortest.high; })}},
+        {"ellipsoid", {number, false, region([](R r) { return r.ellipsoid_first_order; })}},
+        {"rectangle", {number, false, region([](R r) { return r.rectangle_first_order; })}},
+        {"validated", {number, false, column("clause 8")}},
+        {"mc-mean", {value, true, column("mean")}},
+        {"mc-u", {interval, true, column("u Monte Carlo")}},
+        {"mc-low", {value, true, column("interval low")}},
+        {"mc-high", {value, true, column("interval high")}},
+        {"mc-skewness", {number, true, column("skewness")}},
+        {"mc-kurtosis", {number, true, column("excess kurtosis")}},
+        {"mc-short-low", {value, true, column("shortest low")}},
+        {"mc-short-high", {value, true, column("shortest high")}},
         {"mc-correlation",
          {number, true, [](const Subject& s) { return correlation(s.result.covariance, s); }}},
         {"mc-ellipsoid",
-         {number, true,
-          [](const Subject& s) { return region_of(s).ellipsoid_monte_carlo.value_or(std::nan("")); }}},
+         {number, true, region([](R r) { return r.ellipsoid_monte_carlo.value_or(std::nan("")); })}},
         {"mc-rectangle",
-         {number, true,
-          [](const Subject& s) { return region_of(s).rectangle_monte_carlo.value_or(std::nan("")); }}},
-    };
-}
-
-/// What the result line states, of whichever method.
-std::map<std::string, Figure> stated_figures() {
-    constexpr auto value = Conversion::value, interval = Conversion::interval, number = Conversion::number;
-    return {
-        {"result-estimate", {value, true, [](const Subject& s) { return s.output.estimate; }}},
-        {"result-u", {interval, true, [](const Subject& s) { return s.output.standard_uncertainty; }}},
-        {"result-k", {number, true, [](const Subject& s) { return s.output.coverage_factor; }}},
-        {"result-U", {interval, true, [](const Subject& s) { return s.output.expanded_uncertainty; }}},
+         {number, true, region([](R r) { return r.rectangle_monte_carlo.value_or(std::nan("")); })}},
+        // What the result line states, of whichever method.
+        {"result-estimate", {value, true, column("estimate")}},
+        {"result-u", {interval, true, column("u")}},
+        {"result-k", {number, true, column("k")}},
+        {"result-U", {interval, true, column("U")}},
     };
 }
 
 const std::map<std::string, Figure>& figures() {
-    static const std::map<std::string, Figure> all = [] {
-        std::map<std::string, Figure> made = first_order_figures();
-        made.merge(monte_carlo_figures());
-        made.merge(stated_figures());
-        return made;
-    }();
+    static const std::map<std::string, Figure> all = all_figures();
     return all;
 }
 

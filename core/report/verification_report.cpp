@@ -3,9 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/base/symbol.h"
+#include "core/base/version.h"
 #include "core/report/report_parts.h"
 #include "core/report/verification.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 namespace {
@@ -84,11 +85,15 @@ std::string padded(const std::string& text, std::size_t width, bool right) {
     return right ? blanks + text : text + blanks;
 }
 
+std::string heading() {
+    return std::string("Verification of Covaria ") + version();
+}
+
 }  // namespace
 
 ReportDocument verification_report(const std::vector<CheckedCase>& cases) {
     ReportDocument document;
-    document.title = document.running_head = "Verification of Covaria " COVARIA_VERSION;
+    document.title = document.running_head = heading();
     document.blocks.push_back(ParagraphBlock{summary(cases)});
     document.blocks.push_back(
         ParagraphBlock{"Each case is evaluated as its project states, which is installed with the program. "
@@ -101,7 +106,7 @@ ReportDocument verification_report(const std::vector<CheckedCase>& cases) {
 }
 
 std::string verification_text(const std::vector<CheckedCase>& cases) {
-    std::string text = "Verification of Covaria " COVARIA_VERSION "\n";
+    std::string text = heading() + "\n";
     for (const CheckedCase& c : cases) {
         text += "\n" + c.of.title + " (" + c.of.source + "), " + c.of.project + "\n";
         text += padded("  figure", 54, false) + padded("published", 17, true) +

@@ -2,6 +2,17 @@
 
 namespace covaria {
 
+namespace {
+
+const std::string too_few_trials =
+    std::string(does_not_represent) + ": more than 1 % of the trials have no value";
+
+}  // namespace
+
+std::string why_not_judged() {
+    return "the result " + too_few_trials;
+}
+
 std::vector<std::size_t> not_representing(const StudyResult& study) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < study.points.size(); ++i)
@@ -15,7 +26,7 @@ std::string remark_on(const StudyResult& study, std::size_t point) {
     const StudyPoint& at = study.points[point];
     if (!at.has_values()) return study.reasons[at.reason];
     if (represents_measurand(study.trials, at.failed_trials)) return {};
-    return std::string(does_not_represent) + ": more than 1 % of the trials have no value";
+    return too_few_trials;
 }
 
 }  // namespace covaria

@@ -2,6 +2,9 @@
 // choice, so that with more than one in a hundred of them what is left is biased.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/result/study_result.h"
 #include "core/result/uncertainty_result.h"
 
@@ -15,6 +18,9 @@ constexpr bool represents_measurand(std::uint64_t trials, std::uint64_t failed_t
 inline bool represents_measurand(const UncertaintyResult& result) {
     return represents_measurand(result.trials, result.failed_trials);
 }
+
+/// Of requirements on such a result: "the result does not represent the measurand: ...".
+std::string why_not_judged();
 
 /// Points of a study that have values, of too few trials.
 std::vector<std::size_t> not_representing(const StudyResult& study);

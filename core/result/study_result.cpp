@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/symbol.h"
+#include "core/text/symbol.h"
 
 namespace covaria {
 
@@ -37,7 +37,7 @@ std::vector<StudyQuantity> study_quantities(const StudyResult& study) {
     }
     for (std::size_t j = 0; j < study.outputs.size(); ++j) {
         const OutputQuantity& output = study.outputs[j];
-        const std::string symbol = "U(" + symbol_to_unicode(output.symbol) + ")";
+        const Text symbol = "U(" + symbol_text(output.symbol) + ")";
         quantities.push_back({"U(" + output.symbol + ")" + in(output.group), symbol + in(output.group),
                               symbol, output.unit, false, j});
     }

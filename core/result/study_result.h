@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "core/model/output_quantity.h"
+#include "core/text/text.h"
 
 namespace covaria {
 
 struct StudyAxisValues {
-    std::string title;  ///< "Targets, B: x"
-    Unit unit = {};     ///< of the values as typed and shown
+    Text title;      ///< "Targets, B: x"
+    Unit unit = {};  ///< of the values as typed and shown
     bool logarithmic = false;
     std::vector<double> values;  ///< in `unit`: factors, differences or values
     double present = 0.0;        ///< of the unchanged analysis, in `unit`
@@ -68,9 +69,9 @@ struct StudyResult {
 /// What can be shown of a study as one number at each point: the expanded uncertainty of an output, or u_3D
 /// of a point's position.
 struct StudyQuantity {
-    std::string id;      ///< plain, for names of files: "U(theta_1), B"
-    std::string title;   ///< as people read it: "U(θ₁), B", "u(3D), B"
-    std::string symbol;  ///< likewise: "U(θ₁)"
+    std::string id;  ///< plain, for names of files: "U(theta_1), B"
+    Text title;      ///< as people read it: "U(θ₁), B", "u(3D), B"
+    Text symbol;     ///< likewise: "U(θ₁)"
     Unit unit = {};
     bool position = false;  ///< u_3D of a triple
     std::size_t index = 0;  ///< of the output or triple

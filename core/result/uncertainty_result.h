@@ -152,6 +152,9 @@ struct SobolIndex {
 /// How the result stands to a requirement of the analysis: made of both whenever it is looked at.
 struct RequirementResult {
     std::size_t output = 0;
+    /// Why there is no verdict; empty if there is one. Without it the target is not met and nothing is
+    /// decided.
+    std::string not_judged = {};
     std::optional<double> target_uncertainty = {};
     bool meets_target = true;
 

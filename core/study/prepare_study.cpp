@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/project/kind_lookup.h"
+#include "core/project/links.h"
 #include "core/project/project_file.h"
 #include "core/study/study.h"
 
@@ -17,6 +18,7 @@ Project part_of(const Project& project, const AnalysisEntry& entry, const Study&
         part.assets.push_back(*project.find_asset(id));
     part.analyses.push_back(entry);
     part.analyses.back().studies = {study};
+    add_used_analyses(project, entry, part);
     return part;
 }
 

@@ -23,7 +23,7 @@ StudyResult frame_of(const StudyPlan& plan) {
     result.name = prepared.study.name.empty() ? prepared.study.id : prepared.study.name;
     for (std::size_t axis = 0; axis < plan.values.size(); ++axis) {
         const StudyAxis& given = prepared.study.axes[axis];
-        std::string title = prepared.targets[axis].title;
+        Text title = prepared.targets[axis].title;
         if (given.change == StudyChange::factor) title += ", factor";
         if (given.change == StudyChange::added) title += ", added";
         result.axes.push_back({title, given.unit, given.spacing == StudySpacing::logarithmic,

@@ -116,8 +116,8 @@ TEST(CommandLine, SeedAndAnalysisAreHonoured) {
 
 TEST(CommandLine, InterruptedRunSaysSoAndLeavesNoResults) {
     const fs::path folder = fresh_folder("interrupt");
-    const Outcome run =
-        run_program({"run", stewart, "--trials", "2000000000", "--out", folder.string()}, 1500);
+    const Outcome run = run_program({"run", stewart, "--trials", "2000000000", "--out", folder.string()},
+                                    Ending::interrupted);
     EXPECT_EQ(run.status, 130) << run.err;
     EXPECT_FALSE(fs::exists(folder / "results.json"));
     EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;

@@ -57,7 +57,7 @@ TEST(ImportUrdf, SaysWhatItDoesNotUnderstand) {
     const std::string project = (folder / "out.covaria").string();
     const Outcome empty = run_program({"import-urdf", (folder / "bad.urdf").string(), "-o", project});
     EXPECT_EQ(empty.status, 1);
-    EXPECT_NE(empty.err.find("bad.urdf: the file has no moving joint"), std::string::npos) << empty.err;
+    EXPECT_NE(empty.err.find("bad.urdf:1: the file has no moving joint"), std::string::npos) << empty.err;
     EXPECT_FALSE(fs::exists(project));
     const Outcome missing = run_program({"import-urdf", (folder / "none.urdf").string(), "-o", project});
     EXPECT_EQ(missing.status, 1);

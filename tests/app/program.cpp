@@ -8,7 +8,6 @@
 #include <csignal>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -29,6 +28,22 @@ namespace {
     for (const std::string& variable : environment) putenv(const_cast<char*>(variable.c_str()));
     execv(COVARIA_PROGRAM, argv.data());
     _exit(127);
+}
+
+/// It listens to signals (they are blocked, for a thread that waits for them), and then has computed for a
+/// while or waits: for its workers, for a pipe. So is a process that has ended already.
+bool is_at_work(pid_t process) {
+    const std::string folder = "/proc/" + std::to_string(process);
+    const std::string status = read_text(folder + "/status");
+    const auto blocked = status.find("SigBlk:");
+    if (blocked == std::string::npos || status.find("State:\tZ") != std::string::npos) return true;
+    if ((std::stoull(status.substr(blocked + 7), nullptr, 16) & (1u << (SIGINT - 1))) == 0) return false;
+    std::istringstream times(read_text(folder + "/stat"));
+    std::string field;
+    for (int i = 0; i < 13; ++i) times >> field;
+    long in_program = 0;
+    times >> in_program;
+    return status.find("State:\tS") != std::string::npos || in_program > sysconf(_SC_CLK_TCK) / 5;
 }
 
 }  // namespace
@@ -55,18 +70,18 @@ fs::path shipped_project(const std::string& name) {
     return fs::path(COVARIA_SOURCE_DIR) / "projects" / name;
 }
 
-Outcome run_program(const std::vector<std::string>& arguments, int signal_after_ms) {
-    return run_program_with({}, arguments, signal_after_ms);
+Outcome run_program(const std::vector<std::string>& arguments, Ending ending) {
+    return run_program_with({}, arguments, ending);
 }
 
 Outcome run_program_with(const std::vector<std::string>& environment,
-                         const std::vector<std::string>& arguments, int signal_after_ms) {
+                         const std::vector<std::string>& arguments, Ending ending) {
     char pattern[] = "/tmp/covaria-test-XXXXXX";
     const fs::path folder = mkdtemp(pattern);
     const pid_t child = fork();
     if (child == 0) become_program(environment, arguments, folder / "out", folder / "err");
-    if (signal_after_ms > 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(signal_after_ms));
+    if (ending == Ending::interrupted) {
+        while (!is_at_work(child)) usleep(1000);
         kill(child, SIGINT);
     }
     const auto sent = std::chrono::steady_clock::now();

@@ -12,11 +12,15 @@ struct Outcome {
     double after_signal_s = 0.0;  ///< from the signal, if one was sent, to the end
 };
 
-/// Waits for the end. `signal_after_ms` > 0 sends SIGINT after so many milliseconds.
-Outcome run_program(const std::vector<std::string>& arguments, int signal_after_ms = 0);
+enum class Ending {
+    by_itself,
+    interrupted,  ///< SIGINT is sent as soon as the program is at work: it computes, or waits for something
+};
+/// Waits for the end.
+Outcome run_program(const std::vector<std::string>& arguments, Ending ending = Ending::by_itself);
 /// With these variables ("NAME=VALUE") in its environment.
 Outcome run_program_with(const std::vector<std::string>& environment,
-                         const std::vector<std::string>& arguments, int signal_after_ms = 0);
+                         const std::vector<std::string>& arguments, Ending ending = Ending::by_itself);
 
 /// A fresh folder under the build tree, emptied at construction.
 std::filesystem::path fresh_folder(const std::string& name);

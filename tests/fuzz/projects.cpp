@@ -1,5 +1,9 @@
 // Projects and typed equations: read, checked and, where nothing is wrong, evaluated to first order.
+#include <unistd.h>
+
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 #include <utility>
 
 #include "core/project/project_file.h"
@@ -52,6 +56,81 @@ Outcome of_project(const std::string& text, const fs::path& folder) {
     return evaluated(loaded);
 }
 
+/// Inputs are to be many: of a list of rows or poses the first few, of a table in a file every so many.
+constexpr std::size_t rows_kept = 10;
+
+Json shortened(Json value) {
+    if (value.is_array() && value.size() > rows_kept)
+        value.erase(value.begin() + static_cast<std::ptrdiff_t>(rows_kept), value.end());
+    if (value.is_structured())
+        for (auto& inner : value) inner = shortened(inner);
+    return value;
+}
+
+/// Head, and rows from all over the table, so that no group of them is missing.
+std::string thinned(const std::string& csv) {
+    constexpr std::size_t most = 36;
+    const auto lines = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n'));
+    const std::size_t step = 1 + lines / most;
+    std::istringstream in(csv);
+    std::string line, kept;
+    std::size_t row = 0;
+    while (std::getline(in, line)) {
+        const bool head = line.starts_with("#") || row == 0;
+        if (head || row % step == 0) kept += line + "\n";
+        row += !line.starts_with("#");
+    }
+    return kept;
+}
+
+/// Whether any text in `value` is `id`.
+bool names(const Json& value, const std::string& id) {
+    if (value.is_string()) return value.get_ref<const std::string&>() == id;
+    return value.is_structured() &&
+           std::any_of(value.begin(), value.end(), [&](const Json& inner) { return names(inner, id); });
+}
+
+/// One analysis, and the assets that it or another of them names.
+Json with_one_analysis(Json document, std::size_t index) {
+    Json& analyses = document["analyses"];
+    if (!analyses.empty()) analyses = Json::array({analyses[index % analyses.size()]});
+    Json used = Json::array(), left = document["assets"];
+    for (std::size_t i = 0; i < left.size();) {
+        const std::string id = left[i].value("id", std::string());
+        if (names(analyses, id) || names(used, id)) {
+            used.push_back(left[i]);
+            left.erase(i);
+            i = 0;  // what it names may stand before it
+        } else {
+            ++i;
+        }
+    }
+    if (!analyses.empty()) document["assets"] = used;
+    return document;
+}
+
+/// Tables in files, each thinned once, in a folder that goes with the program.
+class Tables {
+public:
+    Tables() : folder_(fs::temp_directory_path() / ("covaria-fuzz-" + std::to_string(::getpid()))) {
+        fs::create_directories(folder_);
+        for (const auto& entry : fs::directory_iterator(fs::path(COVARIA_SOURCE_DIR) / "projects"))
+            if (entry.path().extension() == ".csv")
+                std::ofstream(folder_ / entry.path().filename(), std::ios::binary)
+                    << thinned(file_text(entry.path()));
+    }
+    ~Tables() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Tables(const Tables&) = delete;
+    Tables& operator=(const Tables&) = delete;
+    const fs::path& folder() const { return folder_; }
+
+private:
+    fs::path folder_;
+};
+
 class Projects : public Kind {
 public:
     Projects() {
@@ -59,33 +138,26 @@ public:
             for (const auto& entry : fs::directory_iterator(fs::path(COVARIA_SOURCE_DIR) / folder))
                 if (entry.path().extension() == ".covaria") files_.push_back(entry.path());
         std::sort(files_.begin(), files_.end());
-        for (const fs::path& file : files_) texts_.push_back(file_text(file));
-        for (const std::string& text : texts_) documents_.push_back(part_of(Json::parse(text)));
+        for (const fs::path& file : files_) {
+            texts_.push_back(file_text(file));
+            Json document = shortened(Json::parse(texts_.back()));
+            for (std::size_t i = 0; i == 0 || i < document["analyses"].size(); ++i)
+                documents_.push_back(with_one_analysis(document, i));
+        }
     }
 
     std::string make(Noise& noise) override {
-        const std::size_t i = noise.below(texts_.size());
-        if (noise.chance(10)) return damaged_text(texts_[i], words_, noise);
-        Json document = documents_[i];
-        Json& analyses = document["analyses"];
-        if (analyses.size() > 1) analyses = Json::array({analyses[noise.below(analyses.size())]});
+        if (noise.chance(100)) return damaged_text(noise.pick(texts_), words_, noise);
+        Json document = noise.pick(documents_);
+        if (noise.chance(10)) return damaged_text(document.dump(1), words_, noise);
         damage(document, noise);
         return document.dump(noise.chance(2) ? 1 : -1);
     }
 
-    Outcome run(const std::string& input) override {
-        return of_project(input, fs::path(COVARIA_SOURCE_DIR) / "projects");
-    }
+    Outcome run(const std::string& input) override { return of_project(input, tables_.folder()); }
 
 private:
-    /// Long tables are cut: inputs are to be many.
-    static Json part_of(Json value) {
-        if (value.is_array() && value.size() > 24) value.erase(value.begin() + 24, value.end());
-        if (value.is_structured())
-            for (auto& inner : value) inner = part_of(inner);
-        return value;
-    }
-
+    Tables tables_;
     std::vector<fs::path> files_;
     std::vector<std::string> texts_;
     std::vector<Json> documents_;

@@ -1,14 +1,13 @@
 // Draws what Qt Charts does not.
 #include "ui/charts/chart_drawing.h"
 
-#include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
 
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
 #include "ui/theme/label_text.h"
 
 namespace covaria::ui {
@@ -89,9 +88,10 @@ QColor cell_colour(const ChartDrawing& chart, double z) {
 }
 
 /// Two significant digits of the largest value of the map.
-QString cell_text(const ChartDrawing& chart, double z) {
+std::string cell_text(const ChartDrawing& chart, double z) {
     const double largest = std::max(std::abs(chart.plot.z_low), std::abs(chart.plot.z_high));
-    return number_text(z, std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 2)));
+    return grouped_number(z, std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 2)),
+                          chart.theme.numbers());
 }
 
 void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSeries& series) {
@@ -99,8 +99,7 @@ void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSerie
     const std::size_t columns = chart.plot.x.categories.size();
     const QFont& font = chart.layout.fonts.figures;
     const double room = std::abs(geometry.x_at(1.0) - geometry.x_at(0.0));
-    const bool with_text =
-        QFontMetricsF(font).horizontalAdvance(cell_text(chart, -0.88 * chart.plot.z_high)) + 4.0 < room;
+    const bool with_text = text_width(cell_text(chart, -0.88 * chart.plot.z_high), font) + 4.0 < room;
     for (std::size_t i = 0; i < series.z.size(); ++i) {
         const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
         const QRectF cell = QRectF(geometry.at(column - 0.5, row - 0.5), geometry.at(column + 0.5, row + 0.5))
@@ -189,7 +188,7 @@ void draw_bar_values(QPainter& painter, const ChartDrawing& chart, const PlotSer
                     low = std::min(low, series.x[j]);
                     high = std::max(high, series.x[j]);
                 }
-        const LabelText text(number_text(bars.x[i], 1), chart.layout.fonts.figures);
+        const LabelText text(grouped_number(bars.x[i], 1, chart.theme.numbers()), chart.layout.fonts.figures);
         const double left =
             bars.x[i] < 0.0 ? geometry.x_at(low) - gap - text.width() : geometry.x_at(high) + gap;
         const QRectF box(left, geometry.y_at(bars.y[i]) - 0.5 * text.height(), text.width(), text.height());

@@ -8,17 +8,12 @@
 #include "ui/charts/mark_labels.h"
 #include "ui/theme/fonts.h"
 #include "ui/theme/label_text.h"
-#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
 constexpr double least_part = 0.33;     // of the chart, for the data; else the legend is left out
 constexpr double closest_lines = 0.86;  // of a line's height: names of rows that do not touch yet
-
-double text_width(const QString& text, const QFont& font) {
-    return LabelText(text, font).width();
-}
 
 double widest(const Ticks& ticks, const QFont& font) {
     double width = 0.0;
@@ -28,21 +23,26 @@ double widest(const Ticks& ticks, const QFont& font) {
 
 /// The first of these that fits: "probability density (1/mm)", "density (1/mm)", "(1/mm)"; of "share of the
 /// variance (%)" the words from "of" on are left out first.
-QString fitting_title(const QString& title, const QFont& font, double room) {
+Text fitting_title(const Text& title, const QFont& font, double room) {
     if (text_width(title, font) <= room) return title;
-    const qsizetype unit_at = title.lastIndexOf(QStringLiteral(" ("));
-    const QString words = title.left(unit_at), unit = unit_at < 0 ? QString() : title.mid(unit_at);
-    const qsizetype of = words.indexOf(QStringLiteral(" of "));
-    const QString noun = of > 0 ? words.left(of) : words.section(QLatin1Char(' '), -1);
+    const std::string letters = title.letters();
+    const std::size_t unit_at = std::min(letters.rfind(" ("), letters.size());
+    const std::size_t of = letters.find(" of "), space = letters.rfind(' ', unit_at - 1);
+    const Text unit = title.part(unit_at);
+    const Text noun = of > 0 && of < unit_at       ? title.part(0, of)
+                      : space == std::string::npos ? title.part(0, unit_at)
+                                                   : title.part(space + 1, unit_at);
     if (text_width(noun + unit, font) <= room) return noun + unit;
-    if (!unit.isEmpty() && text_width(unit.trimmed(), font) <= room) return unit.trimmed();
+    const Text bare = title.part(unit_at + 1);
+    if (!unit.empty() && text_width(bare, font) <= room) return bare;
     return shortened(noun, font, room);
 }
 
 class LayoutBuilder {
 public:
-    LayoutBuilder(const PlotSpecification& plot, const QSizeF& size, const PlotView& view)
-        : plot_(plot), size_(size), map_(has_heat_map(plot)) {
+    LayoutBuilder(const PlotSpecification& plot, const QSizeF& size, const PlotView& view,
+                  const NumberLocale& numbers)
+        : plot_(plot), size_(size), numbers_(numbers), map_(has_heat_map(plot)) {
         out_.fonts = fonts_for(size.width());
         out_.geometry.view = view;
         out_.geometry.y_down = !plot.y.categories.empty();
@@ -69,7 +69,7 @@ public:
             place_marks();
         }
         if (!compact_ && out_.geometry.area.height() < least_part * std::min(size_.width(), size_.height())) {
-            LayoutBuilder small(plot_, size_, out_.geometry.view);
+            LayoutBuilder small(plot_, size_, out_.geometry.view, numbers_);
             small.compact_ = true;
             return small.make();
         }
@@ -83,17 +83,17 @@ public:
     }
 
 private:
-    void add_text(const QString& text, QPointF top_left, TextKind kind) {
+    void add_text(const Text& text, QPointF top_left, TextKind kind) {
         const LabelText label(text, font_of(out_.fonts, kind));
         out_.texts.push_back({text, QRectF(top_left, QSizeF(label.width(), label.height())), kind, false});
     }
 
     void add_message() {
         const QFont& font = out_.fonts.label;
-        const QStringList lines =
-            wrapped(to_qt(plot_.title), font, std::min(0.8 * size_.width(), 34.0 * line_));
+        const std::vector<Text> lines =
+            wrapped(plot_.title, font, std::min(0.8 * size_.width(), 34.0 * line_));
         double y = 0.5 * (size_.height() - 1.25 * line_ * static_cast<double>(lines.size()));
-        for (const QString& text : lines) {
+        for (const Text& text : lines) {
             add_text(text, {0.5 * (size_.width() - text_width(text, font)), y}, TextKind::message);
             y += 1.25 * line_;
         }
@@ -101,21 +101,20 @@ private:
 
     double add_title(double top) {
         const QFontMetricsF metrics(out_.fonts.title);
-        for (const QString& text :
-             wrapped(to_qt(plot_.title), out_.fonts.title, size_.width() - 2.0 * edge_)) {
+        for (const Text& text : wrapped(plot_.title, out_.fonts.title, size_.width() - 2.0 * edge_)) {
             add_text(text, {edge_, top}, TextKind::title);
             top += std::ceil(metrics.height());
         }
         return top + std::round(4.0 * unit_);
     }
 
-    void add_legend_entry(const std::string& name, SwatchKind kind, SeriesRole role, QPointF& at) {
+    void add_legend_entry(const Text& name, SwatchKind kind, SeriesRole role, QPointF& at) {
         if (name.empty()) return;
         const double swatch = std::round(18.0 * unit_), gap = std::round(5.0 * unit_);
-        const double width = swatch + gap + text_width(to_qt(name), out_.fonts.label);
+        const double width = swatch + gap + text_width(name, out_.fonts.label);
         if (at.x() > edge_ && at.x() + width > size_.width() - edge_) at = {edge_, at.y() + 1.2 * line_};
         out_.legend.push_back({QRectF(at, QSizeF(swatch, line_)), kind, role});
-        add_text(to_qt(name), at + QPointF(swatch + gap, 0.0), TextKind::label);
+        add_text(name, at + QPointF(swatch + gap, 0.0), TextKind::label);
         at.rx() += width + std::round(16.0 * unit_);
     }
 
@@ -145,8 +144,8 @@ private:
 
     double widest_x_category() const {
         double width = 0.0;
-        for (const std::string& text : plot_.x.categories)
-            width = std::max(width, text_width(to_qt(text), out_.fonts.label));
+        for (const Text& text : plot_.x.categories)
+            width = std::max(width, text_width(text, out_.fonts.label));
         return std::min(width, 0.3 * size_.height());
     }
 
@@ -161,8 +160,8 @@ private:
     double y_labels_width() const {
         if (plot_.y.categories.empty()) return widest(out_.y, out_.fonts.figures);
         double width = 0.0;
-        for (const std::string& text : plot_.y.categories)
-            width = std::max(width, text_width(to_qt(text), out_.fonts.label));
+        for (const Text& text : plot_.y.categories)
+            width = std::max(width, text_width(text, out_.fonts.label));
         return std::min(width, 0.4 * size_.width());
     }
 
@@ -180,8 +179,8 @@ private:
         const PlotView& view = out_.geometry.view;
         const double width = out_.geometry.area.width();
         const auto make = [&](int most) {
-            return plot_.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most)
-                                       : linear_ticks(view.x_low, view.x_high, most);
+            return plot_.x.logarithmic ? logarithmic_ticks(view.x_low, view.x_high, most, numbers_)
+                                       : linear_ticks(view.x_low, view.x_high, most, numbers_);
         };
         const auto fits = [&](const Ticks& ticks) {
             if (ticks.ticks.size() < 2) return true;
@@ -195,8 +194,8 @@ private:
     Ticks fitting_y_ticks(double height) const {
         const PlotView& view = out_.geometry.view;
         const auto make = [&](int most) {
-            return plot_.y.logarithmic ? logarithmic_ticks(view.y_low, view.y_high, most)
-                                       : linear_ticks(view.y_low, view.y_high, most);
+            return plot_.y.logarithmic ? logarithmic_ticks(view.y_low, view.y_high, most, numbers_)
+                                       : linear_ticks(view.y_low, view.y_high, most, numbers_);
         };
         const auto fits = [&](const Ticks& ticks) {
             return static_cast<double>(ticks.ticks.size()) * 1.2 * line_ <= height;
@@ -223,8 +222,8 @@ private:
             const double x = out_.geometry.x_at(on_axis(plot_.x, mark.at));
             if (mark.horizontal || mark.label.empty() || x < area.left() - 0.5 || x > area.right() + 0.5)
                 continue;
-            labels_.push_back({x, text_width(to_qt(mark.label), out_.fonts.figures),
-                               mark.role == SeriesRole::emphasis, 0.0, 0});
+            labels_.push_back(
+                {x, text_width(mark.label, out_.fonts.figures), mark.role == SeriesRole::emphasis, 0.0, 0});
         }
         return place_mark_labels(labels_, edge_, size_.width() - edge_, std::round(12.0 * unit_));
     }
@@ -243,8 +242,7 @@ private:
             }
             const MarkLabel& label = labels_[next++];
             const double bottom = area.top() - row * label.row;
-            add_text(to_qt(mark.label), {label.left, bottom - row - std::round(1.0 * unit_)},
-                     TextKind::figures);
+            add_text(mark.label, {label.left, bottom - row - std::round(1.0 * unit_)}, TextKind::figures);
             out_.mark_tops.push_back(bottom - std::round(1.0 * unit_));
         }
     }
@@ -277,8 +275,8 @@ private:
         for (std::size_t i = 0; i < plot_.x.categories.size(); ++i) {
             const double x = geometry.x_at(static_cast<double>(i));
             if (i % step != 0 || x < geometry.area.left() || x > geometry.area.right()) continue;
-            const QString text = shortened(to_qt(plot_.x.categories[i]), out_.fonts.label,
-                                           turned_ ? widest_x_category() : 1e9);
+            const Text text =
+                shortened(plot_.x.categories[i], out_.fonts.label, turned_ ? widest_x_category() : 1e9);
             const double width = text_width(text, out_.fonts.label);
             const QRectF box = turned_ ? QRectF(x - 0.5 * line_, top, line_, width)
                                        : QRectF(x - 0.5 * width, top, width, line_);
@@ -296,7 +294,7 @@ private:
             add_text(tick.text, {left, top}, TextKind::figures);
         }
         if (plot_.x.title.empty()) return;
-        const QString title = title_with_exponent(to_qt(plot_.x.title), out_.x.exponent);
+        const Text title = title_with_exponent(plot_.x.title, out_.x.exponent);
         const double width = text_width(title, out_.fonts.label);
         const double middle = std::min(geometry.area.center().x(), size_.width() - edge_ - 0.5 * width);
         add_text(title, {std::max(edge_, middle - 0.5 * width), size_.height() - edge_ - line_},
@@ -306,7 +304,7 @@ private:
     void add_y_labels() {
         const PlotGeometry& geometry = out_.geometry;
         const double right = geometry.area.left() - tick_length() - std::round(3.0 * unit_);
-        const auto put = [&](double y, const QString& text, TextKind kind) {
+        const auto put = [&](double y, const Text& text, TextKind kind) {
             const QFont& font = font_of(out_.fonts, kind);
             add_text(text, {right - text_width(text, font), y - 0.5 * QFontMetricsF(font).height()}, kind);
         };
@@ -316,8 +314,7 @@ private:
         for (std::size_t i = 0; i < plot_.y.categories.size(); ++i) {
             const double y = geometry.y_at(static_cast<double>(i));
             if (i % step != 0 || y < geometry.area.top() || y > geometry.area.bottom()) continue;
-            put(y, shortened(to_qt(plot_.y.categories[i]), out_.fonts.label, y_labels_width()),
-                TextKind::label);
+            put(y, shortened(plot_.y.categories[i], out_.fonts.label, y_labels_width()), TextKind::label);
         }
     }
 
@@ -325,8 +322,8 @@ private:
         add_y_labels();
         if (plot_.y.title.empty()) return;
         const double room = size_.height() - top_of_body_ - edge_;
-        const QString title =
-            fitting_title(title_with_exponent(to_qt(plot_.y.title), out_.y.exponent), out_.fonts.label, room);
+        const Text title =
+            fitting_title(title_with_exponent(plot_.y.title, out_.y.exponent), out_.fonts.label, room);
         const double length = text_width(title, out_.fonts.label);
         const double top = std::clamp(out_.geometry.area.center().y() - 0.5 * length, top_of_body_,
                                       std::max(top_of_body_, size_.height() - edge_ - length));
@@ -338,7 +335,7 @@ private:
         out_.colour_bar = QRectF(area.right() + std::round(16.0 * unit_), area.top(),
                                  std::round(10.0 * unit_), area.height());
         const int most = std::max(2, std::min(4, static_cast<int>(area.height() / (30.0 * unit_))));
-        for (const Tick& tick : linear_ticks(plot_.z_low, plot_.z_high, most).ticks) {
+        for (const Tick& tick : linear_ticks(plot_.z_low, plot_.z_high, most, numbers_).ticks) {
             const double part = (tick.at - plot_.z_low) / (plot_.z_high - plot_.z_low);
             const double y = std::clamp(area.bottom() - part * area.height(), area.top() + 0.4 * line_,
                                         area.bottom() - 0.4 * line_);
@@ -349,6 +346,7 @@ private:
 
     const PlotSpecification& plot_;
     QSizeF size_;
+    NumberLocale numbers_;
     bool map_;
     bool compact_ = false;  // no room for a legend
     bool turned_ = false;   // names of the x categories
@@ -387,8 +385,9 @@ const QFont& font_of(const ChartFonts& fonts, TextKind kind) {
     return fonts.label;
 }
 
-ChartLayout layout_chart(const PlotSpecification& plot, const QSizeF& size, const PlotView& view) {
-    return LayoutBuilder(plot, size, view).make();
+ChartLayout layout_chart(const PlotSpecification& plot, const QSizeF& size, const PlotView& view,
+                         const NumberLocale& numbers) {
+    return LayoutBuilder(plot, size, view, numbers).make();
 }
 
 }  // namespace covaria::ui

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <QFont>
-#include <QString>
 #include <vector>
 
+#include "core/text/numbers.h"
+#include "core/text/ticks.h"
 #include "ui/charts/plot_geometry.h"
-#include "ui/charts/ticks.h"
 
 namespace covaria::ui {
 
@@ -21,7 +21,7 @@ ChartFonts fonts_for(double width);
 enum class TextKind { title, label, axis_title, figures, message };
 
 struct PlacedText {
-    QString text;
+    Text text;
     QRectF box;
     TextKind kind = TextKind::label;
     bool upwards = false;  ///< turned by 90 degrees, read from the right
@@ -47,7 +47,8 @@ struct ChartLayout {
 };
 
 /// Lengths in units of 1/96 inch. A specification without series gives its title as a message in the middle.
-ChartLayout layout_chart(const PlotSpecification& plot, const QSizeF& size, const PlotView& view);
+ChartLayout layout_chart(const PlotSpecification& plot, const QSizeF& size, const PlotView& view,
+                         const NumberLocale& numbers = {});
 const QFont& font_of(const ChartFonts& fonts, TextKind kind);
 
 }  // namespace covaria::ui

@@ -77,7 +77,7 @@ std::string svg_bytes(const std::string& title, QSize size,
 
 Result<void> write_svg(const std::string& file, const ShownPlot& shown) {
     const std::string bytes =
-        svg_bytes(shown.plot.title, shown.size, [&shown](QPainter& painter, const QRectF& area) {
+        svg_bytes(to_unicode(shown.plot.title), shown.size, [&shown](QPainter& painter, const QRectF& area) {
             paint_plot(painter, area, shown.plot, shown.theme, shown.view);
         });
     return save(file, QByteArray::fromStdString(bytes));

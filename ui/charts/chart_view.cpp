@@ -5,12 +5,14 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QGraphicsScene>
+#include <QLocale>
 #include <QMessageBox>
 #include <QRubberBand>
 #include <algorithm>
 
 #include "core/report/plots.h"
 #include "ui/charts/chart_painter.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -31,11 +33,15 @@ PlotView inside_whole(PlotView view, const PlotView& whole) {
     return view;
 }
 
+Theme in_words_of_the_user(const Theme& theme) {
+    return theme.with_numbers(number_locale(QLocale()));
+}
+
 }  // namespace
 
 ChartView::ChartView(QWidget* parent)
     : QGraphicsView(parent),
-      theme_(Theme::light()),
+      theme_(in_words_of_the_user(Theme::light())),
       band_(new QRubberBand(QRubberBand::Rectangle, viewport())) {
     setScene(new QGraphicsScene(this));
     setFrameShape(QFrame::NoFrame);
@@ -62,7 +68,7 @@ void ChartView::replace_chart(PlotSpecification plot) {
     chart_->resize(viewport()->size());
     scene()->setSceneRect(QRectF(QPointF(), viewport()->size()));
     setBackgroundBrush(theme_.neutrals().ground);
-    setAccessibleName(to_qt(chart_->plot().title));
+    setAccessibleName(to_qt(to_unicode(chart_->plot().title)));
     show_read_out({});
 }
 
@@ -78,9 +84,9 @@ const PlotSpecification& ChartView::plot() const {
 }
 
 void ChartView::set_theme(const Theme& theme) {
-    theme_ = theme;
+    theme_ = in_words_of_the_user(theme);
     setBackgroundBrush(theme_.neutrals().ground);
-    chart_->set_theme(theme);
+    chart_->set_theme(theme_);
 }
 
 bool ChartView::can_zoom() const {

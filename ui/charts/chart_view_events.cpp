@@ -10,6 +10,7 @@
 
 #include "ui/charts/chart_view.h"
 #include "ui/theme/label_text.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -88,9 +89,9 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void ChartView::show_read_out(const std::optional<ReadOut>& value) {
-    const QString before = read_out_ ? read_out_->text : QString();
+    const QString before = read_out_ ? to_qt(to_unicode(read_out_->text)) : QString();
     read_out_ = value;
-    const QString now = value ? value->text : QString();
+    const QString now = value ? to_qt(to_unicode(value->text)) : QString();
     if (before == now) return;
     emit read_out_changed(now);
     viewport()->update();

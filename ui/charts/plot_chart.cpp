@@ -97,7 +97,7 @@ void PlotChart::style_series() {
 }
 
 void PlotChart::place() {
-    layout_ = layout_chart(plot_, size(), view_);
+    layout_ = layout_chart(plot_, size(), view_, theme_.numbers());
     x_axis_->setRange(view_.x_low, view_.x_high);
     y_axis_->setRange(view_.y_low, view_.y_high);
     if (!plot_.series.empty()) setPlotArea(layout_.geometry.area);

@@ -4,7 +4,7 @@
 #include <QPointF>
 #include <QRectF>
 
-#include "core/base/plot_specification.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria::ui {
 

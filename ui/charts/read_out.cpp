@@ -5,37 +5,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/report/number_format.h"
-#include "ui/charts/ticks.h"
-#include "ui/theme/strings.h"
+#include "core/text/numbers.h"
+#include "ui/theme/number_locale.h"
 
 namespace covaria::ui {
 namespace {
 
 /// "x = −120.3 mm" from the title "x (mm)", to a thousandth of the range that is shown.
-QString value_text(const PlotAxis& axis, double value, double low, double high) {
-    QString name = to_qt(axis.title), unit;
-    const auto open = name.lastIndexOf(QLatin1String(" ("));
-    if (open >= 0 && name.endsWith(u')')) {
-        unit = name.mid(open + 2, name.size() - open - 3);
-        name.truncate(open);
-    }
+Text value_text(const PlotAxis& axis, double value, double low, double high) {
+    const std::string letters = axis.title.letters();
+    const std::size_t open = letters.rfind(" (");
+    const bool has_unit = open != std::string::npos && letters.ends_with(')');
+    const std::string unit = has_unit ? letters.substr(open + 2, letters.size() - open - 3) : "";
     const double range = axis.logarithmic ? value : high - low;
-    QString text = number_text(value, std::max(0, decimals_for(1e-3 * range, 1)));
-    if (!unit.isEmpty()) text += (unit == QStringLiteral("°") ? QString() : QString(QChar(0xa0))) + unit;
-    return name + QStringLiteral(" = ") + text;
+    std::string number =
+        grouped_number(value, std::max(0, decimals_for(1e-3 * range, 1)), number_locale(QLocale()));
+    if (!unit.empty()) number += (unit == "°" ? "" : "\u00a0") + unit;
+    return (has_unit ? axis.title.part(0, open) : axis.title) + " = " + number;
 }
 
 struct Reader {
     const PlotSpecification& plot;
     const PlotGeometry& geometry;
 
-    QString x_text(double x) const {
-        return value_text(plot.x, x, geometry.view.x_low, geometry.view.x_high);
-    }
-    QString y_text(double y) const {
-        return value_text(plot.y, y, geometry.view.y_low, geometry.view.y_high);
-    }
+    Text x_text(double x) const { return value_text(plot.x, x, geometry.view.x_low, geometry.view.x_high); }
+    Text y_text(double y) const { return value_text(plot.y, y, geometry.view.y_low, geometry.view.y_high); }
 
     std::optional<ReadOut> cell(const PlotSeries& map, QPointF at) const {
         const auto column = static_cast<std::size_t>(std::max(0.0, std::round(at.x())));
@@ -46,9 +40,8 @@ struct Reader {
         if (!std::isfinite(z)) return {};
         const double largest = std::max(std::abs(plot.z_low), std::abs(plot.z_high));
         const int decimals = std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 3));
-        return ReadOut{QStringLiteral("%1 and %2: %3")
-                           .arg(to_qt(plot.y.categories[row]), to_qt(plot.x.categories[column]),
-                                number_text(z, decimals)),
+        return ReadOut{plot.y.categories[row] + " and " + plot.x.categories[column] + ": " +
+                           grouped_number(z, decimals, number_locale(QLocale())),
                        {}};
     }
 
@@ -57,9 +50,8 @@ struct Reader {
         const double wanted = plot.horizontal_bars ? at.y() : at.x();
         for (std::size_t i = 0; i < centres.size(); ++i) {
             if (std::abs(centres[i] - wanted) > 0.5 * bars.bar_width) continue;
-            if (plot.horizontal_bars)
-                return ReadOut{to_qt(plot.y.categories.at(i)) + QStringLiteral(": ") + x_text(bars.x[i]), {}};
-            return ReadOut{x_text(bars.x[i]) + QStringLiteral(", ") + y_text(bars.y[i]), {}};
+            if (plot.horizontal_bars) return ReadOut{plot.y.categories.at(i) + ": " + x_text(bars.x[i]), {}};
+            return ReadOut{x_text(bars.x[i]) + ", " + y_text(bars.y[i]), {}};
         }
         return {};
     }
@@ -73,10 +65,10 @@ struct Reader {
                 const double distance = QLineF(place, at).length();
                 if (distance >= reach || !geometry.area.adjusted(-1, -1, 1, 1).contains(at)) continue;
                 reach = distance;
-                const QString y = plot.y.categories.empty()
-                                      ? y_text(series.y[i])
-                                      : to_qt(plot.y.categories.at(static_cast<std::size_t>(series.y[i])));
-                found = ReadOut{x_text(series.x[i]) + QStringLiteral(", ") + y, at};
+                const Text y = plot.y.categories.empty()
+                                   ? y_text(series.y[i])
+                                   : plot.y.categories.at(static_cast<std::size_t>(series.y[i]));
+                found = ReadOut{x_text(series.x[i]) + ", " + y, at};
             }
         }
         return found;

@@ -1,7 +1,6 @@
 // The value under the pointer, in words.
 #pragma once
 
-#include <QString>
 #include <optional>
 
 #include "ui/charts/plot_geometry.h"
@@ -9,7 +8,7 @@
 namespace covaria::ui {
 
 struct ReadOut {
-    QString text;
+    Text text;
     std::optional<QPointF> point;  ///< place of the value, where it is a point
 };
 

@@ -58,7 +58,7 @@ std::vector<PlotSeries> cut_line(const PlotSpecification& plot, const PlotSeries
         inside = part.end >= 1.0;
     }
     if (runs.empty()) runs.push_back(without_data(line));
-    for (std::size_t i = 1; i < runs.size(); ++i) runs[i].name.clear();
+    for (std::size_t i = 1; i < runs.size(); ++i) runs[i].name = {};
     return runs;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
+#include "core/project/links.h"
 #include "core/project/references.h"
 #include "core/project/workspace.h"
 #include "ui/theme/strings.h"
@@ -153,7 +154,11 @@ void move_entry(Document& document, const SetupAddress& address, std::size_t pos
 
 QStringList dependants(const Project& project, const SetupAddress& address) {
     QStringList names;
-    if (address.owner == SetupOwner::analysis) return names;  // nothing refers to an analysis
+    if (address.owner == SetupOwner::analysis) {
+        for (const std::string& id : analyses_taking_from(project, address.id))
+            if (const AnalysisEntry* analysis = project.find_analysis(id)) names << to_qt(analysis->name);
+        return names;
+    }
     for (const AssetEntry& asset : project.assets)
         if (refers_to(asset, address.id)) names << to_qt(asset.name);
     for (const std::string& id : analyses_using(project, address.id))
@@ -161,17 +166,31 @@ QStringList dependants(const Project& project, const SetupAddress& address) {
     return names;
 }
 
+namespace {
+
+bool offers_one(const std::vector<std::string>& offered, const std::vector<std::string>& wanted) {
+    return std::find_first_of(wanted.begin(), wanted.end(), offered.begin(), offered.end()) != wanted.end();
+}
+
+}  // namespace
+
 std::vector<Choice> fitting_assets(const Project& project, const std::vector<std::string>& capabilities,
                                    const SetupAddress& itself) {
     std::vector<Choice> found;
     for (const AssetEntry& asset : project.assets) {
         const AssetDescriptor* kind = find_asset_kind(asset.kind);
         if (!kind || (itself.owner == SetupOwner::asset && itself.id == asset.id)) continue;
-        const bool fits =
-            capabilities.empty() ||
-            std::find_first_of(capabilities.begin(), capabilities.end(), kind->capabilities.begin(),
-                               kind->capabilities.end()) != capabilities.end();
-        if (fits) found.push_back({asset.id, asset.name});
+        if (capabilities.empty() || offers_one(kind->capabilities, capabilities))
+            found.push_back({asset.id, asset.name});
+    }
+    if (itself.owner == SetupOwner::asset) return found;
+    const auto takers = analyses_taking_from(project, itself.id);
+    for (const AnalysisEntry& analysis : project.analyses) {
+        const ModelDescriptor* model = find_model(analysis.model);
+        const bool circle =
+            analysis.id == itself.id || std::find(takers.begin(), takers.end(), analysis.id) != takers.end();
+        if (model && !circle && offers_one(model->capabilities, capabilities))
+            found.push_back({analysis.id, analysis.name});
     }
     return found;
 }

@@ -31,7 +31,8 @@ void move_entry(Document& document, const SetupAddress& entry, std::size_t posit
 /// Names of the assets and analyses that refer to the entry, directly or through another asset.
 QStringList dependants(const Project& project, const SetupAddress& entry);
 
-/// Assets that offer one of the capabilities (any, if none is named), by id and name; not the entry itself.
+/// Assets, and analyses, that offer one of the capabilities (any asset, if none is named), by id and name;
+/// not the entry itself, nor what takes from it.
 std::vector<Choice> fitting_assets(const Project& project, const std::vector<std::string>& capabilities,
                                    const SetupAddress& itself);
 

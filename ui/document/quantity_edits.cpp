@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -36,6 +38,39 @@ void change_input(Document& document, const std::string& analysis, const std::st
         if (is_empty(*edit)) edits.erase(edit);
     };
     document.apply(text, edit_project, merge_key);
+}
+
+std::optional<InputLink> find_link(const Project& project, const std::string& analysis,
+                                   const std::string& symbol) {
+    if (const AnalysisEntry* entry = project.find_analysis(analysis))
+        for (const InputLink& link : entry->links)
+            if (link.input == symbol) return link;
+    return {};
+}
+
+void set_link(Document& document, const std::string& analysis, const std::string& symbol,
+              const std::optional<InputLink>& link) {
+    const QString shown = to_qt(symbol_to_unicode(symbol));
+    document.apply(
+        link ? Document::tr("Take %1 from an analysis").arg(shown)
+             : Document::tr("Remove the link of %1").arg(shown),
+        [&](Project& project) {
+            AnalysisEntry* entry = find_analysis_entry(project, analysis);
+            if (!entry) return;
+            const auto known = std::find_if(entry->links.begin(), entry->links.end(),
+                                            [&](const InputLink& other) { return other.input == symbol; });
+            const bool new_link = known == entry->links.end();
+            if (!link && !new_link) entry->links.erase(known);
+            if (!link) return;
+            if (new_link)
+                entry->links.push_back(*link);
+            else
+                *known = *link;
+            std::erase_if(entry->inputs, [&](const InputEdit& edit) { return edit.symbol == symbol; });
+            std::erase_if(entry->correlations, [&](const CorrelationEdit& edit) {
+                return edit.first == symbol || edit.second == symbol;
+            });
+        });
 }
 
 }  // namespace covaria::ui

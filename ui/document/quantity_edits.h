@@ -18,4 +18,11 @@ void change_input(Document& document, const std::string& analysis, const std::st
                   const QString& text, const std::function<void(InputEdit&)>& change,
                   const QString& merge_key = {});
 
+/// Where a quantity takes its value from; empty: it has its own.
+std::optional<InputLink> find_link(const Project& project, const std::string& analysis,
+                                   const std::string& symbol);
+/// Takes the place of the quantity's link and of its edits, which have no effect beside one.
+void set_link(Document& document, const std::string& analysis, const std::string& symbol,
+              const std::optional<InputLink>& link);
+
 }  // namespace covaria::ui

@@ -16,12 +16,25 @@ QString tr(const char* text) {
 }
 
 QString plain_number(QString text) {
-    text = text.trimmed().replace(QChar(0x2212), '-');
+    text = with_plain_exponent(text).trimmed().replace(QChar(0x2212), '-');
     for (const char16_t space : {u'\u00a0', u'\u202f', u'\u2009'}) text.remove(QChar(space));
     return text;
 }
 
 }  // namespace
+
+QString with_plain_exponent(QString text) {
+    static const QString figures = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    const auto power = text.indexOf(QStringLiteral("×10"));
+    if (power < 0 || power + 3 >= text.size()) return text;
+    QString exponent;
+    for (qsizetype i = power + 3; i < text.size(); ++i) {
+        const auto figure = figures.indexOf(text[i]);
+        if (figure < 0 && text[i] != QChar(0x207b)) return text;
+        exponent += figure < 0 ? QStringLiteral("-") : QString::number(figure);
+    }
+    return text.left(power) + u'e' + exponent;
+}
 
 std::optional<double> parse_number(const QString& text, const QLocale& locale) {
     const QString plain = plain_number(text);
@@ -41,8 +54,8 @@ Result<Unit> parse_unit(const QString& text) {
 Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& unit, const QLocale& locale) {
     const QString trimmed = text.trimmed();
     if (trimmed.isEmpty()) return std::optional<Quantity>{};
-    static const QRegularExpression pattern(
-        QStringLiteral("^([+\\-−]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+\\-−]?\\d+)?)\\s*(\\S.*)?$"));
+    static const QRegularExpression pattern(QStringLiteral(
+        "^([+\\-−]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+\\-−]?\\d+|×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)\\s*(\\S.*)?$"));
     const QRegularExpressionMatch match = pattern.match(trimmed);
     const std::optional<double> value =
         match.hasMatch() ? parse_number(match.captured(1), locale) : std::nullopt;
@@ -62,11 +75,7 @@ Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& 
 }
 
 QString number_text(double value, const QLocale& locale) {
-    QLocale plain = locale;
-    plain.setNumberOptions(QLocale::OmitGroupSeparator);
-    const double magnitude = std::abs(value);
-    const bool fixed = value == 0.0 || (magnitude >= 1e-4 && magnitude < 1e9);
-    return plain.toString(value, fixed ? 'f' : 'e', QLocale::FloatingPointShortest);
+    return to_qt(format_shortest(value)).replace('.', locale.decimalPoint());
 }
 
 QString quantity_text(const Quantity& quantity, const QLocale& locale) {
@@ -83,6 +92,10 @@ double converted(double value, const Unit& from, const Unit& to) {
 double converted_interval(double value, const Unit& from, const Unit& to) {
     if (from == to) return value;
     return QString::number(to.interval_from_si(from.interval_to_si(value)), 'g', 15).toDouble();
+}
+
+Text with_unit(const Text& title, const Unit& unit) {
+    return unit == Unit() ? title : title + (" / " + unit.display());
 }
 
 QString with_unit(const QString& title, const Unit& unit) {

@@ -7,10 +7,16 @@
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
+#include "core/text/numbers.h"
+#include "core/text/text.h"
 
 namespace covaria::ui {
 
-/// A number in the locale's writing, or with a decimal point; no digit grouping. Empty: not a number.
+/// "6.1×10⁻⁵" with its power of ten as programs write it: "6.1e-5"; other texts as they are.
+QString with_plain_exponent(QString text);
+
+/// A number in the locale's writing, or with a decimal point, powers of ten in either form; no digit
+/// grouping. Empty: not a number.
 std::optional<double> parse_number(const QString& text, const QLocale& locale);
 
 /// Unit as typed: "um", "µm", "°", "N·m". Error: unknown unit.
@@ -32,5 +38,6 @@ double converted_interval(double value, const Unit& from, const Unit& to);
 
 /// "x / mm": title of a column or field with its unit.
 QString with_unit(const QString& title, const Unit& unit);
+Text with_unit(const Text& title, const Unit& unit);
 
 }  // namespace covaria::ui

@@ -6,14 +6,17 @@ namespace covaria::ui {
 
 void Selection::select_entry(const SetupAddress& entry) {
     if (entry == entry_) return;
+    const bool other_analysis = entry.owner == SetupOwner::analysis && to_qt(entry.id) != analysis_;
     entry_ = entry;
     field_.clear();
+    if (other_analysis) {
+        analysis_ = to_qt(entry.id);
+        output_ = -1;
+        study_.clear();
+    }
+    // Who is told of the one looks at the other as well: both are as they are now before anybody is told.
+    if (other_analysis) emit analysis_changed(analysis_);
     emit entry_changed();
-    if (entry.owner != SetupOwner::analysis || to_qt(entry.id) == analysis_) return;
-    analysis_ = to_qt(entry.id);
-    output_ = -1;
-    study_.clear();
-    emit analysis_changed(analysis_);
 }
 
 void Selection::select_group(const QString& group) {

@@ -1,5 +1,6 @@
 #include "ui/document/unread_texts.h"
 
+#include "core/project/links.h"
 #include "core/project/workspace.h"
 #include "ui/theme/strings.h"
 
@@ -56,9 +57,14 @@ UnreadTexts::Held UnreadTexts::held(const Project& project) const {
     for (const auto& [place, text] : texts_) {
         if (entry_path(project, place.entry).empty()) continue;
         const bool of_study = place.part.starts_with("/studies/");
-        const std::vector<std::string> users = place.entry.owner == SetupOwner::analysis
-                                                   ? std::vector<std::string>{place.entry.id}
-                                                   : analyses_using(project, place.entry.id);
+        const bool of_analysis = place.entry.owner == SetupOwner::analysis;
+        std::vector<std::string> users = of_analysis && !of_study
+                                             ? analyses_taking_from(project, place.entry.id)
+                                             : std::vector<std::string>{};
+        if (of_analysis)
+            users.push_back(place.entry.id);
+        else
+            users = analyses_using(project, place.entry.id);
         for (const std::string& id : users) {
             const QString reason = tr("What is typed in a field cannot be read. %1").arg(text.reason);
             held.studies.try_emplace(id, reason);

@@ -29,7 +29,7 @@ struct FigureWriter {
     const std::stop_token& stop;
 
     Result<void> operator()(const PlotBlock& block) const {
-        const auto svg = svg_bytes(block.plot.title, plot_size, [&](QPainter& painter, const QRectF& area) {
+        const auto svg = svg_bytes(to_unicode(block.plot.title), plot_size, [&](QPainter& painter, const QRectF& area) {
             painters.paint_plot(painter, area, block.plot);
         });
         if (stop.stop_requested()) return {};  // the chart may be empty; the next block says so

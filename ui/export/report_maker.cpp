@@ -54,30 +54,33 @@ void ReportMaker::cancel() {
 }
 
 void ReportMaker::make(std::shared_ptr<const Project> project, std::vector<EvaluatedAnalysis> analyses,
-                       Use use) {
+                       Use use, JobQueue::Failure failure) {
     cancel();
     busy_ = true;
     stop_ = std::stop_source();
-    jobs_.push([this, number = number_, stop = stop_.get_token(), project = std::move(project),
-                analyses = std::move(analyses), use = std::move(use)]() -> JobQueue::Delivery {
-        if (stop.stop_requested()) return {};
-        Problems known;  // those of assets stand in the problems list; an asset that cannot be made is not in
-                         // the report
-        const AssetLibrary assets = make_assets(*project, known);
-        const ReportDocument document = build_report(*project, assets, analyses);
-        ScenePictures scenes(analyses);
-        FigurePainters painters = report_painters(scenes);
-        painters.paint_plot = [this, stop, paint = painters.paint_plot](QPainter& painter, const QRectF& area,
-                                                                        const PlotSpecification& plot) {
-            do_on_window(this, stop, [&] { paint(painter, area, plot); });
-        };
-        const JobQueue::Delivery done = use(document, painters, stop);
-        return [this, number, done] {
-            if (number != number_) return;
-            busy_ = false;
-            if (done) done();
-        };
-    });
+    const auto deliver = [this, number = number_](const JobQueue::Delivery& done) {
+        if (number != number_) return;
+        busy_ = false;
+        if (done) done();
+    };
+    jobs_.push(
+        [this, deliver, stop = stop_.get_token(), project = std::move(project),
+         analyses = std::move(analyses), use = std::move(use)]() -> JobQueue::Delivery {
+            if (stop.stop_requested()) return {};
+            Problems known;  // those of assets stand in the problems list; an asset that cannot be made is
+                             // not in the report
+            const AssetLibrary assets = make_assets(*project, known);
+            const ReportDocument document = build_report(*project, assets, analyses);
+            ScenePictures scenes(analyses);
+            FigurePainters painters = report_painters(scenes);
+            painters.paint_plot = [this, stop, paint = painters.paint_plot](
+                                      QPainter& painter, const QRectF& area, const PlotSpecification& plot) {
+                do_on_window(this, stop, [&] { paint(painter, area, plot); });
+            };
+            const JobQueue::Delivery done = use(document, painters, stop);
+            return [deliver, done] { deliver(done); };
+        },
+        [deliver, failure = std::move(failure)](const Error& error) { deliver([&] { failure(error); }); });
 }
 
 }  // namespace covaria::ui

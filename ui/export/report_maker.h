@@ -29,8 +29,10 @@ public:
     /// When `stop` is requested charts stay empty: what was made until then must not be used.
     using Use = std::function<JobQueue::Delivery(
         const ReportDocument& document, const FigurePainters& painters, const std::stop_token& stop)>;
+    /// `failure`: what is done on the window's thread when there was no memory for it.
     /// A newer request takes the place of one that is still being made.
-    void make(std::shared_ptr<const Project> project, std::vector<EvaluatedAnalysis> analyses, Use use);
+    void make(std::shared_ptr<const Project> project, std::vector<EvaluatedAnalysis> analyses, Use use,
+              JobQueue::Failure failure);
     bool is_busy() const { return busy_; }
     /// Gives up what is being made.
     void cancel();

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/base/symbol.h"
 #include "core/project/component_edit.h"
+#include "core/text/symbol.h"
 #include "ui/document/quantity_edits.h"
 #include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"

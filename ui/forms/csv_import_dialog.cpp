@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "core/base/file_io.h"
-#include "core/base/symbol.h"
 #include "core/project/table_columns.h"
+#include "core/text/symbol.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/theme/strings.h"
@@ -91,7 +91,7 @@ void CsvImportDialog::offer_columns(const std::vector<std::string>& headers) {
         choice->addItem(known ? tr("as it is named") : tr("unknown: choose"), to_qt(header));
         choice->addItem(tr("not read"), QString());
         for (const ColumnSpec& column : field_.columns)
-            choice->addItem(with_unit(to_qt(symbol_to_unicode(column.title)), column.unit),
+            choice->addItem(to_qt(to_unicode(with_unit(title_text(column.title), column.unit))),
                             to_qt(column_header(column, column.unit)));
         columns_->setCellWidget(row, 1, choice);
         connect(choice, &QComboBox::currentIndexChanged, this, &CsvImportDialog::read);
@@ -116,9 +116,10 @@ void CsvImportDialog::read() {
     const QString chosen = separator_->currentData().toString();
     const std::optional<char> separator =
         chosen.isEmpty() ? std::nullopt : std::optional<char>(chosen.at(0).toLatin1());
-    if (const auto csv =
-            read_csv(std::string_view(text_.data(), static_cast<std::size_t>(text_.size())), separator);
-        !csv) {
+    const std::string_view text(text_.data(), static_cast<std::size_t>(text_.size()));
+    if (const std::string refused = too_many_rows(field_, text); !refused.empty()) {
+        failure = tr("The file cannot be imported: %1.").arg(to_qt(refused));
+    } else if (const auto csv = read_csv(text, separator); !csv) {
         failure = csv.error().line > 0
                       ? tr("Line %1: %2").arg(csv.error().line).arg(to_qt(csv.error().message))
                       : to_qt(csv.error().message);
@@ -141,7 +142,7 @@ void CsvImportDialog::show_preview() {
     preview_->setRowCount(rows);
     for (std::size_t c = 0; c < field_.columns.size(); ++c) {
         const Unit unit = c < table.units.size() ? table.units[c] : field_.columns[c].unit;
-        const QString title = with_unit(to_qt(symbol_to_unicode(field_.columns[c].title)), unit);
+        const QString title = to_qt(to_unicode(with_unit(title_text(field_.columns[c].title), unit)));
         preview_->setHorizontalHeaderItem(static_cast<int>(c), new QTableWidgetItem(title));
         for (int r = 0; r < rows; ++r) {
             const auto& row = table.rows[static_cast<std::size_t>(r)];

@@ -7,11 +7,11 @@
 #include <map>
 
 #include "core/project/component_edit.h"
-#include "core/report/number_format.h"
+#include "core/text/display_units.h"
+#include "core/text/numbers.h"
 #include "ui/document/quantity_text.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
-#include "ui/models/display_units.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
 

@@ -1,6 +1,6 @@
 #include "ui/forms/form_labels.h"
 
-#include "core/base/symbol.h"
+#include "core/text/symbol.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -8,15 +8,15 @@ namespace {
 
 constexpr int widest_label = 24;  // digits: longer titles take a second line
 
-QString title_text(const std::string& title) {
-    const bool is_symbol = title.find('_') != std::string::npos && title.find(' ') == std::string::npos;
-    return to_qt(is_symbol ? symbol_to_html(title) : symbol_to_unicode(title));
+QString label_of(const std::string& title) {
+    const Text text = title_text(title);
+    return to_qt(text.has_scripts() ? to_html(text) : to_unicode(text));
 }
 
 }  // namespace
 
 QLabel* make_form_label(const std::string& title, QWidget* parent) {
-    auto* label = new QLabel(title_text(title), parent);
+    auto* label = new QLabel(label_of(title), parent);
     const int most = widest_label * label->fontMetrics().horizontalAdvance(QLatin1Char('0'));
     if (label->sizeHint().width() <= most) return label;
     label->setWordWrap(true);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/base/symbol.h"
 #include "core/project/stated_requirements.h"
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
@@ -76,6 +76,10 @@ QString distribution_words(RequirementResult::Distribution by) {
     return RequirementsForm::tr("(normal)");
 }
 
+QString not_judged_words(const RequirementResult& r) {
+    return RequirementsForm::tr("Not judged: %1.").arg(to_qt(r.not_judged));
+}
+
 QString conformity_words(const UncertaintyResult& result, const RequirementResult& r) {
     const Unit& unit = result.outputs[r.output].quantity.unit;
     const bool accepted = r.decision == RequirementResult::Decision::accept;
@@ -99,7 +103,7 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
       runner_(runner),
       analysis_(std::move(analysis)),
       layout_(new QFormLayout(this)),
-      outputs_(new QComboBox(this)),
+      outputs_(new TypesetComboBox(this)),
       verdict_(new QLabel(this)),
       jobs_(this, Execution::threads) {
     outputs_->setAccessibleName(tr("Result"));
@@ -223,7 +227,7 @@ void RequirementsForm::refresh_outputs() {
     known_ = std::move(outputs);
     outputs_->clear();
     for (const OutputQuantity& o : known_)
-        outputs_->addItem(to_qt(symbol_to_unicode(o.symbol) + (o.group.empty() ? "" : ", " + o.group)));
+        outputs_->add_item(symbol_text(o.symbol) + (o.group.empty() ? "" : ", " + o.group));
     outputs_->setCurrentIndex(std::max(0, outputs_->findText(before)));
 }
 
@@ -269,6 +273,10 @@ void RequirementsForm::refresh_verdict() {
     QStringList words;
     if (status.is_of_present())
         for (const RequirementResult& r : judge(*status.result, judged)) {
+            if (!r.not_judged.empty()) {
+                words << not_judged_words(r);
+                continue;
+            }
             if (r.target_uncertainty) words << target_words(*status.result, r) + reductions(status, r);
             if (r.lower_limit || r.upper_limit) words << conformity_words(*status.result, r);
         }
@@ -301,7 +309,8 @@ QString RequirementsForm::reductions(const AnalysisStatus& status, const Require
                 found_ = budget;
                 refresh_verdict();
             };
-        });
+        },
+        [](const Error&) {});  // the verdict stands without it
     return {};
 }
 

@@ -2,7 +2,6 @@
 // and what the present result says about them.
 #pragma once
 
-#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QWidget>
@@ -15,6 +14,7 @@
 #include "ui/document/document.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/run/analysis_runner.h"
+#include "ui/theme/typeset.h"
 
 namespace covaria::ui {
 
@@ -27,7 +27,7 @@ public:
     /// "/analyses/0/requirements/1/lowerLimit". False: not of a requirement.
     bool focus_field(const std::string& path);
 
-    QComboBox* outputs() const { return outputs_; }
+    TypesetComboBox* outputs() const { return outputs_; }
     QLabel* verdict() const { return verdict_; }
 
 private:
@@ -61,7 +61,7 @@ private:
     AnalysisRunner& runner_;
     std::string analysis_;
     QFormLayout* layout_;
-    QComboBox* outputs_;
+    TypesetComboBox* outputs_;
     QLabel* verdict_;
     std::vector<Row> rows_;
     std::vector<OutputQuantity> known_;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/base/symbol.h"
+#include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/theme/strings.h"
@@ -273,8 +273,10 @@ void StudiesForm::refresh_outputs(const Study& shown) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (outputs_->count() <= int(i)) outputs_->addItem(QString());
         QListWidgetItem* item = outputs_->item(int(i));
-        const QString symbol = to_qt(symbol_to_unicode(all[i].symbol));
-        item->setText(all[i].group.empty() ? symbol : tr("%1 of %2").arg(symbol, to_qt(all[i].group)));
+        const Text symbol = symbol_text(all[i].symbol);
+        const Text of = symbol + (all[i].group.empty() ? "" : to_std(tr(" of %1").arg(to_qt(all[i].group))));
+        item->setText(to_qt(to_unicode(of)));
+        item->setData(typeset_role, QVariant::fromValue(of));
         item->setToolTip(to_qt(all[i].name));
         const bool ticked =
             std::any_of(shown.outputs.begin(), shown.outputs.end(), [&](const StudyOutput& output) {

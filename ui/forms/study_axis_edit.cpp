@@ -106,7 +106,7 @@ void StudyAxisEdit::take_end(bool first, const Quantity& quantity) {
 
 void StudyAxisEdit::show_axis(const StudyAxis& axis, const StudyTarget* target, bool only) {
     axis_ = axis;
-    QString words = target ? to_qt(target->title) : tr("choose what is varied");
+    QString words = target ? to_qt(to_unicode(target->title)) : tr("choose what is varied");
     if (target && axis.change == StudyChange::factor) words += tr(" (factor)");
     target_->show_title(words);
     const bool factor_only = target && (target->kind == StudyTarget::Kind::components ||

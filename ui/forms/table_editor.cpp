@@ -7,9 +7,9 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
+#include "core/text/display_units.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/csv_import_dialog.h"
-#include "ui/models/display_units.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {

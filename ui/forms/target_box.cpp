@@ -82,7 +82,7 @@ void TargetBox::fill() {
     const bool modified = lineEdit()->isModified();
     clear();
     for (const StudyTargetChoice& choice : listed_) {
-        QString title = to_qt(choice.target.title);
+        QString title = to_qt(to_unicode(choice.target.title));
         if (choice.axis.change == StudyChange::factor) title += tr(" (factor)");
         addItem(title);
     }

@@ -131,26 +131,34 @@ void ExportActions::write_report(const QString& file, ReportFormat format) {
     target.folder = to_path(QFileInfo(file).path());
     target.name = to_std(QFileInfo(file).completeBaseName());
     target.formats = {format};
-    maker_.make(document_.snapshot(), current_results(document_.project(), runner_),
-                [this, file, target, without = without_words()](
-                    const ReportDocument& report, const FigurePainters& painters,
-                    const std::stop_token& stop) -> JobQueue::Delivery {
-                    const auto written = export_report(report, target, painters, stop);
-                    const QString problem = written ? QString() : to_qt(written.error().message);
-                    return [this, file, problem, without] { finish(file, problem, without); };
-                });
+    maker_.make(
+        document_.snapshot(), current_results(document_.project(), runner_),
+        [this, file, target, without = without_words()](const ReportDocument& report,
+                                                        const FigurePainters& painters,
+                                                        const std::stop_token& stop) -> JobQueue::Delivery {
+            const auto written = export_report(report, target, painters, stop);
+            const QString problem = written ? QString() : to_qt(written.error().message);
+            return [this, file, problem, without] { finish(file, problem, without); };
+        },
+        [this, file, without = without_words()](const Error& error) {
+            finish(file, to_qt(error.message), without);
+        });
 }
 
 void ExportActions::write_results(const QString& folder) {
-    jobs_.push([this, folder, without = without_words(),
-                analyses = current_results(document_.project(), runner_),
-                project = document_.snapshot()]() -> JobQueue::Delivery {
-        Problems known;  // they stand in the problems list
-        const AssetLibrary assets = make_assets(*project, known);
-        const auto written = write_result_files(to_path(folder), *project, assets, analyses);
-        const QString problem = written ? QString() : to_qt(written.error().message);
-        return [this, folder, problem, without] { finish(folder, problem, without); };
-    });
+    const QString without = without_words();
+    jobs_.push(
+        [this, folder, without, analyses = current_results(document_.project(), runner_),
+         failed = failed_results(document_.project(), runner_),
+         project = document_.snapshot()]() -> JobQueue::Delivery {
+            Problems known;  // they stand in the problems list
+            const AssetLibrary assets = make_assets(*project, known);
+            const auto written =
+                write_result_files(to_path(folder), *project, assets, analyses, {failed, {}});
+            const QString problem = written ? QString() : to_qt(written.error().message);
+            return [this, folder, problem, without] { finish(folder, problem, without); };
+        },
+        [this, folder, without](const Error& error) { finish(folder, to_qt(error.message), without); });
 }
 
 void ExportActions::finish(const QString& file, const QString& problem, const QString& without) {

@@ -6,13 +6,15 @@
 #include <QFile>
 #include <QMenu>
 #include <QMessageBox>
-#include <QRegularExpression>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextTable>
 #include <QVBoxLayout>
 
 #include "core/base/resource_path.h"
+#include "core/base/version.h"
 #include "core/kinds/models.h"
+#include "core/text/symbol.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "viz/vtk/vtk_version.h"
@@ -35,19 +37,26 @@ QString shipped_page(const std::string& page) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// "z_b" -> z with a small, lowered b.
+/// "z_b" -> z with a small, lowered b: each piece of one format set anew where it has scripts.
 void typeset_symbols(QTextDocument& document) {
-    static const QRegularExpression symbol(QStringLiteral("(?<![\\w_])\\p{L}{1,2}_[\\p{Lu}\\p{Ll}\\d]+"));
-    QTextCharFormat lowered;
-    lowered.setVerticalAlignment(QTextCharFormat::AlignSubScript);
-    for (QTextCursor found = document.find(symbol); !found.isNull(); found = document.find(symbol, found)) {
-        const int end = found.selectionEnd();
-        QTextCursor mark(&document);
-        mark.setPosition(found.selectionStart() + int(found.selectedText().indexOf(QLatin1Char('_'))));
-        mark.deleteChar();
-        mark.setPosition(end - 1, QTextCursor::KeepAnchor);
-        mark.mergeCharFormat(lowered);
-        found.setPosition(end - 1);
+    for (QTextBlock block = document.lastBlock(); block.isValid(); block = block.previous()) {
+        std::vector<QTextFragment> fragments;
+        for (auto it = block.begin(); !it.atEnd(); ++it) fragments.push_back(it.fragment());
+        for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment) {
+            const Text text = running_text(to_std(fragment->text()));
+            if (!text.has_scripts()) continue;
+            QTextCursor at(&document);
+            at.setPosition(fragment->position());
+            at.setPosition(fragment->position() + fragment->length(), QTextCursor::KeepAnchor);
+            QTextCharFormat format = fragment->charFormat();
+            at.removeSelectedText();
+            for (const Text::Span& span : text.spans()) {
+                format.setVerticalAlignment(span.script == Script::below   ? QTextCharFormat::AlignSubScript
+                                            : span.script == Script::above ? QTextCharFormat::AlignSuperScript
+                                                                           : QTextCharFormat::AlignNormal);
+                at.insertText(to_qt(span.letters), format);
+            }
+        }
     }
 }
 
@@ -148,7 +157,7 @@ QString help_text(const std::string& model) {
 QString about_text() {
     return tr("<h3>Covaria %1</h3><p>Measurement uncertainty of robots and large-scale metrology.<br>"
               "Evaluates by JCGM 100, 101 and 102.</p><p>Qt %2, VTK %3, Eigen %4</p>")
-        .arg(QStringLiteral(COVARIA_VERSION), QString::fromLatin1(qVersion()), to_qt(vtk_version()),
+        .arg(QString::fromLatin1(version()), QString::fromLatin1(qVersion()), to_qt(vtk_version()),
              eigen_version());
 }
 

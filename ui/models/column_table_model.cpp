@@ -3,38 +3,59 @@
 
 #include <QGuiApplication>
 #include <QPalette>
+#include <cmath>
 
+#include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/theme/label_text.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+/// SI, so that rows in different units compare.
+std::optional<double> sort_number(const Cell& cell) {
+    if (const auto* number = std::get_if<Measured>(&cell)) return number->si;
+    return std::holds_alternative<std::monostate>(cell) ? std::optional(std::nan("")) : std::nullopt;
+}
+
+}  // namespace
 
 int ColumnTableModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(rows_);
+    return parent.isValid() || keys_.empty() ? 0 : static_cast<int>(table_.rows);
 }
 
 int ColumnTableModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(columns_.size());
+    return parent.isValid() ? 0 : static_cast<int>(keys_.size());
 }
 
 QVariant ColumnTableModel::extra(std::size_t, std::size_t, int) const {
     return {};
 }
 
-QString ColumnTableModel::row_title(std::size_t row) const {
-    return QString::number(row + 1);
+QVariant ColumnTableModel::row_title(std::size_t row, int role) const {
+    return role == Qt::DisplayRole ? QVariant(QString::number(row + 1)) : QVariant();
 }
 
 QVariant ColumnTableModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const auto row = static_cast<std::size_t>(index.row());
-    const Column& column = columns_[static_cast<std::size_t>(index.column())];
+    const Column& of = column(index.column());
     switch (role) {
-        case Qt::DisplayRole:
-            return column.text(row);
         case sort_role:
-            return column.number ? QVariant(column.number(row)) : QVariant(column.text(row));
+            if (const auto number = sort_number(of.cell(row))) return *number;
+            [[fallthrough]];
+        case Qt::DisplayRole:
+            return to_qt(to_unicode(cell_shown(table_, of, row, view_)));
+        case typeset_role:  // words are running text
+            if (std::holds_alternative<std::string>(of.cell(row))) return {};
+            return QVariant::fromValue(cell_shown(table_, of, row, view_));
+        case exact_role: {
+            const auto number = number_in(of.cell(row), view_.units);
+            return number ? QVariant(*number) : QVariant();
+        }
         case Qt::TextAlignmentRole:
-            return QVariant((column.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+            return QVariant((is_numeric(of) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         case Qt::ForegroundRole:
             return current_ ? extra(row, static_cast<std::size_t>(index.column()), role)
                             : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
@@ -48,30 +69,55 @@ QVariant ColumnTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation == Qt::Vertical)
-        return role == Qt::DisplayRole && section < rowCount()
-                   ? QVariant(row_title(static_cast<std::size_t>(section)))
-                   : QVariant();
+        return section < rowCount() ? row_title(static_cast<std::size_t>(section), role) : QVariant();
     if (section < 0 || section >= columnCount()) return {};
-    const Column& column = columns_[static_cast<std::size_t>(section)];
-    if (role == Qt::DisplayRole) return column.title;
-    if (role == id_role) return column.title.section(QStringLiteral(" / "), 0, 0);
-    if (role == Qt::ToolTipRole) return column.help;
+    const Column& of = column(section);
+    if (role == Qt::DisplayRole) return to_qt(to_unicode(head_shown(of, view_)));
+    if (role == typeset_role) return QVariant::fromValue(head_shown(of, view_));
+    if (role == id_role) return to_qt(to_unicode(of.title));
+    if (role == Qt::ToolTipRole) return to_qt(of.help);
     if (role == Qt::TextAlignmentRole)
-        return QVariant((column.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return QVariant((is_numeric(of) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return {};
 }
 
-void ColumnTableModel::set_contents(std::vector<Column> columns, std::size_t rows, bool current) {
-    const bool same_shape = columns.size() == columns_.size() && rows == rows_;
+void ColumnTableModel::set_units(const DisplayUnits& units) {
+    view_.units = units;
+    tell();
+}
+
+void ColumnTableModel::set_digits(int digits) {
+    view_.digits = digits;
+    tell();
+}
+
+DataTable ColumnTableModel::file_table(const std::vector<int>& rows, const std::vector<int>& columns) const {
+    std::vector<std::string> keys;
+    for (const int c : columns) keys.push_back(keys_[static_cast<std::size_t>(c)]);
+    DataTable all = data_table(table_, keys, view_.units);
+    DataTable shown = all;
+    shown.rows.clear();
+    for (const int row : rows) shown.rows.push_back(std::move(all.rows[static_cast<std::size_t>(row)]));
+    return shown;
+}
+
+void ColumnTableModel::set_contents(std::shared_ptr<const void> owner, Table table,
+                                    std::vector<std::string> keys, bool current) {
+    const bool same_shape = keys.size() == keys_.size() && table.rows == table_.rows;
     if (!same_shape) beginResetModel();
-    columns_ = std::move(columns);
-    rows_ = rows;
+    owner_ = std::move(owner);
+    table_ = std::move(table);
+    keys_ = std::move(keys);
     current_ = current;
-    if (!same_shape) {
+    view_.locale = user_numbers();
+    if (!same_shape)
         endResetModel();
-        return;
-    }
-    if (rows_ == 0 || columns_.empty()) return;
+    else
+        tell();
+}
+
+void ColumnTableModel::tell() {
+    if (rowCount() == 0 || columnCount() == 0) return;
     emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
     emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
     emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1);

@@ -1,10 +1,12 @@
-// A read-only table described column by column; base of the tables of results.
+// A read-only table: some columns of a table of the core, in the units and with the digits of this view.
 #pragma once
 
 #include <QAbstractTableModel>
-#include <QString>
-#include <functional>
+#include <memory>
+#include <string>
 #include <vector>
+
+#include "core/report/table.h"
 
 namespace covaria::ui {
 
@@ -14,29 +16,36 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
-    /// The text, `sort_role`, alignment, `extra`, and a grey pen while the contents are out of date.
+    /// The text, `typeset_role`, `sort_role`, `exact_role`, alignment, `extra`, and a grey pen while the
+    /// contents are out of date.
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
     /// False: the result shown belongs to an earlier state of the project.
     bool is_current() const { return current_; }
+    void set_units(const DisplayUnits& units);
+    void set_digits(int digits);  ///< significant digits of uncertainties
+
+    /// What is shown, of these rows and columns, as a file has it.
+    DataTable file_table(const std::vector<int>& rows, const std::vector<int>& columns) const;
 
 protected:
-    struct Column {
-        QString title;
-        QString help = {};
-        std::function<QString(std::size_t row)> text;
-        std::function<double(std::size_t row)> number = {};  ///< for sorting; empty: a column of text
-    };
-    /// Same shape as before: views keep their selection and scroll position.
-    void set_contents(std::vector<Column> columns, std::size_t rows, bool current);
+    /// Columns of `table` by their keys. With the same shape as before, views keep their selection and
+    /// scroll position. `owner` is kept: what the table reads.
+    void set_contents(std::shared_ptr<const void> owner, Table table, std::vector<std::string> keys,
+                      bool current);
     /// Other roles of a cell.
     virtual QVariant extra(std::size_t row, std::size_t column, int role) const;
-    virtual QString row_title(std::size_t row) const;
+    virtual QVariant row_title(std::size_t row, int role) const;
 
 private:
-    std::vector<Column> columns_;
-    std::size_t rows_ = 0;
+    const Column& column(int section) const { return table_[keys_[static_cast<std::size_t>(section)]]; }
+    void tell();
+
+    std::shared_ptr<const void> owner_;
+    Table table_;
+    std::vector<std::string> keys_;
+    TableView view_{{}, 2, {}};
     bool current_ = true;
 };
 

@@ -17,12 +17,9 @@ public:
 
 protected:
     QVariant extra(std::size_t row, std::size_t column, int role) const override;
-    QString row_title(std::size_t row) const override { return titles_[row]; }
-
-private:
-    std::vector<QString> titles_;
-    std::vector<QString> names_;
-    Eigen::MatrixXd matrix_;
+    QVariant row_title(std::size_t row, int role) const override {
+        return headerData(static_cast<int>(row), Qt::Horizontal, role);
+    }
 };
 
 }  // namespace covaria::ui

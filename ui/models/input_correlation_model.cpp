@@ -151,10 +151,18 @@ void InputCorrelationModel::remove_component(int row) {
 std::vector<std::string> InputCorrelationModel::other_components() const {
     std::vector<std::string> others;
     if (!analysis_) return others;
-    for (const UncertaintyComponent& component : analysis_->inputs.components)
-        if (!contains(ids_, component.id)) others.push_back(component.id);
+    // What belongs to an analysis that something is taken from is correlated there.
+    std::vector<bool> upstream(analysis_->inputs.components.size(), false), own = upstream;
+    for (const InputQuantity& quantity : analysis_->inputs.quantities)
+        for (const Share& share : quantity.shares)
+            (quantity.analysis.empty() ? own : upstream)[share.component] = true;
+    for (std::size_t c = 0; c < own.size(); ++c)
+        if (const std::string& id = analysis_->inputs.components[c].id;
+            (own[c] || !upstream[c]) && !contains(ids_, id))
+            others.push_back(id);
     for (const InputQuantity& quantity : analysis_->inputs.quantities)  // as a whole
-        if (quantity.shares.size() > 1 && !contains(ids_, quantity.symbol)) others.push_back(quantity.symbol);
+        if (quantity.analysis.empty() && quantity.shares.size() > 1 && !contains(ids_, quantity.symbol))
+            others.push_back(quantity.symbol);
     return others;
 }
 

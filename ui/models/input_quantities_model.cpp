@@ -3,12 +3,13 @@
 
 #include <QFont>
 
-#include "core/base/symbol.h"
-#include "core/report/number_format.h"
+#include "core/report/result_columns.h"
+#include "core/text/numbers.h"
 #include "ui/document/quantity_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -22,17 +23,55 @@ InputQuantitiesModel::InputQuantitiesModel(Document& document, QObject* parent)
 
 void InputQuantitiesModel::set_analysis(std::shared_ptr<const PreparedAnalysis> analysis) {
     const bool same = analysis && analysis_ && analysis->id == analysis_->id &&
-                      analysis->inputs.quantities.size() == analysis_->inputs.quantities.size();
+                      analysis->inputs.quantities.size() == analysis_->inputs.quantities.size() &&
+                      analysis->linked.size() == analysis_->linked.size();
     if (!same) beginResetModel();
     analysis_ = std::move(analysis);
+    list_rows();
     if (!same)
         endResetModel();
     else if (rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, column_count - 1));
 }
 
+void InputQuantitiesModel::list_rows() {
+    own_.clear();
+    linked_.clear();
+    table_ = {};
+    if (!analysis_) return;
+    std::vector<InputRow> rows;
+    for (std::size_t i = 0; i < analysis_->inputs.quantities.size(); ++i)
+        if (analysis_->inputs.quantities[i].analysis.empty()) {
+            own_.push_back(i);
+            rows.push_back({{i}});
+        }
+    table_ = inputs_table(analysis_->inputs, std::move(rows));
+    for (const LinkedInput& input : analysis_->linked)
+        linked_.push_back({.symbol = input.symbol, .name = input.name, .unit = input.unit});
+}
+
 int InputQuantitiesModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || !analysis_ ? 0 : static_cast<int>(analysis_->inputs.quantities.size());
+    return parent.isValid() || !analysis_ ? 0 : static_cast<int>(own_.size() + linked_.size());
+}
+
+double InputQuantitiesModel::estimate(int row) const {
+    const auto i = static_cast<std::size_t>(row);
+    return is_linked(row) ? analysis_->linked[i - own_.size()].estimate
+                          : estimate_of(analysis_->inputs, own_[i]);
+}
+
+double InputQuantitiesModel::standard_uncertainty(int row) const {
+    const auto i = static_cast<std::size_t>(row);
+    return is_linked(row) ? analysis_->linked[i - own_.size()].standard_uncertainty
+                          : standard_uncertainty_of(analysis_->inputs, own_[i]);
+}
+
+QString InputQuantitiesModel::linked_text(int row) const {
+    const LinkedInput& input = analysis_->linked[static_cast<std::size_t>(row) - own_.size()];
+    const QString from = to_qt(input.analysis_name.empty() ? input.analysis : input.analysis_name);
+    QString output = to_qt(symbol_to_unicode(input.output.symbol));
+    if (!input.output.group.empty()) output += QStringLiteral(" (%1)").arg(to_qt(input.output.group));
+    return (input.linearised ? tr("from %1, linearised: %2") : tr("from %1: %2")).arg(from, output);
 }
 
 int InputQuantitiesModel::columnCount(const QModelIndex& parent) const {
@@ -40,13 +79,15 @@ int InputQuantitiesModel::columnCount(const QModelIndex& parent) const {
 }
 
 int InputQuantitiesModel::row_of(const std::string& symbol) const {
-    const std::size_t found = analysis_ ? analysis_->inputs.find(symbol) : InputSet::npos;
-    return found == InputSet::npos ? -1 : static_cast<int>(found);
+    for (int row = 0; row < rowCount(); ++row)
+        if (quantity(row).symbol == symbol) return row;
+    return -1;
 }
 
 bool InputQuantitiesModel::is_edited(int row) const {
     const std::string& symbol = quantity(row).symbol;
-    return !(find_input_edit(document_.project(), analysis_->id, symbol) == InputEdit{.symbol = symbol});
+    return !is_linked(row) &&
+           !(find_input_edit(document_.project(), analysis_->id, symbol) == InputEdit{.symbol = symbol});
 }
 
 QString InputQuantitiesModel::estimate_text(int row) const {
@@ -54,11 +95,12 @@ QString InputQuantitiesModel::estimate_text(int row) const {
     const Unit& unit = quantity(row).unit;
     if (edit.estimate)
         return number_text(converted(edit.estimate->value, edit.estimate->unit, unit), QLocale());
-    const double value = unit.from_si(estimate_of(analysis_->inputs, static_cast<std::size_t>(row)));
+    const double value = unit.from_si(estimate(row));
     return number_text(QString::number(value, 'g', 12).toDouble(), QLocale());
 }
 
 QString InputQuantitiesModel::components_text(int row) const {
+    if (is_linked(row)) return linked_text(row);
     QStringList parts;
     for (const Share& share : quantity(row).shares) {
         const UncertaintyComponent& component = analysis_->inputs.components[share.component];
@@ -71,30 +113,49 @@ QString InputQuantitiesModel::components_text(int row) const {
 }
 
 QString InputQuantitiesModel::text(int row, int column) const {
+    if (column == estimate_column) return estimate_text(row);
+    if (column == components_column) return components_text(row);
+    const Text shown = typeset(row, column);
+    return to_qt(to_unicode(shown));
+}
+
+Text InputQuantitiesModel::typeset(int row, int column) const {
+    if (is_linked(row)) return typeset_linked(row, column);
+    const TableView view{{}, 2, user_numbers()};
     switch (column) {
         case symbol_column:
-            return to_qt(symbol_to_unicode(quantity(row).symbol));
+            return cell_shown(table_, table_["symbol"], std::size_t(row), view);
         case name_column:
-            return to_qt(quantity(row).name);
-        case estimate_column:
-            return estimate_text(row);
+            return cell_shown(table_, table_["name"], std::size_t(row), view);
         case unit_column:
-            return to_qt(quantity(row).unit.display());
+            return cell_shown(table_, table_["unit"], std::size_t(row), view);
         case uncertainty_column:
-            return localized(format_significant(quantity(row).unit.interval_from_si(standard_uncertainty_of(
-                                                    analysis_->inputs, static_cast<std::size_t>(row))),
-                                                2));
-        case components_column:
-            return components_text(row);
+            return cell_shown(table_, table_["u"], std::size_t(row), view);
+        default:
+            return {};
+    }
+}
+
+Text InputQuantitiesModel::typeset_linked(int row, int column) const {
+    const InputQuantity& shown = quantity(row);
+    const double u = shown.unit.interval_from_si(standard_uncertainty(row));
+    switch (column) {
+        case symbol_column:
+            return symbol_text(shown.symbol);
+        case name_column:
+            return Text(shown.name);
+        case unit_column:
+            return Text(shown.unit.display());
+        case uncertainty_column:
+            return Text(typeset_number(format_significant(u, 2), user_numbers()));
         default:
             return {};
     }
 }
 
 QVariant InputQuantitiesModel::sort_value(int row, int column) const {
-    const auto i = static_cast<std::size_t>(row);
-    if (column == estimate_column) return estimate_of(analysis_->inputs, i);
-    if (column == uncertainty_column) return standard_uncertainty_of(analysis_->inputs, i);
+    if (column == estimate_column) return estimate(row);
+    if (column == uncertainty_column) return standard_uncertainty(row);
     return text(row, column);
 }
 
@@ -107,6 +168,8 @@ QVariant InputQuantitiesModel::row_data(int row, int role) const {
         bold.setBold(true);
         return bold;
     }
+    if (role == Qt::ToolTipRole && is_linked(row))
+        return tr("Evaluated in the other analysis, in every trial: edit it there.");
     if (role == Qt::ToolTipRole && is_edited(row)) return tr("Changed: differs from what the model says.");
     return {};
 }
@@ -116,10 +179,12 @@ QVariant InputQuantitiesModel::data(const QModelIndex& index, int role) const {
     const int row = index.row();
     const bool numeric = index.column() == estimate_column || index.column() == uncertainty_column;
     if (role == Qt::DisplayRole || role == Qt::EditRole) return text(row, index.column());
+    if (role == typeset_role && index.column() == symbol_column)
+        return QVariant::fromValue(typeset(row, index.column()));
     if (role == sort_role) return sort_value(row, index.column());
     if (role == Qt::TextAlignmentRole)
         return QVariant((numeric ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    if (role == Qt::CheckStateRole && index.column() == held_column)
+    if (role == Qt::CheckStateRole && index.column() == held_column && !is_linked(row))
         return find_input_edit(document_.project(), analysis_->id, quantity(row).symbol).held ? Qt::Checked
                                                                                               : Qt::Unchecked;
     return row_data(row, role);
@@ -136,6 +201,7 @@ QVariant InputQuantitiesModel::headerData(int section, Qt::Orientation orientati
 
 Qt::ItemFlags InputQuantitiesModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    if (index.isValid() && is_linked(index.row())) return flags;
     if (index.column() == estimate_column) return flags | Qt::ItemIsEditable;
     return index.column() == held_column ? flags | Qt::ItemIsUserCheckable : flags;
 }
@@ -158,7 +224,7 @@ bool InputQuantitiesModel::set_held(int row, bool held) {
 }
 
 bool InputQuantitiesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return false;
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid) || is_linked(index.row())) return false;
     if (role == Qt::EditRole && index.column() == estimate_column)
         return set_estimate(index.row(), value.toString());
     if (role == Qt::CheckStateRole && index.column() == held_column)

@@ -1,10 +1,11 @@
-// The input quantities of an analysis with the user's edits.
+// The input quantities of an analysis with the user's edits; those that other analyses give come last.
 #pragma once
 
 #include <QAbstractTableModel>
 #include <memory>
 
 #include "core/project/workspace.h"
+#include "core/report/table.h"
 #include "ui/document/document.h"
 
 namespace covaria::ui {
@@ -39,12 +40,21 @@ public:
     void reset_edits(int row);
     bool is_edited(int row) const;
     int row_of(const std::string& symbol) const;
+    /// Its value is an output of another analysis, and nothing of it is edited here.
+    bool is_linked(int row) const { return static_cast<std::size_t>(row) >= own_.size(); }
+    const InputQuantity& quantity(int row) const {
+        const auto i = static_cast<std::size_t>(row);
+        return is_linked(row) ? linked_[i - own_.size()] : analysis_->inputs.quantities[own_[i]];
+    }
 
 private:
-    const InputQuantity& quantity(int row) const {
-        return analysis_->inputs.quantities[static_cast<std::size_t>(row)];
-    }
+    void list_rows();
+    double estimate(int row) const;
+    double standard_uncertainty(int row) const;
+    QString linked_text(int row) const;
     QString text(int row, int column) const;
+    Text typeset(int row, int column) const;
+    Text typeset_linked(int row, int column) const;
     QString estimate_text(int row) const;
     QString components_text(int row) const;
     QVariant sort_value(int row, int column) const;
@@ -54,6 +64,9 @@ private:
 
     Document& document_;
     std::shared_ptr<const PreparedAnalysis> analysis_;
+    Table table_;                        ///< of the quantities that are not linked, a row each
+    std::vector<std::size_t> own_;       ///< indices of the quantities that are not upstream's
+    std::vector<InputQuantity> linked_;  ///< as `analysis_->linked`
 };
 
 }  // namespace covaria::ui

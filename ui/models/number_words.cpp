@@ -2,19 +2,19 @@
 #include "ui/models/number_words.h"
 
 #include <QLocale>
-#include <cmath>
 
-#include "core/report/number_format.h"
+#include "ui/document/quantity_text.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
-QString localized(const std::string& number) {
-    return to_qt(number).replace('.', QLocale().decimalPoint()).replace('-', QChar(0x2212));
+NumberLocale user_numbers() {
+    return number_locale(QLocale());
 }
 
-QString degrees_of_freedom_text(double value) {
-    return localized(format_degrees_of_freedom(value));
+QString localized(const std::string& number) {
+    return to_qt(typeset_number(number, user_numbers()));
 }
 
 }  // namespace covaria::ui

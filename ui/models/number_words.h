@@ -4,11 +4,14 @@
 #include <QString>
 #include <string>
 
+#include "core/text/numbers.h"
+
 namespace covaria::ui {
 
-/// Text of a number with a decimal point, with the locale's decimal mark and a true minus sign.
+/// How the user's locale writes numbers.
+NumberLocale user_numbers();
+/// Text of a number with a decimal point, with the locale's decimal mark, a true minus sign and powers of
+/// ten.
 QString localized(const std::string& number);
-/// Effective degrees of freedom: whole numbers, "∞".
-QString degrees_of_freedom_text(double value);
 
 }  // namespace covaria::ui

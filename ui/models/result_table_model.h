@@ -3,11 +3,9 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "core/result/uncertainty_result.h"
 #include "ui/models/column_table_model.h"
-#include "ui/models/display_units.h"
 
 namespace covaria::ui {
 
@@ -21,8 +19,6 @@ public:
     void set_result(std::shared_ptr<const UncertaintyResult> result, bool current);
     /// Shows outputs of one group only; empty: all.
     void set_group(const std::string& group);
-    void set_units(const DisplayUnits& units);
-    void set_digits(int digits);  ///< significant digits of uncertainties
     void set_interval(Interval interval);
 
     /// Index among the result's outputs.
@@ -34,25 +30,12 @@ protected:
 
 private:
     void rebuild();
-    void add_quantity_columns(std::vector<Column>& columns) const;
-    void add_result_columns(std::vector<Column>& columns) const;
-    /// U with everything of a contributor held, where there are two and not too many.
-    void add_contributor_columns(std::vector<Column>& columns) const;
-    void add_first_order_columns(std::vector<Column>& columns) const;
-    /// Where they were asked for.
-    void add_second_order_columns(std::vector<Column>& columns) const;
-    const OutputResult& output(std::size_t row) const { return result_->outputs[shown_[row]]; }
-    const Unit& unit(std::size_t row) const { return units_.of(output(row).quantity.unit); }
-    std::optional<CoverageInterval> interval_of(std::size_t row) const;
-    QString value_text(std::size_t row, double value, double uncertainty) const;
-    QString uncertainty_text(std::size_t row, double uncertainty) const;
+    std::vector<std::string> keys() const;
 
     std::shared_ptr<const UncertaintyResult> result_;
     bool current_result_ = true;
     std::vector<std::size_t> shown_;
     std::string group_;
-    DisplayUnits units_;
-    int digits_ = 2;
     Interval interval_ = Interval::symmetric;
 };
 

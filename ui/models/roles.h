@@ -16,6 +16,7 @@ enum Role : int {
     worst_role,     ///< int of Severity: of the problems that problem_role says
     choices_role,   ///< QStringList of what the cell may be set to
     group_role,     ///< of an output or input quantity ("pose 7")
+    exact_role,     ///< double: the number of the cell with full precision; invalid: it has none
     index_role,     ///< of an output among the result's outputs
 };
 

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/symbol.h"
+#include "core/text/symbol.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
+#include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -114,8 +115,9 @@ QVariant SetupTableModel::headerData(int section, Qt::Orientation orientation, i
         return role == Qt::ToolTipRole ? QVariant(complaint({section, -1})) : QVariant();
     }
     if (section < 0 || section >= columnCount()) return {};
-    if (role == Qt::DisplayRole)
-        return with_unit(to_qt(symbol_to_unicode(column(section).title)), unit(section));
+    const Text title = with_unit(title_text(column(section).title), unit(section));
+    if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
+    if (role == typeset_role) return QVariant::fromValue(title);
     if (role == Qt::ToolTipRole) return to_qt(column(section).help);
     return {};
 }

@@ -2,46 +2,49 @@
 
 #include <cmath>
 
-#include "core/base/symbol.h"
-#include "core/report/number_format.h"
 #include "core/result/representation.h"
-#include "ui/document/quantity_text.h"
-#include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+const char* const position_help =
+    "Standard uncertainty of the position in space: square root of the sum of the variances of its three "
+    "coordinates";
+
+}  // namespace
 
 void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool current) {
     study_ = std::move(study);
-    std::vector<Column> columns;
-    if (!study_) return set_contents({}, 0, current);
+    if (!study_) return set_contents({}, {}, {}, current);
     const StudyResult& shown = *study_;
-    for (std::size_t axis = 0; axis < shown.axes.size(); ++axis) {
-        const auto value = [this, axis](std::size_t row) {
-            return study_->axes[axis].values[study_->indices_of(row)[axis]];
+    set_digits(0);
+    Table table{"study-" + shown.id, shown.name, shown.points.size()};
+    for (const StudyAxisValues& axis : shown.axes) {
+        const auto value = [&shown, &axis,
+                            i = std::size_t(&axis - shown.axes.data())](std::size_t row) -> Cell {
+            const double typed = axis.values[shown.indices_of(row)[i]];
+            return Measured{axis.unit.to_si(typed), Measured::Scale::value, axis.unit, {}};
         };
-        columns.push_back({with_unit(to_qt(shown.axes[axis].title), shown.axes[axis].unit),
-                           {},
-                           [value](std::size_t row) { return localized(format_significant(value(row), 6)); },
-                           value});
+        table.add(to_unicode(axis.title), value).window(axis.title).round({.typed = true}).in(axis.unit);
     }
     for (const StudyQuantity& quantity : study_quantities(shown)) {
-        const auto value = [this, quantity](std::size_t row) {
-            return quantity.unit.interval_from_si(value_at(*study_, quantity, row));
+        const auto value = [&shown, quantity](std::size_t row) -> Cell {
+            const double si = value_at(shown, quantity, row);
+            return std::isfinite(si) ? Cell(Measured{si, Measured::Scale::interval, quantity.unit, {}})
+                                     : Cell();
         };
-        const auto text = [value](std::size_t row) {
-            return std::isfinite(value(row)) ? localized(format_significant(value(row), 3)) : QString();
-        };
-        const QString help = quantity.position
-                                 ? tr("Standard uncertainty of the position in space: square root of the sum "
-                                      "of the variances of its three coordinates")
-                                 : tr("Expanded uncertainty");
-        columns.push_back({with_unit(to_qt(quantity.title), quantity.unit), help, text, value});
+        table.add(quantity.id, value)
+            .window(quantity.title, quantity.position ? position_help : "Expanded uncertainty")
+            .digits(3)
+            .in(quantity.unit);
     }
     if (shown.failed() > 0 || !not_representing(shown).empty())
-        columns.push_back({tr("Remark"), tr("Why there are no values, or what is wrong with them"),
-                           [this](std::size_t row) { return to_qt(remark_on(*study_, row)); }});
-    set_contents(std::move(columns), shown.points.size(), current);
+        table.add("remark", [&shown](std::size_t row) -> Cell { return remark_on(shown, row); })
+            .window("Remark", "Why there are no values, or what is wrong with them");
+    std::vector<std::string> keys;
+    for (const Column& column : table.columns) keys.push_back(column.key);
+    set_contents(study_, std::move(table), std::move(keys), current);
 }
 
 QVariant StudyTableModel::extra(std::size_t row, std::size_t, int role) const {

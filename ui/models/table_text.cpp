@@ -3,9 +3,12 @@
 
 #include <QAbstractItemModel>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
-#include "ui/document/quantity_text.h"
+#include "core/text/numbers.h"
+#include "ui/models/roles.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -66,16 +69,14 @@ QString quoted_if_needed(QString cell) {
     return '"' + cell.replace("\"", "\"\"") + '"';
 }
 
-}  // namespace
-
-QString number_for_programs(const QString& shown, const QLocale& locale, const QString& decimal_mark) {
-    if (!parse_number(shown, locale)) return shown;
-    QString plain = shown.trimmed();
-    plain.replace(QChar(0x2212), '-');
-    for (const char16_t space : {u'\u00a0', u'\u202f', u'\u2009'}) plain.remove(QChar(space));
-    if (plain.count(locale.decimalPoint()) == 1) plain.replace(locale.decimalPoint(), decimal_mark);
-    return plain;
+/// A number with the locale's decimal mark and all its digits; any other text as it is.
+QString cell_for_programs(const QModelIndex& cell, const QLocale& locale) {
+    const QVariant exact = cell.data(exact_role);
+    if (!exact.isValid() || !std::isfinite(exact.toDouble())) return cell.data().toString();
+    return to_qt(format_exact(exact.toDouble())).replace('.', locale.decimalPoint());
 }
+
+}  // namespace
 
 std::vector<QStringList> parse_block(const QString& text, const QLocale& locale) {
     QString plain = text;
@@ -93,8 +94,7 @@ QString block_text(const QModelIndexList& cells, bool heads) {
     const QLocale locale;
     const QAbstractItemModel* model = cells.front().model();
     for (const QModelIndex& cell : cells) {
-        rows[cell.row()][cell.column()] =
-            number_for_programs(cell.data().toString(), locale, locale.decimalPoint());
+        rows[cell.row()][cell.column()] = cell_for_programs(cell, locale);
         columns[cell.column()] = model->headerData(cell.column(), Qt::Horizontal).toString();
     }
     QStringList lines;

@@ -13,12 +13,8 @@ namespace covaria::ui {
 /// A comma separates cells only where it is not the locale's decimal mark.
 std::vector<QStringList> parse_block(const QString& text, const QLocale& locale);
 
-/// A number as a table shows it, as spreadsheets and other programs read it: a plain minus sign, no spaces,
-/// the given decimal mark. Any other text stays as it is.
-QString number_for_programs(const QString& shown, const QLocale& locale, const QString& decimal_mark);
-
-/// Texts of the selected cells, row by row with tabs between, numbers as a spreadsheet in the user's locale
-/// takes them; cells not selected are empty. With `heads`, the column heads come first.
+/// Texts of the selected cells, row by row with tabs between, numbers with all their digits as a spreadsheet
+/// in the user's locale takes them; cells not selected are empty. With `heads`, the column heads come first.
 QString block_text(const QModelIndexList& cells, bool heads = false);
 
 }  // namespace covaria::ui

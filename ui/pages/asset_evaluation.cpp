@@ -2,6 +2,7 @@
 
 #include "core/project/workspace.h"
 #include "ui/pages/data_table_html.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
@@ -36,9 +37,11 @@ AssetEvaluation::AssetEvaluation(Document& document, std::string asset, QWidget*
 }
 
 void AssetEvaluation::refresh() {
-    jobs_.push([this, project = document_.snapshot(), id = asset_]() -> JobQueue::Delivery {
+    const auto evaluate = [this, project = document_.snapshot(), id = asset_]() -> JobQueue::Delivery {
         return [this, found = evaluate_asset(*project, id)] { show_evaluation(found.html, found.figures); };
-    });
+    };
+    jobs_.push(evaluate,
+               [this](const Error& error) { show_evaluation(to_qt(error.message).toHtmlEscaped(), {}); });
 }
 
 }  // namespace covaria::ui

@@ -18,6 +18,21 @@ std::vector<EvaluatedAnalysis> current_results(const Project& project, const Ana
     return current;
 }
 
+std::vector<FailedAnalysis> failed_results(const Project& project, const AnalysisRunner& runner) {
+    std::vector<FailedAnalysis> failed;
+    for (const AnalysisEntry& analysis : project.analyses) {
+        const AnalysisStatus& status = runner.status(to_qt(analysis.id));
+        if (status.state == RunState::failed)
+            failed.push_back({analysis.id, analysis.name, {}, to_std(status.message)});
+        for (const Study& study : analysis.studies) {
+            const StudyStatus& of_study = runner.studies().status(to_qt(analysis.id), to_qt(study.id));
+            if (of_study.state == RunState::failed)
+                failed.push_back({analysis.id, analysis.name, study.id, to_std(of_study.message)});
+        }
+    }
+    return failed;
+}
+
 QStringList left_out(const Project& project, const AnalysisRunner& runner) {
     QStringList names;
     for (const AnalysisEntry& analysis : project.analyses)

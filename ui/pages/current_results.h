@@ -12,6 +12,9 @@ namespace covaria::ui {
 /// Analyses (in the order of the project) and studies whose results are those of the project as it is now,
 /// with all the trials it asks for.
 std::vector<EvaluatedAnalysis> current_results(const Project& project, const AnalysisRunner& runner);
+/// Analyses and studies of the project that failed, with the cause: what results.json lists beside the
+/// results.
+std::vector<FailedAnalysis> failed_results(const Project& project, const AnalysisRunner& runner);
 /// Names of the analyses that are not among them.
 QStringList left_out(const Project& project, const AnalysisRunner& runner);
 

@@ -2,8 +2,8 @@
 
 #include <QObject>
 
-#include "core/base/symbol.h"
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/strings.h"
 
@@ -14,7 +14,7 @@ constexpr std::size_t most_rows = 300;
 
 QString head_of(const TableColumn& column) {
     QString head =
-        column.is_symbol ? to_qt(symbol_to_html(column.header)) : to_qt(column.header).toHtmlEscaped();
+        to_qt(column.is_symbol ? to_html(symbols_text(column.header)) : escape_html(column.header));
     if (!(column.unit == Unit())) head += QStringLiteral("<br>(%1)").arg(to_qt(column.unit.display()));
     return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
 }

@@ -1,6 +1,7 @@
 #include "ui/pages/evaluation_tab.h"
 
 #include "ui/pages/data_table_html.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -24,14 +25,16 @@ void EvaluationTab::refresh() {
     shown_ = prepared;
     // The tab stays where it is while the analysis has a problem.
     if (!prepared) return show_evaluation({}, {});
-    jobs_.push([this, prepared]() -> JobQueue::Delivery {
+    const auto evaluate = [this, prepared]() -> JobQueue::Delivery {
         const QString html = html_of(prepared->model->evaluation());
         return [this, prepared, html, figures = prepared->model->figures()] {
             if (prepared != shown_) return;
             show_evaluation(html, figures);
             emit filled(!html.isEmpty() || !figures.empty());
         };
-    });
+    };
+    jobs_.push(evaluate,
+               [this](const Error& error) { show_evaluation(to_qt(error.message).toHtmlEscaped(), {}); });
 }
 
 }  // namespace covaria::ui

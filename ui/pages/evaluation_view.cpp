@@ -57,7 +57,7 @@ void EvaluationView::show_evaluation(const QString& html, std::vector<PlotSpecif
         const QSignalBlocker blocker(list_);
         list_->clear();
         for (const PlotSpecification& figure : figures_)
-            list_->addItem(to_qt(figure.title), to_qt(figure.id));
+            list_->addItem(to_qt(to_unicode(figure.title)), to_qt(figure.id));
         list_->setCurrentIndex(std::max(0, list_->findData(before)));
     }
     charts_->setVisible(!figures_.empty());

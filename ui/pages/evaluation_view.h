@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/base/plot_specification.h"
+#include "core/text/plot_specification.h"
 
 class QComboBox;
 class QSplitter;

@@ -2,16 +2,21 @@
 
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cstdio>
 #include <string_view>
 
+#include "core/project/links.h"
+#include "ui/document/quantity_edits.h"
 #include "ui/forms/components_edit.h"
 #include "ui/forms/correlation_edit.h"
+#include "ui/forms/link_dialog.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset.h"
@@ -76,6 +81,8 @@ void InputsPage::make_table() {
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->hideColumn(InputQuantitiesModel::name_column);
+    table_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(table_, &QWidget::customContextMenuRequested, this, &InputsPage::show_menu);
 }
 
 void InputsPage::take_analysis() {
@@ -90,12 +97,58 @@ void InputsPage::take_analysis() {
 void InputsPage::show_components() {
     const QString symbol = table_->currentIndex().data(id_role).toString();
     components_->set_quantity(model_.analysis(), to_std(symbol));
+    const int row = model_.row_of(to_std(symbol));
+    components_->setEnabled(row >= 0 && !model_.is_linked(row));
+}
+
+std::vector<LinkChoice> InputsPage::link_choices(const std::string& symbol) const {
+    std::vector<LinkChoice> choices;
+    const int row = model_.row_of(symbol);
+    if (row < 0) return choices;
+    const auto dimension = model_.quantity(row).unit.dimension();
+    const auto takers = analyses_taking_from(document_.project(), analysis_);
+    for (const AnalysisEntry& entry : document_.project().analyses) {
+        const bool circle =
+            entry.id == analysis_ || std::find(takers.begin(), takers.end(), entry.id) != takers.end();
+        const auto& prepared = runner_.status(to_qt(entry.id)).prepared;
+        if (circle || !prepared) continue;
+        LinkChoice choice{entry.id, entry.name.empty() ? entry.id : entry.name, {}};
+        for (const OutputQuantity& output : prepared->model->outputs())
+            if (output.unit.dimension() == dimension)
+                choice.outputs.push_back({entry.id, output.group, output.symbol});
+        if (!choice.outputs.empty()) choices.push_back(std::move(choice));
+    }
+    return choices;
+}
+
+void InputsPage::ask_for_link(const std::string& symbol) {
+    LinkDialog dialog(symbol, link_choices(symbol), find_link(document_.project(), analysis_, symbol), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    if (const auto link = dialog.link()) set_link(document_, analysis_, symbol, link);
+}
+
+void InputsPage::show_menu(const QPoint& at) {
+    const QModelIndex index = table_->indexAt(at);
+    if (!index.isValid()) return;
+    const std::string symbol = to_std(index.data(id_role).toString());
+    QMenu menu(this);
+    menu.addAction(tr("Take From an Analysis…"), this, [this, symbol] { ask_for_link(symbol); });
+    QAction* remove = menu.addAction(
+        tr("Remove Link"), this, [this, symbol] { set_link(document_, analysis_, symbol, std::nullopt); });
+    remove->setEnabled(find_link(document_.project(), analysis_, symbol).has_value());
+    menu.exec(table_->viewport()->mapToGlobal(at));
 }
 
 bool InputsPage::focus_field(const std::string& path) {
     const AnalysisEntry* analysis = document_.project().find_analysis(analysis_);
     if (!analysis) return false;
     const std::string entry = entry_path(document_.project(), {SetupOwner::analysis, analysis_});
+    if (const std::string links = entry + "/links/"; path.starts_with(links)) {
+        unsigned number = 0;
+        if (std::sscanf(path.c_str() + links.size(), "%u", &number) != 1 || number >= analysis->links.size())
+            return false;
+        return select_quantity(analysis->links[number].input);
+    }
     if (path.starts_with(entry + "/correlations")) {
         details_->setCurrentWidget(correlations_);
         correlations_->view().setFocus(Qt::OtherFocusReason);
@@ -108,6 +161,10 @@ bool InputsPage::focus_field(const std::string& path) {
     unsigned index = 0;
     if (std::sscanf(rest.c_str(), "%u", &index) == 1 && index < analysis->inputs.size())
         symbol = analysis->inputs[index].symbol;
+    return select_quantity(symbol);
+}
+
+bool InputsPage::select_quantity(const std::string& symbol) {
     const int row = model_.row_of(symbol);
     if (row < 0) return false;
     details_->setCurrentIndex(0);

@@ -4,6 +4,8 @@
 
 #include <QSortFilterProxyModel>
 #include <QWidget>
+#include <string>
+#include <vector>
 
 #include "ui/models/input_quantities_model.h"
 #include "ui/run/analysis_runner.h"
@@ -16,6 +18,7 @@ namespace covaria::ui {
 
 class ComponentsEdit;
 class CorrelationEdit;
+struct LinkChoice;
 
 class InputsPage : public QWidget {
     Q_OBJECT
@@ -25,11 +28,16 @@ public:
     /// "/analyses/0/inputs/3/...": selects the quantity of that edit. False if the pointer names none.
     bool focus_field(const std::string& path);
     QTableView& table() { return *table_; }
+    /// Results of other analyses that the quantity could be; of those that are prepared.
+    std::vector<LinkChoice> link_choices(const std::string& symbol) const;
 
 private:
+    void show_menu(const QPoint& at);
+    void ask_for_link(const std::string& symbol);
     void make_table();
     void take_analysis();
     void show_components();
+    bool select_quantity(const std::string& symbol);
 
     Document& document_;
     AnalysisRunner& runner_;

@@ -107,15 +107,18 @@ void ReportPreview::refresh() {
     }
     old_ = false;
     state_->setText(tr("Making the report …"));
-    maker_.make(document_.snapshot(), results,
-                [this](const ReportDocument& report, const FigurePainters& painters,
-                       const std::stop_token&) -> JobQueue::Delivery {
-                    const PdfOptions options{.paint_plot = painters.paint_plot,
-                                             .render_scene = painters.render_scene};
-                    return [this, images = page_images(report, options, preview_dots_per_inch)] {
-                        show_pages(images);
-                    };
-                });
+    maker_.make(
+        document_.snapshot(), results,
+        [this](const ReportDocument& report, const FigurePainters& figures,
+               const std::stop_token&) -> JobQueue::Delivery {
+            const PdfOptions options{.paint_plot = figures.paint_plot, .render_scene = figures.render_scene};
+            return
+                [this, images = page_images(report, options, preview_dots_per_inch)] { show_pages(images); };
+        },
+        [this](const Error& error) {
+            old_ = true;
+            state_->setText(tr("The report could not be made: %1").arg(to_qt(error.message)));
+        });
 }
 
 void ReportPreview::show_pages(const std::vector<QImage>& images) {

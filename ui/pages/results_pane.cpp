@@ -10,9 +10,9 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "core/base/symbol.h"
 #include "core/report/plots.h"
 #include "core/result/representation.h"
+#include "core/text/symbol.h"
 #include "ui/charts/chart_view.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
@@ -188,7 +188,6 @@ void ResultsPane::take_result() {
     units_->set_result(result_);
     result_model_.set_group(to_std(selection_.group()));
     result_model_.set_result(result_, current_);
-    plotted_ = in_units(result_, units_->units());
     refresh_outputs();
     show_group(selection_.group());
 }
@@ -196,7 +195,6 @@ void ResultsPane::take_result() {
 void ResultsPane::take_units() {
     result_model_.set_units(units_->units());
     budget_model_.set_units(units_->units());
-    plotted_ = in_units(result_, units_->units());
     refresh_charts();
 }
 
@@ -215,9 +213,8 @@ void ResultsPane::refresh_outputs() {
     for (std::size_t i = 0; i < result_->outputs.size(); ++i) {
         const OutputQuantity& quantity = result_->outputs[i].quantity;
         if (!selection_.group().isEmpty() && to_qt(quantity.group) != selection_.group()) continue;
-        const QString symbol = to_qt(symbol_to_unicode(quantity.symbol));
-        output_->addItem(quantity.group.empty() ? symbol : tr("%1 of %2").arg(symbol, to_qt(quantity.group)),
-                         int(i));
+        const std::string of = quantity.group.empty() ? "" : to_std(tr(" of %1").arg(to_qt(quantity.group)));
+        output_->add_item(symbol_text(quantity.symbol) + of, int(i));
     }
 }
 
@@ -251,14 +248,14 @@ void ResultsPane::refresh_charts() {
     }
     const auto index = std::size_t(output);
     const QWidget* shown = tabs_->currentWidget();
-    if (shown->isAncestorOf(contributions_)) show_chart(*contributions_, contribution_plot(*plotted_, index));
+    if (shown->isAncestorOf(contributions_)) show_chart(*contributions_, contribution_plot(*result_, index));
     if (shown->isAncestorOf(histogram_)) {
-        show_chart(*histogram_, histogram_plot(*plotted_, index));
-        show_chart(*quantiles_, normal_quantile_plot(*plotted_, index));
+        show_chart(*histogram_, histogram_plot(*result_, index, units_->units()));
+        show_chart(*quantiles_, normal_quantile_plot(*result_, index, units_->units()));
     }
     if (shown->isAncestorOf(correlation_map_))
-        show_chart(*correlation_map_, correlation_plot(*plotted_, plotted_->outputs[index].quantity.group));
-    if (shown == convergence_) show_chart(*convergence_, convergence_plot(*plotted_, index));
+        show_chart(*correlation_map_, correlation_plot(*result_, result_->outputs[index].quantity.group));
+    if (shown == convergence_) show_chart(*convergence_, convergence_plot(*result_, index, units_->units()));
 }
 
 void ResultsPane::start_over() {

@@ -11,8 +11,8 @@
 #include "ui/models/correlation_table_model.h"
 #include "ui/models/result_table_model.h"
 #include "ui/run/analysis_runner.h"
+#include "ui/theme/typeset.h"
 
-class QComboBox;
 class QLabel;
 class QSpinBox;
 
@@ -64,7 +64,6 @@ private:
     AnalysisRunner& runner_;
     Selection& selection_;
     ResultPointer result_;
-    ResultPointer plotted_;  ///< the same in the units chosen
     bool current_ = true;
     bool shortest_ = false;  ///< coverage intervals, else probabilistically symmetric ones
     ResultTableModel result_model_;
@@ -74,7 +73,7 @@ private:
     QWidget* head_ = nullptr;
     QLabel* state_ = nullptr;
     UnitButton* units_ = nullptr;
-    QComboBox* output_ = nullptr;
+    TypesetComboBox* output_ = nullptr;
     QSpinBox* digits_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     SortableTable* results_ = nullptr;

@@ -11,6 +11,7 @@
 
 #include "core/project/project_file.h"
 #include "core/report/csv_text.h"
+#include "core/report/report.h"
 #include "ui/models/roles.h"
 #include "ui/models/table_text.h"
 #include "ui/theme/icons.h"
@@ -20,16 +21,12 @@
 namespace covaria::ui {
 namespace {
 
-QString quoted(const QString& cell) {
-    return to_qt(csv_text(to_std(cell)));
-}
-
 constexpr int widest_column = 260;  ///< that a column gets by itself
 
 }  // namespace
 
-SortableTable::SortableTable(QAbstractItemModel& model, const QString& name, QWidget* parent)
-    : QTableView(parent), name_(name) {
+SortableTable::SortableTable(ColumnTableModel& model, const QString& name, QWidget* parent)
+    : QTableView(parent), name_(name), model_(model) {
     setHorizontalHeader(new TypesetHeader(Qt::Horizontal, this));
     setVerticalHeader(new TypesetHeader(Qt::Vertical, this));
     setItemDelegate(new TypesetDelegate(this));
@@ -120,18 +117,13 @@ void SortableTable::copy_selection() {
 }
 
 QString SortableTable::csv() const {
-    QStringList lines;
-    for (int row = -1; row < proxy_.rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < proxy_.columnCount(); ++column)
-            if (!isColumnHidden(column))
-                cells << quoted(row < 0 ? proxy_.headerData(column, Qt::Horizontal).toString()
-                                        : number_for_programs(proxy_.index(row, column).data().toString(),
-                                                              QLocale(), QStringLiteral(".")));
-        lines << cells.join(QLatin1Char(','));
-    }
-    if (!remark_.isEmpty()) lines << quoted(remark_);
-    return lines.join(QStringLiteral("\r\n")) + QStringLiteral("\r\n");
+    std::vector<int> rows, columns;
+    for (int row = 0; row < proxy_.rowCount(); ++row)
+        rows.push_back(proxy_.mapToSource(proxy_.index(row, 0)).row());
+    for (int column = 0; column < proxy_.columnCount(); ++column)
+        if (!isColumnHidden(column)) columns.push_back(column);
+    const std::string text = to_csv(model_.file_table(rows, columns));
+    return to_qt(remark_.isEmpty() ? text : text + csv_text(to_std(remark_)) + "\r\n");
 }
 
 void SortableTable::save_csv(const QString& file) {

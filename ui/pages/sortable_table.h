@@ -5,6 +5,8 @@
 #include <QTableView>
 #include <functional>
 
+#include "ui/models/column_table_model.h"
+
 class QMenu;
 
 namespace covaria::ui {
@@ -13,7 +15,7 @@ class SortableTable : public QTableView {
     Q_OBJECT
 public:
     /// `name` names the saved file ("results") and the table to screen readers.
-    SortableTable(QAbstractItemModel& model, const QString& name, QWidget* parent = nullptr);
+    SortableTable(ColumnTableModel& model, const QString& name, QWidget* parent = nullptr);
 
     /// Columns hidden until the user shows them. The choice and the widths the user gave are remembered under
     /// `key`.
@@ -28,7 +30,7 @@ public:
     void set_remark(const QString& remark) { remark_ = remark; }
 
     void copy_selection();
-    /// Everything shown, in the order shown.
+    /// What is shown, in the order shown: the text that a file of these columns has.
     QString csv() const;
     void save_csv(const QString& file);
     /// Row of the model under the current row of the view; -1 = none.
@@ -55,6 +57,7 @@ private:
     void ask_and_save();
 
     QString name_, key_, remark_;
+    const ColumnTableModel& model_;
     QStringList hidden_;
     QMap<QString, QVariant> widths_;  ///< that the user gave
     QSortFilterProxyModel proxy_;

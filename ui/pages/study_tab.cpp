@@ -44,7 +44,7 @@ void StudyTab::make_head() {
     auto* row = new QHBoxLayout(head_);
     row->setContentsMargins(4, 2, 4, 2);
     const auto combo = [](const QString& name, const QString& tip) {
-        auto* made = new QComboBox;
+        auto* made = new TypesetComboBox;
         made->setAccessibleName(name);
         made->setToolTip(tip);
         made->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -131,10 +131,9 @@ void StudyTab::refresh_choices() {
     quantity_->clear();
     fixed_->clear();
     if (!result_) return;
-    for (const StudyQuantity& quantity : study_quantities(*result_))
-        quantity_->addItem(to_qt(quantity.title));
+    for (const StudyQuantity& quantity : study_quantities(*result_)) quantity_->add_item(quantity.title);
     quantity_->setCurrentIndex(std::max(0, quantity_->findText(before)));
-    for (const StudyAxisValues& axis : result_->axes) fixed_->addItem(tr("slice: %1").arg(to_qt(axis.title)));
+    for (const StudyAxisValues& axis : result_->axes) fixed_->add_item(to_std(tr("slice: ")) + axis.title);
     if (result_->axes.size() == 3) {
         if (view_.fixed_axis > 2 || view_ == StudyView{}) view_.fixed_axis = 2;
         fixed_->setCurrentIndex(int(view_.fixed_axis));

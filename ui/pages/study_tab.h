@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QWidget>
@@ -12,6 +11,7 @@
 #include "ui/document/study_edits.h"
 #include "ui/models/study_table_model.h"
 #include "ui/run/analysis_runner.h"
+#include "ui/theme/typeset.h"
 
 class QLabel;
 
@@ -59,12 +59,12 @@ private:
     bool current_ = false;
     StudyView view_;
     QWidget* head_ = nullptr;
-    QComboBox* list_ = nullptr;
+    TypesetComboBox* list_ = nullptr;
     QPushButton* run_ = nullptr;
     QPushButton* edit_ = nullptr;
-    QComboBox* quantity_ = nullptr;
-    QComboBox* kind_ = nullptr;
-    QComboBox* fixed_ = nullptr;
+    TypesetComboBox* quantity_ = nullptr;
+    TypesetComboBox* kind_ = nullptr;
+    TypesetComboBox* fixed_ = nullptr;
     QSlider* slice_ = nullptr;
     QCheckBox* only_slice_ = nullptr;
     QCheckBox* ellipsoids_ = nullptr;

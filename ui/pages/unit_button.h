@@ -3,7 +3,7 @@
 
 #include <QToolButton>
 
-#include "ui/models/display_units.h"
+#include "core/text/display_units.h"
 #include "ui/run/run_backend.h"
 
 class QMenu;

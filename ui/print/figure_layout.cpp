@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/report/table_text.h"
+#include "core/text/symbol.h"
 #include "ui/print/rich_text.h"
 
 namespace covaria::ui {

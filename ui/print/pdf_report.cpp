@@ -7,6 +7,7 @@
 #include <QPdfWriter>
 #include <algorithm>
 
+#include "core/base/version.h"
 #include "core/project/project_file.h"
 #include "ui/print/report_pages.h"
 
@@ -32,7 +33,7 @@ void set_up(QPdfWriter& writer, const ReportDocument& document, PaperSize paper)
     writer.setPageSize(page_size_of(paper));
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0), QPageLayout::Millimeter);
     writer.setTitle(QString::fromStdString(document.title));
-    writer.setCreator("Covaria " COVARIA_VERSION);
+    writer.setCreator(QString("Covaria ") + version());
 }
 
 /// The same report gives the same bytes: a fixed date in place of the clock. It is as long, so that the

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/report/table_text.h"
+#include "core/text/symbol.h"
 #include "ui/print/rich_text.h"
 #include "ui/print/table_layout.h"
 #include "ui/theme/formula_picture.h"
@@ -13,7 +13,11 @@ namespace covaria::ui {
 namespace {
 
 QString escaped(const std::string& text) {
-    return QString::fromStdString(escape_html(text));
+    return to_qt(escape_html(text));
+}
+
+QString rich(const std::string& words) {
+    return to_qt(to_html(running_text(words)));
 }
 
 class ReportLayout {
@@ -65,14 +69,14 @@ public:
 
     void operator()(const ParagraphBlock& paragraph) {
         const TextRole role = paragraph.note ? TextRole::note : TextRole::body;
-        add_text(role, to_qt(paragraph.text), 0.0, paragraph.note ? PageStyle::quiet() : PageStyle::ink());
+        add_text(role, rich(paragraph.text), 0.0, paragraph.note ? PageStyle::quiet() : PageStyle::ink());
     }
 
     void operator()(const ListBlock& list) {
         const double indent = style_.mm(4.0);
         for (const std::string& item : list.items) {
             RichText mark(style_, TextRole::body, "–");
-            RichText text(style_, TextRole::body, to_qt(item));
+            RichText text(style_, TextRole::body, rich(item));
             text.set_width(width_ - indent);
             items.push_back({text.height(),
                              style_.mm(1.0),
@@ -99,7 +103,7 @@ public:
         const double source_width = std::min(source.natural_width(), 0.34 * width_);
         source.set_width(source_width);
         if (add_formula(equation, source, source_width)) return;
-        RichText text(style_, TextRole::body, QString::fromStdString(equation_to_html(equation.text)));
+        RichText text(style_, TextRole::body, to_qt(to_html(equation_text(equation.text))));
         text.set_width(width_ - indent - gap - source_width);
         const double drop = text.first_baseline() - source.first_baseline();
         items.push_back({std::max(text.height(), source.height() + drop),
@@ -125,10 +129,9 @@ public:
 private:
     /// As mathematics, if there is such a form and it is not too wide.
     bool add_formula(const EquationBlock& equation, const RichText& source, double source_width) {
-        if (equation.mathml.empty()) return false;
+        if (equation.formula.empty()) return false;
         const double indent = style_.mm(6.0), room = width_ - indent - style_.mm(5.0) - source_width;
-        const FormulaPicture formula(QString::fromStdString(equation.mathml), style_.font(TextRole::body),
-                                     style_.device());
+        const FormulaPicture formula(equation.formula, style_.font(TextRole::body), style_.device());
         if (formula.is_empty() || formula.width() > room) return false;
         const double drop = std::max(0.0, formula.baseline() - source.first_baseline());
         items.push_back({std::max(formula.height(), source.height() + drop),
@@ -156,10 +159,10 @@ private:
 
     void add_fact(const std::string& name, const std::string& value, double space_before) {
         const double key_width = 0.34 * width_;
-        RichText key(style_, TextRole::body, to_qt(name));
+        RichText key(style_, TextRole::body, rich(name));
         key.set_width(key_width);
         const double x = key_width + style_.mm(5.0);
-        RichText text(style_, TextRole::body, to_qt(value));
+        RichText text(style_, TextRole::body, rich(value));
         text.set_width(width_ - x);
         items.push_back({std::max(key.height(), text.height()),
                          space_before,

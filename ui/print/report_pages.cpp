@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/report/table_text.h"
+#include "core/text/symbol.h"
 #include "ui/print/report_layout.h"
 #include "ui/print/rich_text.h"
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/report/table_text.h"
+#include "core/text/symbol.h"
 #include "ui/print/number_text.h"
 #include "ui/print/rich_text.h"
 #include "ui/theme/strings.h"
@@ -51,8 +52,8 @@ private:
             columns_.push_back({});
             columns_[c].numeric = is_numeric_column(block_, c);
             const auto align = columns_[c].numeric ? Qt::AlignRight : Qt::AlignLeft;
-            heads_.emplace_back(style_, TextRole::table_head, to_qt(head_html(block_.table.columns[c])),
-                                align);
+            heads_.emplace_back(style_, TextRole::table_head,
+                                to_qt(to_html(head_text(block_.table.columns[c]))), align);
         }
         for (std::size_t r = 0; r < block_.table.rows.size(); ++r) {
             cells_.emplace_back();
@@ -62,7 +63,7 @@ private:
     }
 
     Cell make_cell(std::size_t r, std::size_t c) {
-        const std::string html = cell_html(block_, r, c);
+        const std::string html = to_html(cell_typeset(block_, r, c));
         Cell cell;
         if (html.empty()) return cell;
         if (is_subhead(block_, r)) {
@@ -195,7 +196,7 @@ private:
 
     void append_notes(std::vector<FlowItem>& items) const {
         for (const std::string& note : block_.table.notes) {
-            RichText text(style_, TextRole::note, to_qt(text_to_html(note)));
+            RichText text(style_, TextRole::note, to_qt(to_html(running_text(note))));
             text.set_width(available_);
             items.push_back(
                 {text.height(),

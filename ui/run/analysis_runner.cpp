@@ -63,11 +63,23 @@ void AnalysisRunner::set_project(ProjectSnapshot project) {
     studies_.set_project(project);
     ++preparing_;
     const quint64 number = ++prepare_number_;
-    prepare_jobs_.push([this, project = std::move(project), live = live_, number, generation = generation_] {
-        // Several changes at once: only the newest is worth preparing.
-        if (number != prepare_number_) return JobQueue::Delivery([this] { --preparing_; });
-        return prepare(*project, live, generation);
-    });
+    const auto failed = [this, project, generation = generation_](const Error& error) {
+        finish_prepare(generation, none_prepared(*project, error));
+    };
+    prepare_jobs_.push(
+        [this, project = std::move(project), live = live_, number, generation = generation_] {
+            // Several changes at once: only the newest is worth preparing.
+            if (number != prepare_number_) return JobQueue::Delivery([this] { --preparing_; });
+            return prepare(*project, live, generation);
+        },
+        failed);
+}
+
+AnalysisRunner::Prepared AnalysisRunner::none_prepared(const Project& project, const Error& error) {
+    Prepared prepared;
+    for (const AnalysisEntry& entry : project.analyses)
+        prepared.analyses[entry.id] = {nullptr, error.message, {}};
+    return prepared;
 }
 
 void AnalysisRunner::reset(ProjectSnapshot project) {
@@ -77,10 +89,12 @@ void AnalysisRunner::reset(ProjectSnapshot project) {
     wanted_.clear();
     set_held({});
     ++generation_;
-    prepare_jobs_.push([this]() -> JobQueue::Delivery {
-        first_order_of_.clear();
-        return {};
-    });
+    prepare_jobs_.push(
+        [this]() -> JobQueue::Delivery {
+            first_order_of_.clear();
+            return {};
+        },
+        {});
     set_project(std::move(project));
 }
 
@@ -251,15 +265,22 @@ void AnalysisRunner::start(const std::string& id) {
     };
     const bool preview =
         live_ && wants_preview(analysis->options) && resting_state(entries_[id]) != RunState::up_to_date;
-    run_jobs_.push([this, number, analysis, control, preview]() -> JobQueue::Delivery {
-        if (preview && !control.stop.stop_requested()) {
-            const RunControl quiet{control.stop, {}, control.threads};
-            auto early =
-                std::make_shared<Result<UncertaintyResult>>(backend_.full(preview_of(*analysis), quiet));
-            if (*early) run_jobs_.post([=, this] { deliver(number, analysis, ResultStage::preview, early); });
-        }
-        return execute(number, analysis, control);
-    });
+    run_jobs_.push(
+        [this, number, analysis, control, preview]() -> JobQueue::Delivery {
+            if (preview && !control.stop.stop_requested()) {
+                const RunControl quiet{control.stop, {}, control.threads};
+                auto early =
+                    std::make_shared<Result<UncertaintyResult>>(backend_.full(preview_of(*analysis), quiet));
+                if (*early)
+                    run_jobs_.post([=, this] { deliver(number, analysis, ResultStage::preview, early); });
+            }
+            return execute(number, analysis, control);
+        },
+        [this, number, analysis](const Error& error) {
+            deliver(number, analysis, ResultStage::complete,
+                    std::make_shared<Result<UncertaintyResult>>(fail(error)));
+            finish_run(number);
+        });
 }
 
 JobQueue::Delivery AnalysisRunner::execute(quint64 number, const PreparedPointer& analysis,

@@ -73,6 +73,8 @@ private:
         std::map<std::string, std::string> messages;  ///< of first-order failures
     };
     using SharedResult = std::shared_ptr<Result<UncertaintyResult>>;
+    /// Every analysis of the project as one that cannot be prepared.
+    static Prepared none_prepared(const Project& project, const Error& error);
     JobQueue::Delivery prepare(const Project& project, bool live, quint64 generation);
     void finish_prepare(quint64 generation, const Prepared& prepared);
     void take(const std::string& id, const Prepared& prepared);

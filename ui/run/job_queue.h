@@ -5,6 +5,8 @@
 #include <QThreadPool>
 #include <functional>
 
+#include "core/base/error.h"
+
 namespace covaria::ui {
 
 enum class Execution {
@@ -22,7 +24,12 @@ public:
     JobQueue(const JobQueue&) = delete;
     JobQueue& operator=(const JobQueue&) = delete;
 
-    void push(Job job);
+    /// On the owner's thread, when a job has thrown: memory that is not there, a defect of the program.
+    using Failure = std::function<void(const Error&)>;
+
+    /// What a job throws ends here, never the program: `failure` is called in place of what it would return;
+    /// it may be empty.
+    void push(Job job, Failure failure);
     /// From inside a job: a message for the owner's thread.
     void post(Delivery message);
     void wait() { pool_.waitForDone(); }

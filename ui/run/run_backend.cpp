@@ -15,12 +15,9 @@ std::map<std::string, Preparation> prepare_all(const Project& project) {
         Problems problems;
         Preparation& item = prepared[entry.id];
         item.analysis = prepare_analysis(project, entry.id, assets, problems);
-        for (const Problem& problem : problems.items()) {
-            if (problem.severity == Severity::warning)
-                item.warnings.push_back(problem.message);
-            else if (item.message.empty())
-                item.message = problem.message;
-        }
+        item.warnings = warnings_of(project, entry.id, asset_problems, problems);
+        for (const Problem& problem : problems.items())
+            if (problem.severity == Severity::error && item.message.empty()) item.message = problem.message;
     }
     return prepared;
 }

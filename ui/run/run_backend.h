@@ -18,7 +18,7 @@ using ResultPointer = std::shared_ptr<const UncertaintyResult>;
 struct Preparation {
     PreparedPointer analysis;  ///< null: `message` says why
     std::string message = {};
-    std::vector<std::string> warnings = {};  ///< of the model's creation
+    std::vector<std::string> warnings = {};  ///< of its assets and of its model
 };
 
 struct RunBackend {

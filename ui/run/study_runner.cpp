@@ -39,16 +39,18 @@ void StudyRunner::set_project(ProjectSnapshot project) {
     const bool any = std::any_of(project_->analyses.begin(), project_->analyses.end(),
                                  [](const AnalysisEntry& entry) { return !entry.studies.empty(); });
     if (!any && entries_.empty()) return;
-    check_jobs_.push([this, project = project_, number = ++project_number_]() -> JobQueue::Delivery {
-        if (number != project_number_) return {};  // a newer project is waiting
-        std::map<Key, std::string> fingerprints;
-        for (const AnalysisEntry& entry : project->analyses)
-            for (const Study& study : entry.studies)
-                fingerprints[{entry.id, study.id}] = study_fingerprint(*project, entry, study);
-        return [this, number, fingerprints = std::move(fingerprints)] {
-            if (number == project_number_) take_fingerprints(fingerprints);
-        };
-    });
+    check_jobs_.push(
+        [this, project = project_, number = ++project_number_]() -> JobQueue::Delivery {
+            if (number != project_number_) return {};  // a newer project is waiting
+            std::map<Key, std::string> fingerprints;
+            for (const AnalysisEntry& entry : project->analyses)
+                for (const Study& study : entry.studies)
+                    fingerprints[{entry.id, study.id}] = study_fingerprint(*project, entry, study);
+            return [this, number, fingerprints = std::move(fingerprints)] {
+                if (number == project_number_) take_fingerprints(fingerprints);
+            };
+        },
+        [this](const Error&) { take_fingerprints({}); });  // what cannot be compared is not current
 }
 
 void StudyRunner::take_fingerprints(const std::map<Key, std::string>& fingerprints) {
@@ -112,11 +114,15 @@ void StudyRunner::start_next() {
                 name, progress_after(progress, static_cast<double>(active_time_.elapsed()) / 1000.0));
         });
     };
-    run_jobs_.push([this, number, key, control, project = project_]() -> JobQueue::Delivery {
-        auto result =
-            std::make_shared<Result<StudyResult>>(prepare_and_run(*project, key.first, key.second, control));
-        return [this, number, key, result] { deliver(number, key, result); };
-    });
+    run_jobs_.push(
+        [this, number, key, control, project = project_]() -> JobQueue::Delivery {
+            auto result = std::make_shared<Result<StudyResult>>(
+                prepare_and_run(*project, key.first, key.second, control));
+            return [this, number, key, result] { deliver(number, key, result); };
+        },
+        [this, number, key](const Error& error) {
+            deliver(number, key, std::make_shared<Result<StudyResult>>(fail(error)));
+        });
 }
 
 void StudyRunner::deliver(quint64 number, const Key& key, const SharedResult& result) {

@@ -14,9 +14,9 @@ namespace {
 constexpr double margin = 28.0;
 
 /// Equations without a formula are set as the text that they are.
-QString mathml_of(const ModelEquation& equation) {
-    if (!equation.mathml.empty()) return to_qt(equation.mathml);
-    return QStringLiteral("<math><mtext>%1</mtext></math>").arg(to_qt(equation.text).toHtmlEscaped());
+FormulaPicture picture_of(const ModelEquation& equation, const QFont& font) {
+    if (equation.formula.empty()) return {equation_text(equation.text), font};
+    return {equation.formula, font};
 }
 
 /// At the wanted size, or smaller if they do not fit into the room.
@@ -27,7 +27,7 @@ std::vector<FormulaPicture> fitted(const std::vector<ModelEquation>& equations, 
         formulas.clear();
         double widest = 0.0, height = 0.0;
         for (const ModelEquation& equation : equations) {
-            formulas.emplace_back(mathml_of(equation), font);
+            formulas.push_back(picture_of(equation, font));
             widest = std::max(widest, formulas.back().width());
             height += formulas.back().height() + size;
         }

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "core/base/guarded.h"
+
 namespace covaria::ui {
 
 namespace {
@@ -68,7 +70,11 @@ void RenderService::work(const std::stop_token& stop) {
         if (jobs.empty()) jobs.push_back({[](SceneRenderer&) {}, RenderQuality::full, true});
         busy_ = true;
         lock.unlock();
-        do_jobs(std::move(jobs));
+        const auto done = guarded([&] {
+            do_jobs(std::move(jobs));
+            return true;
+        });
+        if (!done) emit failed(QString::fromStdString(done.error().message));
         lock.lock();
         busy_ = false;
         changed_.notify_all();
@@ -86,12 +92,14 @@ void RenderService::do_jobs(std::vector<Job> jobs) {
 }
 
 void RenderService::render(RenderQuality quality) {
+    {
+        const std::lock_guard lock(mutex_);
+        needs_full_ = quality == RenderQuality::moving;
+    }
     if (const auto image = renderer_.render(quality))
         emit rendered(to_qimage(*image), renderer_.camera());
     else
         emit failed(QString::fromStdString(image.error().message));
-    const std::lock_guard lock(mutex_);
-    needs_full_ = quality == RenderQuality::moving;
 }
 
 }  // namespace covaria::ui

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/model/has_layout.h"
-#include "core/report/number_format.h"
+#include "core/text/numbers.h"
 #include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/icons.h"
@@ -239,19 +239,24 @@ void ScenePanel::build_scene() {
     }
     const ResultPointer result = status.is_of_present() ? status.result : nullptr;
     ++building_;
-    jobs_.push([this, number = ++number_, prepared = status.prepared, result, wanted = options(),
-                study = study_, of_study = study_options_,
-                said = to_std(reservation(status))]() -> JobQueue::Delivery {
-        if (number != number_) return [this] { --building_; };  // a newer scene is wanted already
-        auto scene = std::make_shared<Result<Scene>>(study ? study_scene(*prepared, *study, of_study, wanted)
-                                                           : analysis_scene(*prepared, result.get(), wanted));
-        // Pictures are copied and saved: each says itself when it does not show the result.
-        if (*scene && !study && result && !said.empty()) (*scene)->caption += "; " + said;
-        return [this, number, scene, groups = groups_of_sources(*prepared)] {
-            groups_ = groups;
-            take_scene(number, scene);
-        };
-    });
+    const quint64 number = ++number_;
+    jobs_.push(
+        [this, number, prepared = status.prepared, result, wanted = options(), study = study_,
+         of_study = study_options_, said = to_std(reservation(status))]() -> JobQueue::Delivery {
+            if (number != number_) return [this] { --building_; };  // a newer scene is wanted already
+            auto scene =
+                std::make_shared<Result<Scene>>(study ? study_scene(*prepared, *study, of_study, wanted)
+                                                      : analysis_scene(*prepared, result.get(), wanted));
+            // Pictures are copied and saved: each says itself when it does not show the result.
+            if (*scene && !study && result && !said.empty()) (*scene)->caption += "; " + said;
+            return [this, number, scene, groups = groups_of_sources(*prepared)] {
+                groups_ = groups;
+                take_scene(number, scene);
+            };
+        },
+        [this, number](const Error& error) {
+            take_scene(number, std::make_shared<Result<Scene>>(fail(error)));
+        });
 }
 
 /// The scene with its tools; else the equations.

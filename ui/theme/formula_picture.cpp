@@ -3,21 +3,56 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QXmlStreamReader>
 #include <algorithm>
+
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
 namespace {
 
 using Box = FormulaPicture::Box;
+using K = Formula::Kind;
 
-class Setter {
+class FormulaSetter {
 public:
-    Setter(const QString& mathml, const QFont& font, QPaintDevice* device)
-        : reader_(mathml), font_(font), device_(device) {}
+    explicit FormulaSetter(QPaintDevice* device) : device_(device) {}
 
-    Box run() { return reader_.readNextStartElement() ? element(font_) : Box{}; }
+    Box formula(const Formula& f, const QFont& font) const {
+        switch (f.kind) {
+            case K::symbol:
+                return symbol(f.symbol, font);
+            case K::number:
+            case K::word:
+                return text(to_qt(f.text), font, false);
+            case K::sign:
+                return sign(to_qt(f.text), font);
+            case K::row:
+                return row(parts(f, font), font);
+            case K::fraction:
+                return fraction(parts(f, font), font);
+            case K::power:
+                return with_scripts(formula(f.parts.at(0), font), {}, formula(f.parts.at(1), smaller(font)),
+                                    font);
+            case K::root:
+                return root(formula(f.parts.at(0), font), to_qt(f.text), font);
+            case K::fence:
+                return fence(formula(f.parts.at(0), font), to_qt(f.text), font);
+        }
+        return {};
+    }
+
+    Box words(const Text& words, const QFont& font) const {
+        Box box;
+        for (const Text::Span& span : words.spans()) {
+            const QString letters = to_qt(span.letters);
+            const Box part = text(letters, span.script == Script::line ? font : smaller(font), span.italic);
+            box = span.script == Script::line    ? beside(std::move(box), part)
+                  : span.script == Script::below ? with_scripts(std::move(box), part, {}, font)
+                                                 : with_scripts(std::move(box), {}, part, font);
+        }
+        return box;
+    }
 
 private:
     QFontMetricsF metrics(const QFont& font) const {
@@ -36,7 +71,7 @@ private:
     }
 
     static void put(Box& into, const Box& part, double x, double down) {
-        for (FormulaPicture::Text text : part.texts) {
+        for (FormulaPicture::Piece text : part.texts) {
             text.at += QPointF(x, down);
             into.texts.push_back(text);
         }
@@ -59,33 +94,32 @@ private:
         return box;
     }
 
-    Box element(const QFont& font) {
-        const QString name = reader_.name().toString();
-        if (name == QLatin1String("mi") || name == QLatin1String("mn") || name == QLatin1String("mtext")) {
-            const QString words = reader_.readElementText();
-            const bool is_variable = name == QLatin1String("mi") && words.size() <= 2;
-            return text(words, font, is_variable);
-        }
-        if (name == QLatin1String("mo")) return sign(reader_.readElementText(), font);
-        if (name == QLatin1String("mfrac")) return fraction(font);
-        if (name == QLatin1String("msup")) return script(font, true);
-        if (name == QLatin1String("msub")) return script(font, false);
-        if (name == QLatin1String("msqrt") || name == QLatin1String("mroot")) return root(font);
-        return row(font);
-    }
-
-    QVector<Box> parts(const QFont& font) {
+    QVector<Box> parts(const Formula& f, const QFont& font) const {
         QVector<Box> all;
-        while (reader_.readNextStartElement()) all.push_back(element(font));
+        for (const Formula& part : f.parts) all.push_back(formula(part, font));
         return all;
     }
 
+    static Box beside(Box left, const Box& right) {
+        put(left, right, left.width, 0.0);
+        return left;
+    }
+
+    /// Single letters are variables; longer ones are words.
+    Box letters(const std::string& of, const QFont& font) const {
+        const QString shown = to_qt(of);
+        return shown.isEmpty() ? Box{} : text(shown, font, shown.size() <= 2);
+    }
+
+    Box symbol(const Symbol& s, const QFont& font) const {
+        return with_scripts(letters(s.base, font), letters(s.subscript, smaller(font)),
+                            letters(s.superscript, smaller(font)), font);
+    }
+
     Box sign(const QString& words, const QFont& font) const {
-        const bool is_fence =
-            words == QLatin1String("(") || words == QLatin1String(")") || words == QLatin1String("|");
         const bool is_tight = words == QString::fromUtf8("·");
         const bool is_comma = words == QLatin1String(",") || words == QLatin1String(";");
-        const double space = is_fence ? 0.0 : is_tight ? 0.12 * em(font) : 0.26 * em(font);
+        const double space = is_tight ? 0.12 * em(font) : 0.26 * em(font);
         const Box inner = text(words, font, false);
         Box box;
         put(box, inner, is_comma ? 0.0 : space, 0.0);
@@ -93,32 +127,28 @@ private:
         return box;
     }
 
-    /// Parts side by side; a first and a last parenthesis grow with what is between them.
-    Box row(const QFont& font) {
-        QVector<Box> all = parts(font);
-        const auto is = [&](const Box& box, const char* mark) {
-            return box.texts.size() == 1 && box.filled.isEmpty() && box.texts[0].text == QLatin1String(mark);
-        };
-        if (all.size() >= 2 && (is(all.first(), "(") || is(all.first(), "|"))) fence(all, font);
+    /// Parts side by side.
+    Box row(const QVector<Box>& all, const QFont& font) const {
         Box box;
         for (int i = 0; i < all.size(); ++i) {
             // A sign at the begin of a row is no operator between two things.
-            const bool leading = i == 0 && is(all[i], "\u2212") && all.size() > 1;
+            const bool leading = i == 0 && all.size() > 1 && all[i].texts.size() == 1 &&
+                                 all[i].filled.isEmpty() && all[i].texts[0].text == QChar(0x2212);
             put(box, all[i], leading ? -0.2 * em(font) : box.width, 0.0);
             if (leading) box.width -= 0.2 * em(font);
         }
         return box;
     }
 
-    void fence(QVector<Box>& all, const QFont& font) const {
-        double ascent = 0.0, descent = 0.0;
-        for (int i = 1; i + 1 < all.size(); ++i) {
-            ascent = std::max(ascent, all[i].ascent);
-            descent = std::max(descent, all[i].descent);
-        }
+    /// Parentheses or bars, which grow with what is between them.
+    Box fence(const Box& inside, const QString& open, const QFont& font) const {
+        const QString close = open == QLatin1String("(") ? QStringLiteral(")") : open;
         const Box plain = text(QStringLiteral("("), font, false);
-        if (ascent <= 1.3 * plain.ascent && descent <= 1.9 * plain.descent) return;
-        for (int i : {0, int(all.size()) - 1}) all[i] = tall(all[i].texts[0].text, font, ascent, descent);
+        const bool grows = inside.ascent > 1.3 * plain.ascent || inside.descent > 1.9 * plain.descent;
+        const auto mark = [&](const QString& which) {
+            return grows ? tall(which, font, inside.ascent, inside.descent) : text(which, font, false);
+        };
+        return beside(beside(mark(open), inside), mark(close));
     }
 
     Box tall(const QString& mark, const QFont& font, double ascent, double descent) const {
@@ -140,8 +170,7 @@ private:
         return box;
     }
 
-    Box fraction(const QFont& font) {
-        const QVector<Box> both = parts(font);
+    Box fraction(const QVector<Box>& both, const QFont& font) const {
         if (both.size() != 2) return {};
         const double gap = 0.12 * em(font), bar = 0.06 * em(font), side = 0.1 * em(font);
         const double width = std::max(both[0].width, both[1].width) + 2.0 * side, middle = -axis(font);
@@ -153,29 +182,16 @@ private:
         return box;
     }
 
-    Box script(const QFont& font, bool above) {
-        if (!reader_.readNextStartElement()) return {};
-        Box box = element(font);
-        if (!reader_.readNextStartElement()) return box;
-        const Box small = element(smaller(font));
-        reader_.skipCurrentElement();
-        const double down = above ? -(box.ascent - 0.45 * small.ascent) : box.descent + 0.1 * small.ascent;
-        put(box, small, box.width + 0.03 * em(font), down);
+    /// Either may be empty.
+    Box with_scripts(Box base, const Box& below, const Box& above, const QFont& font) const {
+        Box box = base;
+        const double x = base.width + 0.03 * em(font);
+        if (!below.texts.isEmpty()) put(box, below, x, base.descent + 0.1 * below.ascent);
+        if (!above.texts.isEmpty()) put(box, above, x, -(base.ascent - 0.45 * above.ascent));
         return box;
     }
 
-    /// Everything inside msqrt is under the sign; mroot has one part under it and the degree.
-    Box root(const QFont& font) {
-        const bool with_degree = reader_.name() == QLatin1String("mroot");
-        Box inside, degree;
-        if (!with_degree) {
-            inside = row(font);
-        } else {
-            const QVector<Box> both = parts(font);
-            if (both.size() != 2) return {};
-            inside = both[0];
-            degree = text(both[1].texts.value(0).text, smaller(smaller(font)), false);
-        }
+    Box root(const Box& inside, const QString& degree, const QFont& font) const {
         const double gap = 0.12 * em(font), lead = 0.62 * em(font);
         const double top = -(inside.ascent + gap), bottom = inside.descent;
         Box box;
@@ -188,26 +204,27 @@ private:
         box.pen = std::max(box.pen, 0.055 * em(font));
         box.width = lead + inside.width + 0.12 * em(font);
         box.ascent = std::max(box.ascent, -top + box.pen);
-        if (with_degree) put(box, degree, 0.0, 0.62 * top);
+        if (!degree.isEmpty()) put(box, text(degree, smaller(smaller(font)), false), 0.0, 0.62 * top);
         return box;
     }
 
-    QXmlStreamReader reader_;
-    QFont font_;
     QPaintDevice* device_;
 };
 
 }  // namespace
 
-FormulaPicture::FormulaPicture(const QString& mathml, const QFont& font, QPaintDevice* device)
-    : box_(Setter(mathml, font, device).run()) {}
+FormulaPicture::FormulaPicture(const Formula& formula, const QFont& font, QPaintDevice* device)
+    : box_(FormulaSetter(device).formula(formula, font)) {}
+
+FormulaPicture::FormulaPicture(const Text& text, const QFont& font, QPaintDevice* device)
+    : box_(FormulaSetter(device).words(text, font)) {}
 
 void FormulaPicture::paint(QPainter& painter, QPointF top_left, const QColor& color) const {
     painter.save();
     painter.translate(top_left + QPointF(0.0, box_.ascent));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(color);
-    for (const Text& text : box_.texts) {
+    for (const Piece& text : box_.texts) {
         painter.setFont(text.font);
         painter.drawText(text.at, text.text);
     }

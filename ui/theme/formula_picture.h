@@ -1,4 +1,4 @@
-// A formula given as MathML, set as mathematics: fractions with bars, roots, raised and lowered scripts.
+// A formula set as mathematics: fractions with bars, roots, raised and lowered scripts.
 #pragma once
 
 #include <QColor>
@@ -7,17 +7,19 @@
 #include <QString>
 #include <QVector>
 
+#include "core/text/formula.h"
+
 class QPainter;
 class QPaintDevice;
 
 namespace covaria::ui {
 
-/// Understands math, mrow, mi, mn, mo, mtext, mfrac, msup, msub, msqrt and mroot, which is what Covaria
-/// writes.
 class FormulaPicture {
 public:
     /// Measured for `device`; null: the screen.
-    FormulaPicture(const QString& mathml, const QFont& font, QPaintDevice* device = nullptr);
+    FormulaPicture(const Formula& formula, const QFont& font, QPaintDevice* device = nullptr);
+    /// An equation that is no formula: letters with their scripts.
+    FormulaPicture(const Text& text, const QFont& font, QPaintDevice* device = nullptr);
 
     bool is_empty() const { return box_.texts.isEmpty(); }
     double width() const { return box_.width; }
@@ -25,14 +27,14 @@ public:
     double baseline() const { return box_.ascent; }  ///< below the top
     void paint(QPainter& painter, QPointF top_left, const QColor& color) const;
 
-    struct Text {
+    struct Piece {
         QPointF at;  ///< of its baseline
         QString text;
         QFont font;
     };
     struct Box {
         double width = 0.0, ascent = 0.0, descent = 0.0;
-        QVector<Text> texts;
+        QVector<Piece> texts;
         QPainterPath filled;  ///< fraction bars, parentheses
         QPainterPath drawn;   ///< root signs
         double pen = 0.0;     ///< of what is drawn

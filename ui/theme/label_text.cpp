@@ -1,4 +1,4 @@
-// Runs of text on the line and below it.
+// Runs of text on the line, below and above it. Labels are set upright, symbols too.
 #include "ui/theme/label_text.h"
 
 #include <QFontInfo>
@@ -6,76 +6,25 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "ui/theme/strings.h"
+
 namespace covaria::ui {
 namespace {
 
-constexpr double small_size = 0.74, lowering = 0.16;  // of the font's size
-
-const QString& unicode_subscripts() {
-    static const QString letters = QStringLiteral("₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ");
-    return letters;
-}
-
-QChar plain(QChar subscript) {
-    static const QString letters = QStringLiteral("0123456789+−=()aehijklmnoprstuvxβγρφχ");
-    const auto index = unicode_subscripts().indexOf(subscript);
-    return index < 0 ? subscript : letters[index];
-}
-
-constexpr int longest_base = 2;  // letters of a symbol, "ΔT_1": "base_points" is a word
-
-bool starts_subscript(const QString& text, qsizetype i) {
-    if (text[i] != u'_' || i + 1 >= text.size() || !text[i + 1].isLetterOrNumber()) return false;
-    int letters = 0;
-    for (qsizetype k = i - 1; k >= 0 && (text[k].isLetterOrNumber() || text[k].isMark() || text[k] == u'_');
-         --k)
-        if (!text[k].isMark()) ++letters;
-    return letters >= 1 && letters <= longest_base && !text[i - 1].isDigit();
-}
-
-/// A comma within a subscript, "p_1x,1", but not the one after it, "p_1x, pose 1".
-bool goes_on(const QString& text, qsizetype i) {
-    return text[i].isLetterOrNumber() ||
-           (text[i] == u',' && i + 1 < text.size() && text[i + 1].isLetterOrNumber());
-}
+constexpr double small_size = 0.74, lowering = 0.16, raising = 0.36;  // of the font's size
 
 }  // namespace
 
-LabelText::LabelText(const QString& text, const QFont& font) : font_(font), small_(font) {
+LabelText::LabelText(const Text& text, const QFont& font) : font_(font), small_(font) {
     const int size = font.pixelSize() > 0 ? font.pixelSize() : QFontInfo(font).pixelSize();
     small_.setPixelSize(std::max(1, qRound(small_size * size)));
-    lowering_ = lowering * size;
-    QString run;
-    bool lowered = false, after_underscore = false;
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        if (starts_subscript(text, i)) {
-            append(run, lowered);
-            run.clear();
-            lowered = after_underscore = true;
-            continue;
-        }
-        const bool is_subscript = unicode_subscripts().contains(text[i]);
-        if (after_underscore && !goes_on(text, i)) after_underscore = false;
-        const bool now = is_subscript || after_underscore;
-        if (now != lowered) {
-            append(run, lowered);
-            run.clear();
-            lowered = now;
-        }
-        run += is_subscript ? plain(text[i]) : text[i];
+    shift_ = size;
+    for (const Text::Span& span : text.spans()) {
+        // Letters on one line are one piece, for kerning and for who copies them out of a PDF.
+        if (runs_.empty() || runs_.back().script != span.script) runs_.push_back({{}, span.script, 0.0});
+        runs_.back().text += to_qt(span.letters);
     }
-    append(run, lowered);
-}
-
-void LabelText::append(const QString& text, bool lowered) {
-    if (text.isEmpty()) return;
-    const double width = QFontMetricsF(lowered ? small_ : font_).horizontalAdvance(text);
-    runs_.push_back({text, lowered, width});
-    width_ += width;
-}
-
-bool LabelText::has_subscripts() const {
-    return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return run.lowered; });
+    for (Run& run : runs_) width_ += run.width = QFontMetricsF(font_of(run)).horizontalAdvance(run.text);
 }
 
 double LabelText::height() const {
@@ -85,27 +34,36 @@ double LabelText::height() const {
 void LabelText::draw(QPainter& painter, QPointF top_left) const {
     QPointF baseline = top_left + QPointF(0.0, QFontMetricsF(font_).ascent());
     for (const Run& run : runs_) {
-        painter.setFont(run.lowered ? small_ : font_);
-        painter.drawText(baseline + QPointF(0.0, run.lowered ? lowering_ : 0.0), run.text);
+        const double down = run.script == Script::below   ? lowering
+                            : run.script == Script::above ? -raising
+                                                          : 0.0;
+        painter.setFont(font_of(run));
+        painter.drawText(baseline + QPointF(0.0, down * shift_), run.text);
         baseline.rx() += run.width;
     }
 }
 
-QString shortened(const QString& text, const QFont& font, double width) {
-    if (LabelText(text, font).width() <= width) return text;
-    return QFontMetricsF(font).elidedText(text, Qt::ElideMiddle, width);
+double text_width(const Text& text, const QFont& font) {
+    return LabelText(text, font).width();
 }
 
-QStringList wrapped(const QString& text, const QFont& font, double width) {
-    QStringList lines;
-    for (const QString& word : text.split(u' ')) {
-        const QString longer = lines.isEmpty() ? word : lines.constLast() + u' ' + word;
-        if (lines.isEmpty())
-            lines << word;
-        else if (LabelText(longer, font).width() <= width)
-            lines.last() = longer;
+Text shortened(const Text& text, const QFont& font, double width) {
+    if (text_width(text, font) <= width) return text;
+    return to_std(QFontMetricsF(font).elidedText(to_qt(to_unicode(text)), Qt::ElideMiddle, width));
+}
+
+std::vector<Text> wrapped(const Text& text, const QFont& font, double width) {
+    std::vector<Text> lines;
+    const std::string letters = text.letters();
+    for (std::size_t begin = 0; begin <= letters.size();) {
+        const std::size_t end = std::min(letters.find(' ', begin), letters.size());
+        const Text word = text.part(begin, end);
+        const Text longer = lines.empty() ? word : lines.back() + " " + word;
+        if (!lines.empty() && text_width(longer, font) <= width)
+            lines.back() = longer;
         else
-            lines << word;
+            lines.push_back(word);
+        begin = end + 1;
     }
     return lines;
 }

@@ -1,42 +1,46 @@
-// Text with real subscripts, in charts, tables and lists: "b_1x" and "bₓ" are both set with small, lowered
-// letters.
+// Text with real subscripts and superscripts, in charts, tables and lists: small letters below and above the
+// line.
 #pragma once
 
 #include <QFont>
 #include <QString>
-#include <QStringList>
 #include <vector>
+
+#include "core/text/text.h"
 
 class QPainter;
 class QPointF;
 
 namespace covaria::ui {
 
+/// Of a model's item or head whose text has scripts: a covaria::Text. Others show what they display, as
+/// running text.
+constexpr int typeset_role = Qt::UserRole + 1000;
+
 class LabelText {
 public:
-    LabelText(const QString& text, const QFont& font);
+    LabelText(const Text& text, const QFont& font);
     double width() const { return width_; }
     double height() const;
-    /// False: the text looks as any other would draw it.
-    bool has_subscripts() const;
     /// Draws with the painter's pen; `top_left` of a box of width() times height().
     void draw(QPainter& painter, QPointF top_left) const;
 
 private:
     struct Run {
         QString text;
-        bool lowered;
+        Script script;
         double width;
     };
-    void append(const QString& text, bool lowered);
+    const QFont& font_of(const Run& run) const { return run.script == Script::line ? font_ : small_; }
     QFont font_, small_;
     std::vector<Run> runs_;
-    double width_ = 0.0, lowering_ = 0.0;
+    double width_ = 0.0, shift_ = 0.0;
 };
 
+double text_width(const Text& text, const QFont& font);
 /// `text` cut in the middle, marked by an ellipsis, where it is wider than `width`.
-QString shortened(const QString& text, const QFont& font, double width);
+Text shortened(const Text& text, const QFont& font, double width);
 /// Lines no wider than `width` where words allow it.
-QStringList wrapped(const QString& text, const QFont& font, double width);
+std::vector<Text> wrapped(const Text& text, const QFont& font, double width);
 
 }  // namespace covaria::ui

@@ -59,6 +59,12 @@ Theme Theme::light() {
     return {false, n};
 }
 
+Theme Theme::with_numbers(const NumberLocale& numbers) const {
+    Theme other = *this;
+    other.numbers_ = numbers;
+    return other;
+}
+
 Theme Theme::dark() {
     Neutrals n;
     n.ground = 0x1e2125;

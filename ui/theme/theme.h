@@ -3,7 +3,8 @@
 
 #include <QColor>
 
-#include "core/base/plot_specification.h"
+#include "core/text/numbers.h"
+#include "core/text/plot_specification.h"
 
 class QApplication;
 
@@ -29,6 +30,10 @@ public:
     static Theme dark();
 
     bool is_dark() const { return dark_; }
+    /// How numbers in charts are written: with the point in reports, which are the same everywhere; as the
+    /// user writes them in the window.
+    const NumberLocale& numbers() const { return numbers_; }
+    Theme with_numbers(const NumberLocale& numbers) const;
     const Neutrals& neutrals() const { return neutrals_; }
     /// Okabe and Ito's colours (Color Universal Design, 2008), on dark ground their lighter ones.
     QColor series(SeriesRole role) const;
@@ -46,6 +51,7 @@ private:
     Theme(bool dark, Neutrals neutrals) : dark_(dark), neutrals_(std::move(neutrals)) {}
     bool dark_;
     Neutrals neutrals_;
+    NumberLocale numbers_;
 };
 
 /// Contrast ratio of two colours, 1 to 21 (WCAG 2.1).

@@ -6,8 +6,10 @@
 #include <QStylePainter>
 #include <cmath>
 
+#include "core/text/symbol.h"
 #include "ui/theme/fonts.h"
 #include "ui/theme/label_text.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
@@ -16,12 +18,13 @@ QStyle* style_of(const QWidget* widget) {
     return widget ? widget->style() : QApplication::style();
 }
 
-bool is_typeset(const QString& text, const QFont& font) {
-    return LabelText(text, font).has_subscripts();
+/// What a model gives as text with scripts, or what it shows, read as running text.
+Text text_from(const QVariant& typeset, const QVariant& shown) {
+    return typeset.isValid() ? typeset.value<Text>() : running_text(to_std(shown.toString()));
 }
 
 /// Draws `text` in `area` with the painter's pen, shortened where it must be.
-void draw_typeset(QPainter& painter, const QString& text, const QFont& font, const QRect& area,
+void draw_typeset(QPainter& painter, const Text& text, const QFont& font, const QRect& area,
                   Qt::Alignment alignment) {
     const LabelText label(shortened(text, font, area.width()), font);
     double left = area.left();
@@ -49,15 +52,15 @@ void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
                             const QModelIndex& index) const {
     QStyleOptionViewItem cell(option);
     initStyleOption(&cell, index);
-    const QString text = std::exchange(cell.text, QString());
-    if (!is_typeset(text, cell.font)) {
-        cell.text = text;
+    const Text text = text_from(index.data(typeset_role), cell.text);
+    if (!text.has_scripts()) {
         style_of(cell.widget)->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
         return;
     }
     QStyle* style = style_of(cell.widget);
+    const QString plain = std::exchange(cell.text, QString());
     style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
-    cell.text = text;
+    cell.text = plain;
     const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, cell.widget) + 1;
     const QRect area = style->subElementRect(QStyle::SE_ItemViewItemText, &cell, cell.widget)
                            .adjusted(margin, 0, -margin, 0);
@@ -72,10 +75,10 @@ QSize TypesetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
     QSize size = QStyledItemDelegate::sizeHint(option, index);
     QStyleOptionViewItem cell(option);
     initStyleOption(&cell, index);
-    const LabelText label(cell.text, cell.font);
-    if (label.has_subscripts())
-        size.rwidth() +=
-            int(std::ceil(label.width() - QFontMetricsF(cell.font).horizontalAdvance(cell.text)));
+    const Text text = text_from(index.data(typeset_role), cell.text);
+    if (text.has_scripts())
+        size.rwidth() += int(
+            std::ceil(text_width(text, cell.font) - QFontMetricsF(cell.font).horizontalAdvance(cell.text)));
     return size;
 }
 
@@ -85,21 +88,23 @@ TypesetHeader::TypesetHeader(Qt::Orientation orientation, QWidget* parent)
     setHighlightSections(false);
 }
 
-QString TypesetHeader::text_of(int section) const {
-    return model() ? model()->headerData(section, orientation()).toString() : QString();
+Text TypesetHeader::text_of(int section) const {
+    if (!model()) return {};
+    return text_from(model()->headerData(section, orientation(), typeset_role),
+                     model()->headerData(section, orientation()));
 }
 
 void TypesetHeader::initStyleOptionForIndex(QStyleOptionHeader* option, int section) const {
     QHeaderView::initStyleOptionForIndex(option, section);
-    if (is_typeset(text_of(section), font())) option->text.clear();
+    if (text_of(section).has_scripts()) option->text.clear();
 }
 
 void TypesetHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
     painter->save();
     QHeaderView::paintSection(painter, rect, section);
     painter->restore();
-    const QString text = text_of(section);
-    if (!is_typeset(text, font())) return;
+    const Text text = text_of(section);
+    if (!text.has_scripts()) return;
     QStyleOptionHeaderV2 option;
     initStyleOption(&option);
     initStyleOptionForIndex(&option, section);
@@ -115,15 +120,20 @@ void TypesetHeader::paintSection(QPainter* painter, const QRect& rect, int secti
 
 QSize TypesetHeader::sectionSizeFromContents(int section) const {
     QSize size = QHeaderView::sectionSizeFromContents(section);
-    const LabelText label(text_of(section), font());
-    if (!label.has_subscripts() || orientation() == Qt::Vertical) return size;
+    const Text text = text_of(section);
+    if (!text.has_scripts() || orientation() == Qt::Vertical) return size;
     const int mark = isSortIndicatorShown() ? style()->pixelMetric(QStyle::PM_HeaderMarkSize) : 0;
     const int margins = 4 * style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, this);
-    return {int(std::ceil(label.width())) + mark + margins, size.height()};
+    return {int(std::ceil(text_width(text, font()))) + mark + margins, size.height()};
 }
 
 TypesetComboBox::TypesetComboBox(QWidget* parent) : QComboBox(parent) {
     setItemDelegate(new TypesetDelegate(this));
+}
+
+void TypesetComboBox::add_item(const Text& text, const QVariant& data) {
+    addItem(to_qt(to_unicode(text)), data);
+    setItemData(count() - 1, QVariant::fromValue(text), typeset_role);
 }
 
 void TypesetComboBox::paintEvent(QPaintEvent*) {
@@ -131,7 +141,8 @@ void TypesetComboBox::paintEvent(QPaintEvent*) {
     QStyleOptionComboBox option;
     initStyleOption(&option);
     painter.drawComplexControl(QStyle::CC_ComboBox, option);
-    if (!is_typeset(option.currentText, font())) {
+    const Text text = text_from(currentData(typeset_role), option.currentText);
+    if (!text.has_scripts()) {
         painter.drawControl(QStyle::CE_ComboBoxLabel, option);
         return;
     }
@@ -140,7 +151,7 @@ void TypesetComboBox::paintEvent(QPaintEvent*) {
                            .adjusted(1, 0, -1, 0);
     painter.setPen(
         palette().color(isEnabled() ? QPalette::Normal : QPalette::Disabled, QPalette::ButtonText));
-    draw_typeset(painter, option.currentText, font(), area, Qt::AlignLeft);
+    draw_typeset(painter, text, font(), area, Qt::AlignLeft);
 }
 
 }  // namespace covaria::ui

@@ -1,9 +1,11 @@
-// Tables, heads and lists whose symbols have real subscripts. The models keep plain text, so that copying and
-// CSV do, too.
+// Tables, heads and lists whose symbols have real subscripts. What a model displays is plain text, for
+// copying and for screen readers; `typeset_role` gives the text with its scripts.
 #pragma once
 
 #include <QComboBox>
 #include <QHeaderView>
+
+#include "ui/theme/label_text.h"
 #include "ui/theme/steady_delegate.h"
 
 namespace covaria::ui {
@@ -30,13 +32,14 @@ protected:
     QSize sectionSizeFromContents(int section) const override;
 
 private:
-    QString text_of(int section) const;
+    Text text_of(int section) const;
 };
 
 /// A combo box with typeset entries, in its list too.
 class TypesetComboBox : public QComboBox {
 public:
     explicit TypesetComboBox(QWidget* parent = nullptr);
+    void add_item(const Text& text, const QVariant& data = {});
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -4,8 +4,10 @@
 #include <tuple>
 #include <utility>
 
+#include "core/text/numbers.h"
+#include "core/text/round_numbers.h"
+#include "core/text/symbol.h"
 #include "viz/scene/build_parts.h"
-#include "viz/scene/round_numbers.h"
 
 namespace covaria::detail {
 namespace {
@@ -21,18 +23,19 @@ LengthUnit unit_for(double size) {
 std::vector<AxisTick> ticks_between(double low, double high, double step, LengthUnit unit) {
     std::vector<AxisTick> ticks;
     const double step_shown = step * unit.per_metre;
-    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step_shown) - 1e-9)));
+    const int decimals = decimals_of_step(step_shown);
     const auto first = static_cast<long>(std::ceil(low / step - 1e-9));
     const auto last = static_cast<long>(std::floor(high / step + 1e-9));
     for (long i = first; i <= last; ++i) {
         const double at = static_cast<double>(i) * step;
-        ticks.push_back({at, plain_number(at * unit.per_metre, decimals)});
+        ticks.push_back({at, grouped_number(at * unit.per_metre, decimals)});
     }
     return ticks;
 }
 
 void label(Scene& scene, const SceneItem& item, double clearance, int priority, Role role = Role::text) {
-    if (!item.name.empty()) scene.labels.push_back({item.name, item.position, clearance, role, priority});
+    if (!item.name.empty())
+        scene.labels.push_back({running_text(item.name), item.position, clearance, role, priority});
 }
 
 /// Radius that the label of a point keeps clear: the point, and its ellipsoid where it is small.
@@ -100,13 +103,13 @@ void add_legend(SceneBuild& build) {
         if (cloud != scene.clouds.end())
             scene.legend.push_back({LegendMark::cloud, role,
                                     std::string(name) + ": " +
-                                        plain_number(static_cast<double>(cloud->size()), 0) +
+                                        grouped_number(static_cast<double>(cloud->size()), 0) +
                                         " trials per point"});
     }
     if (!scene.wall_histograms.empty()) {
         const SceneItem* item = find_item(scene, scene.wall_histograms.front().cloud);
         scene.legend.push_back({LegendMark::histogram, scene.wall_histograms.front().role,
-                                "distributions of " + (item ? item->name : std::string())});
+                                "distributions of " + (item ? running_text(item->name) : Text())});
     }
     for (const SceneLink& link : scene.links)
         if (link.kind == LinkKind::sight_line) {

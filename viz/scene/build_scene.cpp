@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "viz/scene/build_parts.h"
-#include "viz/scene/round_numbers.h"
 
 namespace covaria {
 namespace {

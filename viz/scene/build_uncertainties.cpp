@@ -3,8 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/text/numbers.h"
+#include "core/text/round_numbers.h"
 #include "viz/scene/build_parts.h"
-#include "viz/scene/round_numbers.h"
 
 namespace covaria::detail {
 namespace {

@@ -142,7 +142,8 @@ void put_map(std::ostream& out, const SceneMap& map) {
 
 void put_words(std::ostream& out, const Scene& scene) {
     for (const SceneLabel& label : scene.labels)
-        out << "label \"" << label.text << "\" at " << mm(label.at) << " priority " << label.priority << "\n";
+        out << "label \"" << to_unicode(label.text) << "\" at " << mm(label.at) << " priority "
+            << label.priority << "\n";
     if (scene.axes) {
         out << "axes " << mm(scene.axes->low) << " " << mm(scene.axes->high) << "\n";
         for (std::size_t i = 0; i < 3; ++i) {
@@ -152,7 +153,7 @@ void put_words(std::ostream& out, const Scene& scene) {
         }
     }
     for (const LegendLine& line : scene.legend)
-        out << "legend " << text_of(line.role) << " \"" << line.text << "\"\n";
+        out << "legend " << text_of(line.role) << " \"" << to_unicode(line.text) << "\"\n";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/model/layout.h"
+#include "core/text/text.h"
 
 namespace covaria {
 
@@ -143,7 +144,7 @@ struct SceneWallHistogram {
 };
 
 struct SceneLabel {
-    std::string text;
+    Text text;
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     double clearance = 0.0;  ///< radius of what it must not cover, m
     Role role = Role::text;
@@ -193,7 +194,7 @@ enum class LegendMark { none, ellipsoid, cloud, histogram, line, arrow };
 struct LegendLine {
     LegendMark mark = LegendMark::none;
     Role role = Role::text;
-    std::string text;
+    Text text;
     bool operator==(const LegendLine&) const = default;
 };
 

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/text/numbers.h"
+#include "core/text/round_numbers.h"
 #include "viz/scene/point_uncertainty.h"
-#include "viz/scene/round_numbers.h"
 
 namespace covaria {
 namespace {
@@ -53,9 +54,9 @@ std::vector<AxisTick> colour_ticks(double low, double high) {
     std::vector<AxisTick> ticks;
     const double step = round_number_below((high - low) / 4.0);
     if (!(step > 0)) return ticks;
-    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    const int decimals = decimals_of_step(step);
     for (double at = std::ceil(low / step - 1e-9) * step; at <= high + 1e-9 * step; at += step)
-        ticks.push_back({at, plain_number(at, decimals)});
+        ticks.push_back({at, grouped_number(at, decimals)});
     return ticks;
 }
 
@@ -99,7 +100,7 @@ void add_extremes(const StudyResult& study, const StudyQuantity& quantity, Scene
         const int decimals =
             std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(value, 1e-300)))), 0, 9);
         scene.labels.push_back(
-            {std::string(words) + ": " + plain_number(value, decimals) + " " + quantity.unit.display(),
+            {std::string(words) + ": " + grouped_number(value, decimals) + " " + quantity.unit.display(),
              scene.map->positions[point], 1.4 * scene.map->radius, Role::text, 500});
         scene.points.push_back(
             {{.id = std::string("map:") + words, .name = words, .position = scene.map->positions[point]},
@@ -153,7 +154,7 @@ std::string surface_words(const SceneMap& map, const Unit& unit) {
     const int decimals =
         std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(map.high, 1e-300)))), 0, 9);
     for (std::size_t i = 0; i < map.levels.size(); ++i)
-        words += (i ? ", " : " ") + plain_number(map.levels[i], decimals);
+        words += (i ? ", " : " ") + grouped_number(map.levels[i], decimals);
     return words + " " + unit.display();
 }
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/scene/round_numbers.h"
+#include "core/text/round_numbers.h"
+#include "core/text/symbol.h"
 
 namespace covaria::detail {
 namespace {
@@ -45,8 +46,8 @@ bool Overlay::is_free(const ScreenRect& rect) const {
 void Overlay::paint_heading() {
     double y = px(margin - 4);
     const double x = px(margin);
-    for (const Word& word :
-         {Word{scene_.title, Role::text, true, 1.15}, Word{scene_.group, Role::text, false, 1.0}}) {
+    for (const Word& word : {Word{running_text(scene_.title), Role::text, true, 1.15},
+                             Word{running_text(scene_.group), Role::text, false, 1.0}}) {
         if (word.text.empty()) continue;
         put(word, x, y);
         y += mask_of(word).letters.height + px(2);
@@ -202,7 +203,8 @@ void Overlay::paint_labels() {
     std::vector<LabelRequest> requests;
     std::vector<ScreenRect> taken = taken_;
     for (const SceneLabel& label : scene_.labels) {
-        const bool is_selected = selected && selected->name == label.text && selected->position == label.at;
+        const bool is_selected =
+            selected && running_text(selected->name) == label.text && selected->position == label.at;
         const Word word{label.text, label.role, is_selected, 1.0};
         const TextMask& mask = mask_of(word);
         const Pixel at = pixel_of(label.at);

@@ -23,7 +23,7 @@ public:
 
 private:
     struct Word {
-        std::string text;
+        Text text;
         Role role = Role::text;
         bool bold = false;
         double scale = 1.0;  ///< of the size of letters

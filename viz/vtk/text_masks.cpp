@@ -77,22 +77,16 @@ void copy(const Mask& part, int left, int top, Mask& whole) {
                           static_cast<std::size_t>(x + left)] = static_cast<std::uint8_t>(part.at(x, y));
 }
 
-/// Where the last word is a quantity's symbol with a subscript ("o_p"): the place of its underscore, else
-/// npos.
-std::size_t subscript_mark(const std::string& text) {
-    const std::size_t mark = text.rfind('_');
-    if (mark == std::string::npos || text.find(' ', mark) != std::string::npos) return std::string::npos;
-    const std::size_t space = text.rfind(' ', mark);
-    const std::size_t letters = mark - (space == std::string::npos ? 0 : space + 1);
-    const std::size_t subscript = text.size() - mark - 1;
-    return letters >= 1 && letters <= 2 && subscript >= 1 && subscript <= 4 ? mark : std::string::npos;
-}
-
-Mask letters_of(const std::string& text, int pixels, bool bold) {
-    const std::size_t mark = subscript_mark(text);
-    if (mark == std::string::npos) return plain_letters(text, pixels, bold);
-    const Mask base = plain_letters(text.substr(0, mark), pixels, bold);
-    const Mask low = plain_letters(text.substr(mark + 1), std::max(6, pixels * 3 / 4), bold);
+/// Words that end in a subscript ("frame o_p") have it small and lowered; other scripts are as Unicode has
+/// them.
+Mask letters_of(const Text& text, int pixels, bool bold) {
+    const auto& spans = text.spans();
+    const bool ends_lowered = spans.size() > 1 && spans.back().script == Script::below;
+    const std::size_t on_line = ends_lowered ? text.letters().size() - spans.back().letters.size() : 0;
+    if (!ends_lowered || text.part(0, on_line).has_scripts())
+        return plain_letters(to_unicode(text), pixels, bold);
+    const Mask base = plain_letters(text.part(0, on_line).letters(), pixels, bold);
+    const Mask low = plain_letters(spans.back().letters, std::max(6, pixels * 3 / 4), bold);
     const int drop = std::max(1, pixels / 4), gap = std::max(1, pixels / 12);
     const int top = std::max(0, base.height + drop - low.height);
     Mask whole{base.width + gap + low.width, std::max(base.height, top + low.height), {}};
@@ -124,7 +118,7 @@ Mask grown(const Mask& mask, int reach) {
 
 }  // namespace
 
-const TextMask& TextMasks::of(const std::string& text, double pixels, bool bold) {
+const TextMask& TextMasks::of(const Text& text, double pixels, bool bold) {
     const int size = std::max(6, static_cast<int>(std::lround(pixels)));
     if (masks_.size() > most_masks) masks_.clear();
     auto [place, added] = masks_.try_emplace({text, size, bold});

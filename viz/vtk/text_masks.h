@@ -3,9 +3,10 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 #include <tuple>
 #include <vector>
+
+#include "core/text/text.h"
 
 namespace covaria::detail {
 
@@ -28,10 +29,10 @@ struct TextMask {
 /// own.
 class TextMasks {
 public:
-    const TextMask& of(const std::string& text, double pixels, bool bold = false);
+    const TextMask& of(const Text& text, double pixels, bool bold = false);
 
 private:
-    std::map<std::tuple<std::string, int, bool>, TextMask> masks_;
+    std::map<std::tuple<Text, int, bool>, TextMask> masks_;
 };
 
 }  // namespace covaria::detail

@@ -1,12 +1,12 @@
 // What is refused and what is warned of before "TCP from ballbars" is evaluated; the flange from given
 // points.
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
 #include "core/kinds/ballbar/equations.h"
+#include "core/math/decompositions.h"
 
 namespace covaria::tcp {
 
@@ -103,7 +103,7 @@ Eigen::Vector3d fitted_normal(const TcpSetup& setup, const Sequence& sequence) {
     }
     const Eigen::Matrix3d coefficients = normal_equations.fullPivLu().solve(right);
     const Eigen::Vector3d b = coefficients.row(1), c = coefficients.row(2);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+    const auto solver = eigen_decomposition(scatter);
     const Eigen::Vector3d normal = solver.eigenvectors().col(0);
     return normal.dot(b.cross(c)) < 0.0 ? Eigen::Vector3d(-normal) : normal;
 }

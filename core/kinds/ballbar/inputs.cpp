@@ -55,6 +55,7 @@ private:
             const std::size_t component =
                 known != shared_.end() ? known->second : add_component(deviation.component, id, instrument());
             shared_[id] = component;
+            inputs_.components[component].identity = id;
             shares.push_back({component, deviation.is_scale ? length : 1.0});
         }
         return shares;
@@ -70,6 +71,7 @@ private:
         add_quantity(std::move(quantity), length.component, setup_.instrument_id + "." + length.component.id,
                      instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
+        inputs_.components.back().identity = inputs_.components.back().id;
     }
 
     void add_height(std::size_t k) {
@@ -82,6 +84,7 @@ private:
         add_quantity(std::move(quantity), height.component, setup_.instrument_id + "." + height.component.id,
                      instrument());
         inputs_.quantities.back().unit = Unit::of("mm");
+        inputs_.components.back().identity = inputs_.components.back().id;
     }
 
     void add_reading(const Point& point, std::size_t bar) {

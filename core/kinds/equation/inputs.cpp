@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/symbol.h"
 #include "core/equation/operations.h"
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/equation/observations.h"
@@ -10,6 +9,7 @@
 #include "core/kinds/instruments/sensor.h"
 #include "core/quantity/input_quantity.h"
 #include "core/quantity/statement.h"
+#include "core/text/symbol.h"
 
 namespace covaria::equation_model {
 
@@ -206,7 +206,7 @@ private:
         if (is_new) {
             const std::string& name = assets_.find(text(row, "instrument"))->name;
             UncertaintyComponent made = component;
-            made.id = id;
+            made.id = made.identity = id;
             made.origin = name + " (" + component.origin + ")";
             made.contributor = text(row, "instrument");
             made.contributor_name = name;

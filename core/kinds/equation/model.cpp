@@ -42,8 +42,7 @@ public:
 
     std::vector<ModelEquation> formulas() const override {
         std::vector<ModelEquation> all;
-        for (const equation::Formula& f : equation::formulas(setup_.parsed))
-            all.push_back({equation::to_unicode(f), {}, equation::to_mathml(f)});
+        for (Formula& f : equation::formulas(setup_.parsed)) all.push_back({to_unicode(f), {}, std::move(f)});
         return all;
     }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/symbol.h"
+#include "core/text/symbol.h"
 
 namespace covaria::equation_model {
 

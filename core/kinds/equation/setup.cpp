@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/symbol.h"
 #include "core/setup/message_text.h"
+#include "core/text/symbol.h"
 
 namespace covaria::equation_model {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/base/data_table.h"
-#include "core/base/plot_specification.h"
 #include "core/kinds/force/force_sensor.h"
 #include "core/model/asset.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria::force {
 

@@ -58,7 +58,7 @@ std::string channels_alike(const LoadsSetup& setup, const Eigen::VectorXd& null_
 }
 
 void check_condition(LoadsSetup& setup, Problems& problems) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(setup.A(), Eigen::ComputeFullV);
+    const auto svd = singular_values(Eigen::MatrixXd(setup.A()), Eigen::ComputeFullV);
     const Eigen::VectorXd& s = svd.singularValues();
     setup.condition = s[s.size() - 1] > 0.0 ? s[0] / s[s.size() - 1] : infinity;
     const std::string alike = channels_alike(setup, svd.matrixV().col(s.size() - 1));

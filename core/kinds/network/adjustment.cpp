@@ -1,8 +1,8 @@
 #include "core/kinds/network/adjustment.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "core/math/decompositions.h"
 
 namespace covaria {
 
@@ -10,17 +10,17 @@ Eigen::MatrixXd estimate_of_shared(const Eigen::MatrixXd& A) {
     if (A.cols() <= A.rows()) {  // the smaller of two matrices
         Eigen::MatrixXd N = A.transpose() * A;
         N.diagonal().array() += 1.0;
-        return N.llt().solve(A.transpose());
+        return cholesky(N).solve(A.transpose());
     }
     Eigen::MatrixXd N = A * A.transpose();
     N.diagonal().array() += 1.0;
-    return N.llt().solve(A).transpose();
+    return cholesky(N).solve(A).transpose();
 }
 
 bool localises(const Eigen::MatrixXd& to_point) {
     if (to_point.rows() < 3) return false;
     const Eigen::MatrixXd directions = to_point.rowwise().normalized();
-    const Eigen::VectorXd values = directions.jacobiSvd().singularValues();
+    const Eigen::VectorXd values = singular_values(directions).singularValues();
     return values[2] > 1e-9 * values[0];
 }
 

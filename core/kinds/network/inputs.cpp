@@ -52,6 +52,7 @@ private:
             component.origin = sensor.name + " (" + component.origin + ")";
             component.contributor = sensor.id;
             component.contributor_name = sensor.name;
+            if (set_up == 0) component.identity = component.id;  // later ones stand somewhere else
             quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
             inputs_.quantities.push_back(std::move(quantity));
         }
@@ -123,7 +124,7 @@ private:
             const auto [known, is_new] = shared_.try_emplace(id, inputs_.components.size());
             if (is_new) {
                 UncertaintyComponent component = deviation.component;
-                component.id = id;
+                component.id = component.identity = id;
                 component.origin = sensor.name + " (" + component.origin + ")";
                 component.contributor = sensor.id;
                 component.contributor_name = sensor.name;

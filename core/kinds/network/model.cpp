@@ -3,6 +3,7 @@
 
 #include "core/kinds/network/equations.h"
 #include "core/kinds/network/sensitivities.h"
+#include "core/kinds/points/output_points.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
 
@@ -52,6 +53,10 @@ public:
         return network::network_sensitivities(setup_, x, rows);
     }
     std::vector<DataTable> evaluation() const override { return network::network_evaluation(setup_); }
+
+    std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
+        return std::make_shared<OutputPoints>(id, outputs_);
+    }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
@@ -185,6 +190,7 @@ ModelDescriptor points_from_sensors_model() {
     d.notes = network_notes();
     d.help_page = "points-from-sensors.md";
     d.example = "lsm-network.covaria";
+    d.capabilities = {"point-uncertainty"};
     d.schema = network::network_schema();
     d.create = create_network_model;
     return d;

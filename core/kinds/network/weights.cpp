@@ -1,23 +1,17 @@
 // Weights of a network, and whether its targets can be localised at all.
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <cmath>
-#include <cstdio>
 
 #include "core/kinds/instruments/sensor.h"
 #include "core/kinds/network/adjustment.h"
 #include "core/kinds/network/setup.h"
+#include "core/math/decompositions.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::network {
 
 namespace {
-
-std::string rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
 
 std::string names_of(const NetworkSetup& setup, const Target& target) {
     std::string names;
@@ -39,7 +33,7 @@ double spread_off_a_plane(const NetworkSetup& setup, const Target& target) {
         positions.col(static_cast<Eigen::Index>(i)) =
             setup.sensors[target.sights[i].sensor].source().station().X_WS().translation();
     positions.colwise() -= positions.rowwise().mean().eval();
-    const Eigen::VectorXd values = positions.jacobiSvd().singularValues();
+    const Eigen::VectorXd values = singular_values(positions).singularValues();
     return values.size() < 3 || values[0] == 0.0 ? 0.0 : values[2] / values[0];
 }
 
@@ -54,7 +48,7 @@ public:
         s.u = weighting_uncertainties(s.to_point, s.u, s.shared);
         keep_weights(target, s.u);
         const Eigen::MatrixXd weighted = s.u.cwiseInverse().asDiagonal() * s.to_point;
-        warn(target, path, 1.0 / weighted.jacobiSvd().singularValues()[2]);
+        warn(target, path, 1.0 / singular_values(weighted).singularValues()[2]);
         const Eigen::MatrixXd own =
             least_squares_gain(s.to_point, s.u, Eigen::MatrixXd(s.u.size(), 0)) * s.u.asDiagonal();
         Eigen::Map<Eigen::Matrix3d>(target.inverse_normal.data()) = own * own.transpose();
@@ -81,7 +75,8 @@ private:
                     .norm());
         if (u > 0.01 * nearest)
             problems_.warning(path, "target " + target.name + " is hardly localised: in one direction u is " +
-                                        rounded(u) + " m at a distance of " + rounded(nearest) + " m");
+                                        format_short(u) + " m at a distance of " + format_short(nearest) +
+                                        " m");
         if (only_distances(target) && spread_off_a_plane(setup_, target) < 1e-3)
             problems_.warning(path,
                               "the stations that measure target " + target.name +
@@ -98,7 +93,7 @@ private:
 
     void find_linear_start(Target& target, const Sensitivities& s) {
         const Eigen::VectorXd scales = linear_scales(setup_, target);
-        const Eigen::VectorXd values = (scales.asDiagonal() * s.to_point).jacobiSvd().singularValues();
+        const Eigen::VectorXd values = singular_values(scales.asDiagonal() * s.to_point).singularValues();
         target.has_linear_start = values.size() == 3 && values[2] > 1e-9 * values[0];
     }
 

@@ -21,6 +21,17 @@ void add_typed(const PointLocator& locator, const LocatedPoint& point, InputSet&
     }
 }
 
+void take_outputs(const PointOutputSource& outputs, const std::vector<LocatedPoint>& points, InputSet& inputs,
+                  Problems& problems) {
+    for (const LocatedPoint& point : points) {
+        const std::string& name = point.name.empty() ? point.label : point.name;
+        for (std::size_t c = 0; c < 3; ++c)
+            inputs.quantities[point.x_input + c].taken_from = outputs.coordinate(name, c);
+        if (!outputs.coordinate(name, 0))
+            problems.error("/instrument", "the analysis has no point called '" + name + "'");
+    }
+}
+
 void add_deviation(const PointLocator& locator, const JointDeviation& d,
                    const std::vector<LocatedPoint>& points, InputSet& inputs) {
     UncertaintyComponent component = d.component;
@@ -28,9 +39,10 @@ void add_deviation(const PointLocator& locator, const JointDeviation& d,
                    (d.point ? "." + points[*d.point].label : "");
     component.name = locator.instrument_name + ", " + d.name;
     component.local = d.point.has_value();
+    if (!d.point) component.identity = component.id;
     component.origin = locator.instrument_name + " (" + component.origin + ")";
     const std::size_t index = inputs.add(std::move(component));
-    if (!d.estimate.empty()) inputs.rest_on_estimate(locator.instrument_id + "." + d.estimate, index);
+    if (!d.estimate.empty()) inputs.rest_on_estimate(locator.instrument_id + "." + d.estimate, index, true);
     for (std::size_t i = 0; i < points.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c)
             if (const double f = d.directions[i][static_cast<Eigen::Index>(c)]; f != 0.0)
@@ -95,6 +107,8 @@ void add_point_components(const PointLocator& locator, const std::vector<Located
         for (const LocatedPoint& point : points) add_typed(locator, point, inputs);
         return;
     }
+    if (const auto* outputs = offers<PointOutputSource>(locator.instrument))
+        return take_outputs(*outputs, points, inputs, problems);
     const PointUncertaintySource& source = *offers<PointUncertaintySource>(locator.instrument);
     std::vector<Eigen::Vector3d> places;
     for (const LocatedPoint& point : points) {

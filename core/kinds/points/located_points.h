@@ -29,6 +29,7 @@ struct LocatedPoint {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     std::string label;        ///< "3,17": part of the symbols
     std::size_t x_input = 0;  ///< index of x; y and z follow
+    std::string name = {};    ///< by which an analysis that measured it knows it; empty: as its label
 };
 
 /// Gives the coordinates of points, measured from one set-up, their components.

@@ -59,7 +59,7 @@ public:
         table.columns = {{.header = "coordinate"},
                          {.header = "distribution"},
                          {.header = "u", .unit = Unit::of("mm"), .is_symbol = true, .digits = 3}};
-        for (const char* coordinate : coordinates)
+        for (const char* coordinate : point_coordinates)
             table.rows.push_back(
                 {coordinate, std::string(distribution_.title()), distribution_.standard_uncertainty()});
         table.notes.push_back("The figure is taken as: " + meaning_ + ".");

@@ -54,4 +54,12 @@ public:
     virtual std::string objection(const Eigen::Vector3d&) const { return {}; }
 };
 
+/// Beside it, of analyses: the points are outputs, with all their uncertainty.
+class PointOutputSource : public Capability {
+public:
+    /// The output that is coordinate 0, 1, 2 (x, y, z in the world frame) of the point of this name; empty:
+    /// there is no such point.
+    virtual std::optional<OutputReference> coordinate(const std::string& point, std::size_t axis) const = 0;
+};
+
 }  // namespace covaria

@@ -1,6 +1,5 @@
 // Input quantities of "pose from points": coordinates in frame 0 and the components they share; warnings.
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -8,6 +7,7 @@
 #include "core/kinds/points/stated_figure.h"
 #include "core/kinds/pose/equations.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::pose {
 
@@ -36,6 +36,18 @@ struct MeasuredPoint {
 };
 
 using Shares = std::array<std::vector<Share>, 3>;
+
+/// Of the analysis that measured the point; empty: an instrument or a typed figure did.
+std::optional<OutputReference> output_of(const UncertaintyRule& rule, const std::string& point,
+                                         std::size_t axis) {
+    const auto* source = offers<PointOutputSource>(rule.asset);
+    return source ? source->coordinate(point, axis) : std::nullopt;
+}
+
+/// A point of the moving frame is another one in each pose.
+std::string name_among_all(const PoseSetup& setup, const NominalPoint& point, std::size_t pose) {
+    return pose == 0 ? point.name : point.name + " in " + setup.poses[pose - 1].name;
+}
 
 class InputBuilder {
 public:
@@ -80,6 +92,8 @@ private:
             quantity.shares = shares_[i][c];
             quantity.group = point.pose == 0 ? "base" : setup_.poses[point.pose - 1].name;
             quantity.source = source_path(point);
+            quantity.taken_from =
+                output_of(*point.uncertainty, name_among_all(setup_, point.nominal(), point.pose), c);
             inputs_.quantities.push_back(std::move(quantity));
         }
     }
@@ -107,9 +121,10 @@ private:
                                                         : d.owner;
             const std::size_t before = inputs_.components.size();
             const std::size_t component = component_of(d.component, whose + "." + d.id, rule, !d.point);
+            if (!d.point) inputs_.components[component].identity = inputs_.components[component].id;
             if (!d.estimate.empty() && component == before)
                 inputs_.rest_on_estimate((d.owner.empty() ? rule.asset_id : d.owner) + "." + d.estimate,
-                                         component);
+                                         component, true);
             for (std::size_t k = 0; k < measured.size(); ++k) {
                 const MeasuredPoint& point = points_[measured[k]];
                 const Eigen::Vector3d& direction = d.directions[k];
@@ -167,12 +182,6 @@ private:
     std::map<std::string, std::size_t> common_;
 };
 
-std::string rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 // Largest standard uncertainty of the frame's coordinates over the height of its triangle.
 void warn_of_large_uncertainty(const PoseSetup& setup, const InputSet& inputs, Side side,
                                Problems& problems) {
@@ -188,9 +197,9 @@ void warn_of_large_uncertainty(const PoseSetup& setup, const InputSet& inputs, S
     for (std::size_t i = first; i < first + count; ++i) u = std::max(u, standard_uncertainty_of(inputs, i));
     if (u > 0.1 * height)
         problems.warning("/" + prefix_of(side) + "_points",
-                         "the standard uncertainty of a coordinate, " + rounded(1e3 * u) +
+                         "the standard uncertainty of a coordinate, " + format_short(1e3 * u) +
                              " mm, is more than a tenth of the distance of point " + rule.points[2].name +
-                             " from the x-axis, " + rounded(1e3 * height) +
+                             " from the x-axis, " + format_short(1e3 * height) +
                              " mm: the law of propagation is not reliable here, look at Monte Carlo");
 }
 
@@ -202,8 +211,8 @@ void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
     const double size = (local[1] - local[0]).norm();
     if (angle < 1e-3 && shift < 1e-3 * size) return;
     problems.warning("/" + prefix_of(side) + "_points",
-                     "the frame made from these points lies " + rounded(1e3 * shift) + " mm and " +
-                         rounded(Unit::of("deg").from_si(angle)) +
+                     "the frame made from these points lies " + format_short(1e3 * shift) + " mm and " +
+                         format_short(Unit::of("deg").from_si(angle)) +
                          "° away from the axes in which they are given, so results differ from the table of "
                          "poses; check the side of point 3 and the shift of the origin");
 }
@@ -251,8 +260,15 @@ Eigen::Isometry3d frame_of(const FrameRule& rule, const std::vector<Eigen::Vecto
 
 void check_measurable(const PoseSetup& setup, Problems& problems) {
     const auto check = [&](const FrameRule& rule, const UncertaintyRule& uncertainty,
-                           const std::vector<Eigen::Vector3d>& points, const std::string& where) {
+                           const std::vector<Eigen::Vector3d>& points, std::size_t pose,
+                           const std::string& where) {
         if (!uncertainty.asset) return;
+        const bool of_analysis = offers<PointOutputSource>(uncertainty.asset) != nullptr;
+        for (std::size_t i = 0; of_analysis && i < points.size(); ++i)
+            if (const std::string name = name_among_all(setup, rule.points[i], pose);
+                !output_of(uncertainty, name, 0))
+                problems.error(
+                    where, "the analysis " + uncertainty.asset_name + " has no point called '" + name + "'");
         const PointUncertaintySource& source = *offers<PointUncertaintySource>(uncertainty.asset);
         const bool world = source.axes() == PointUncertaintySource::Axes::world;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -262,9 +278,9 @@ void check_measurable(const PoseSetup& setup, Problems& problems) {
                                           uncertainty.asset_name + ": " + objection);
         }
     };
-    check(setup.base, setup.base_uncertainty, setup.base_points, "/base_points");
+    check(setup.base, setup.base_uncertainty, setup.base_points, 0, "/base_points");
     for (std::size_t k = 0; k < setup.poses.size(); ++k)
-        check(setup.moving, setup.moving_uncertainty, setup.poses[k].points,
+        check(setup.moving, setup.moving_uncertainty, setup.poses[k].points, k + 1,
               "/poses/rows/" + std::to_string(k));
 }
 

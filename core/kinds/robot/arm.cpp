@@ -5,6 +5,12 @@
 
 namespace covaria {
 
+std::optional<OutputReference> RobotSource::taken_from(std::size_t joint, JointParameter parameter) const {
+    for (const ParameterOutput& found : data_.outputs)
+        if (found.joint == joint && found.parameter == parameter) return found.output;
+    return {};
+}
+
 std::vector<UncertaintyComponent> RobotSource::reading(std::size_t joint) const {
     std::vector<UncertaintyComponent> components;
     const auto add = [&](const char* id, double u) {

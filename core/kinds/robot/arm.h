@@ -7,6 +7,13 @@
 
 namespace covaria {
 
+/// A parameter that is an output of an analysis.
+struct ParameterOutput {
+    std::size_t joint = 0;
+    JointParameter parameter = JointParameter::theta;
+    OutputReference output;
+};
+
 struct RobotData {
     DhConvention convention = DhConvention::modified;
     std::vector<RobotJoint> joints;
@@ -15,6 +22,7 @@ struct RobotData {
     std::vector<DeviationCorrelation> correlations;
     std::vector<double> u_encoder, u_repeatability;  ///< of each joint, rad or m
     double u_tool_position = 0.0, u_tool_angle = 0.0;
+    std::vector<ParameterOutput> outputs = {};
 };
 
 class RobotSource : public SerialRobotSource {
@@ -26,6 +34,7 @@ public:
     const Eigen::Isometry3d& X_FT() const override { return data_.X_FT; }
     const std::vector<ParameterDeviation>& deviations() const override { return data_.deviations; }
     const std::vector<DeviationCorrelation>& correlations() const override { return data_.correlations; }
+    std::optional<OutputReference> taken_from(std::size_t joint, JointParameter parameter) const override;
     std::vector<UncertaintyComponent> reading(std::size_t joint) const override;
     std::vector<UncertaintyComponent> tool() const override;
 

@@ -45,6 +45,7 @@ private:
             if (deviation.joint != i || deviation.parameter != p) continue;
             component_of_[d] = add_component(deviation.component, quantity);
         }
+        quantity.taken_from = robot_.taken_from(i, p);
         setup_.parameter[i][static_cast<std::size_t>(p)] = inputs_.quantities.size();
         inputs_.quantities.push_back(std::move(quantity));
     }
@@ -56,6 +57,7 @@ private:
         }
         UncertaintyComponent component = own;
         if (!setup_.combine) component.tags.push_back({"source", own.origin});
+        component.identity = setup_.asset_id + "." + own.id;
         component.origin = setup_.asset_name + ": " + own.origin;
         quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
         return quantity.shares.front().component;
@@ -72,6 +74,7 @@ private:
         sum.degrees_of_freedom = welch > 0.0 ? std::pow(u, 4) / welch : infinity;
         sum.distribution = Distribution::normal(u);
         sum.id = symbol + ".combined";
+        sum.identity = setup_.asset_id + "." + sum.id;
         sum.name = symbol + ", combined";
         sum.origin += ", " + more.origin;
     }
@@ -90,6 +93,7 @@ private:
                                    .group = "tool"};
             quantity.tags = {
                 {"parameter", symbols[i]}, {"joint", "tool"}, {"kind", i < 3 ? "lengths" : "angles"}};
+            components[i].identity = setup_.asset_id + "." + components[i].id;
             components[i].origin = setup_.asset_name + ": " + components[i].origin;
             inputs_.add(std::move(quantity), {components[i]});
         }

@@ -1,11 +1,11 @@
 #include "core/kinds/robot/inverse_kinematics.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/kinds/robot/serial_robot.h"
+#include "core/math/decompositions.h"
 #include "core/math/rotation.h"
 
 namespace covaria::robot {
@@ -32,15 +32,10 @@ public:
             const Eigen::MatrixXd J = derivative(q);
             Eigen::MatrixXd N = J.transpose() * J;
             N.diagonal().array() += damping * damping;
-            const Eigen::VectorXd dq = N.ldlt().solve(J.transpose() * e);
-            std::vector<double> next = q;
-            for (std::size_t i = 0; i < q.size(); ++i) {
-                const RobotJoint& joint = robot_.joints()[i];
-                const double scale = joint.slides ? reach_ : 1.0;
-                next[i] = std::clamp(q[i] + scale * dq[static_cast<Eigen::Index>(i)], joint.low, joint.high);
-            }
+            const auto dq = damped_step(N, J.transpose() * e);
+            std::vector<double> next = dq ? moved(q, *dq) : q;
             const Eigen::VectorXd e_next = miss(next);
-            const bool better = e_next.norm() < e.norm();
+            const bool better = dq && e_next.norm() < e.norm();
             damping = better ? damping / 4.0 : damping * 3.0;
             if (better) {
                 q = std::move(next);
@@ -54,6 +49,15 @@ public:
     }
 
 private:
+    std::vector<double> moved(std::vector<double> q, const Eigen::VectorXd& dq) const {
+        for (std::size_t i = 0; i < q.size(); ++i) {
+            const RobotJoint& joint = robot_.joints()[i];
+            const double scale = joint.slides ? reach_ : 1.0;
+            q[i] = std::clamp(q[i] + scale * dq[static_cast<Eigen::Index>(i)], joint.low, joint.high);
+        }
+        return q;
+    }
+
     /// Position over the reach, then the rotation vector.
     Eigen::VectorXd miss(const std::vector<double>& q) const {
         const Eigen::Isometry3d X = link_frames(robot_, q).back();

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,10 @@ public:
     virtual const Eigen::Isometry3d& X_FT() const = 0;  ///< tool in the frame of the last link
     virtual const std::vector<ParameterDeviation>& deviations() const = 0;
     virtual const std::vector<DeviationCorrelation>& correlations() const = 0;
+    /// Of an analysis that found the parameter: the output that it is.
+    virtual std::optional<OutputReference> taken_from(std::size_t /*joint*/, JointParameter) const {
+        return {};
+    }
     /// Deviations of the reading of a joint, drawn anew at each pose: encoder, repeatability.
     virtual std::vector<UncertaintyComponent> reading(std::size_t joint) const = 0;
     /// Deviations of x, y, z and of the rotations about x, y, z of the tool in its own frame.

@@ -51,6 +51,7 @@ private:
             return false;
         }
         read_.asset = entry->asset;
+        read_.asset_id = id;
         read_.asset_name = entry->name.empty() ? id : entry->name;
         for (const RobotJoint& joint : read_.robot().joints()) previous_.push_back(joint.zero);
         return true;

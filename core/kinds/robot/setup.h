@@ -26,7 +26,7 @@ struct Pose {
 
 struct PoseSetup {
     std::shared_ptr<const Asset> asset;
-    std::string asset_name;
+    std::string asset_id, asset_name;
     std::vector<Pose> poses;
     std::optional<RotationConvention> orientation;
     bool in_world = false;   ///< results in the world frame instead of the robot's base

@@ -33,9 +33,9 @@ struct UrdfChoice {
 /// same chain the one called tool0, tcp or flange, else the farthest. Joints of grippers are never taken:
 /// those called so, those that others follow at the end of the arm, those that fork there, and those that
 /// slide by less than 100 mm there; on the way to a tip that is named, those called so are frozen.
-/// Error: no URDF (xacro must be expanded first), no moving joint, more joints than an arm has here, several
-/// arms of equal length without a tip named, a joint that floats or follows another one on the way to the
-/// tip.
+/// Error, with the line of the file unless it is about `choice`: no URDF (xacro must be expanded first), no
+/// moving joint, more joints than an arm has here, several arms of equal length without a tip named, a joint
+/// that floats or follows another one on the way to the tip.
 Result<ImportedAsset> import_urdf(const std::string& xml, const UrdfChoice& choice = {});
 
 }  // namespace covaria

@@ -33,7 +33,8 @@ struct Place {
 
 class Tree {
 public:
-    explicit Tree(const Robot& robot) : joints_(robot.joints), places_(robot.joints.size()) {
+    explicit Tree(const Robot& robot)
+        : line_(robot.line), joints_(robot.joints), places_(robot.joints.size()) {
         sort();
         count();
         find_grippers();
@@ -45,7 +46,7 @@ public:
         std::size_t most = 0;
         for (const std::size_t j : order_)
             if (places_[j].blocked == nobody) most = std::max(most, places_[j].moving);
-        if (most == 0) return fail(ErrorCode::bad_input, why_no_arm());
+        if (most == 0) return why_no_arm();
         std::vector<std::size_t> ends;
         for (const std::size_t j : order_)
             if (places_[j].blocked == nobody && places_[j].moving == most) ends.push_back(j);
@@ -58,24 +59,29 @@ public:
         const auto found = holder_.find(tip);
         if (found == holder_.end())
             return fail(ErrorCode::not_found, "no joint leads to a link called " + tip);
-        if (!sorted_[found->second]) return fail(ErrorCode::bad_input, ring());
+        if (!sorted_[found->second]) return ring();
         Chain way = chain(found->second);
         std::size_t moving = 0;
         for (Joint& joint : way.joints) {
             if (joint.kind == JointKind::other)
-                return fail(ErrorCode::bad_input, "joint " + joint.name + " on the way to " + tip + " " +
-                                                      nature(joint) + ": freeze it, --freeze " + joint.name +
-                                                      "=0");
+                return refused_at(joint.line, "joint " + joint.name + " on the way to " + tip + " " +
+                                                  nature(joint) + ": freeze it, --freeze " + joint.name +
+                                                  "=0");
             if (joint.moves() && called_a_finger(joint.name))
                 joint.freeze(joint.limited ? std::clamp(0.0, joint.low, joint.high) : 0.0);
             moving += joint.moves();
         }
-        if (moving == 0) return fail(ErrorCode::bad_input, "no moving joint leads to " + tip);
+        if (moving == 0) return refused_at(joints_[found->second].line, "no moving joint leads to " + tip);
         return remarked(found->second, std::move(way));
     }
 
 private:
-    static std::string ring() { return "the links form a ring; URDF describes trees"; }
+    /// At the first joint that nothing leads to.
+    tl::unexpected<Error> ring() const {
+        const auto first = std::find(sorted_.begin(), sorted_.end(), false) - sorted_.begin();
+        return refused_at(joints_[static_cast<std::size_t>(first)].line,
+                          "the links form a ring; URDF describes trees");
+    }
 
     static std::string nature(const Joint& joint) {
         return joint.follows.empty() ? "is of the type " + joint.type : "follows joint " + joint.follows;
@@ -163,23 +169,24 @@ private:
         }
     }
 
-    std::string why_no_arm() const {
+    tl::unexpected<Error> why_no_arm() const {
         if (order_.size() < joints_.size()) return ring();
         for (const std::size_t j : order_)
             if (places_[j].blocked == j)
-                return "no arm: joint " + joints_[j].name + " " +
-                       (places_[j].gripper.empty() ? nature(joints_[j])
-                                                   : "was left out because " + places_[j].gripper);
-        return "the file has no moving joint";
+                return refused_at(joints_[j].line, "no arm: joint " + joints_[j].name + " " +
+                                                       (places_[j].gripper.empty()
+                                                            ? nature(joints_[j])
+                                                            : "was left out because " + places_[j].gripper));
+        return refused_at(line_, "the file has no moving joint");
     }
 
     Result<std::size_t> preferred(const std::vector<std::size_t>& ends) const {
         for (const std::size_t end : ends)
             if (places_[end].last != places_[ends.front()].last)
-                return fail(ErrorCode::bad_input, "the file has several arms of equal length, ending at " +
-                                                      joints_[ends.front()].child + " and " +
-                                                      joints_[end].child +
-                                                      ": name the tip link of the one to import");
+                return refused_at(joints_[end].line, "the file has several arms of equal length, ending at " +
+                                                         joints_[ends.front()].child + " and " +
+                                                         joints_[end].child +
+                                                         ": name the tip link of the one to import");
         for (const char* wanted : {"tool0", "tcp", "flange"})
             for (const std::size_t end : ends)
                 if (joints_[end].child.find(wanted) != std::string::npos) return end;
@@ -219,6 +226,7 @@ private:
         return chain;
     }
 
+    int line_;
     const std::vector<Joint>& joints_;
     std::vector<Place> places_;
     std::vector<std::size_t> order_;

@@ -13,6 +13,7 @@ enum class JointKind { fixed, rotating, sliding, other };
 
 struct Joint {
     std::string name, type, parent, child;
+    int line = 0;              ///< of the file, where it begins
     std::string follows = {};  ///< name of the joint that it mimics
     JointKind kind = JointKind::other;
     Eigen::Isometry3d X_PJ = Eigen::Isometry3d::Identity();  ///< its frame in that of the parent link
@@ -29,6 +30,7 @@ struct Joint {
 
 struct Robot {
     std::string name;
+    int line = 0;                    ///< of the file, where it begins
     std::vector<Joint> joints = {};  ///< in the order of the file
 };
 
@@ -43,6 +45,9 @@ struct Chain {
     std::vector<Joint> joints = {};
     std::vector<Remark> remarks = {};
 };
+
+/// What cannot be, at a line of the file.
+tl::unexpected<Error> refused_at(int line, std::string message);
 
 Result<Robot> read(const std::string& xml);
 /// Freezes joints by name. Error: no such joint, or one that does not move.

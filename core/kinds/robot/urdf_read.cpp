@@ -1,9 +1,12 @@
 // Reads the joints of a URDF file.
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "core/base/in_quotes.h"
 #include "core/base/unit.h"
@@ -29,23 +32,39 @@ JointKind kind_of(const Joint& joint) {
     return joint.turns() ? JointKind::rotating : joint.slides() ? JointKind::sliding : JointKind::other;
 }
 
-Result<Joint> joint_in(const pugi::xml_node& node) {
+/// Lines of a text by the places of its characters.
+class Lines {
+public:
+    explicit Lines(const std::string& text) {
+        for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
+            ends_.push_back(static_cast<std::ptrdiff_t>(at));
+    }
+    int line(std::ptrdiff_t at) const {
+        return 1 + static_cast<int>(std::lower_bound(ends_.begin(), ends_.end(), at) - ends_.begin());
+    }
+
+private:
+    std::vector<std::ptrdiff_t> ends_;
+};
+
+Result<Joint> joint_in(const pugi::xml_node& node, int line) {
     Joint joint{.name = node.attribute("name").value(),
                 .type = node.attribute("type").value(),
                 .parent = node.child("parent").attribute("link").value(),
-                .child = node.child("child").attribute("link").value()};
+                .child = node.child("child").attribute("link").value(),
+                .line = line};
     if (joint.parent.empty() || joint.child.empty())
-        return fail(ErrorCode::bad_input, "joint " + joint.name + " does not say which links it joins");
+        return refused_at(line, "joint " + joint.name + " does not say which links it joins");
     const auto xyz = vector_in(node.child("origin").attribute("xyz"), Eigen::Vector3d::Zero());
     const auto rpy = vector_in(node.child("origin").attribute("rpy"), Eigen::Vector3d::Zero());
     const auto axis = vector_in(node.child("axis").attribute("xyz"), Eigen::Vector3d::UnitX());
     for (const auto* v : {&xyz, &rpy, &axis})
-        if (!*v) return fail(ErrorCode::bad_input, "joint " + joint.name + ": " + v->error().message);
+        if (!*v) return refused_at(line, "joint " + joint.name + ": " + v->error().message);
     joint.X_PJ.translation() = *xyz;
     joint.X_PJ.linear() = rotation_from_zyx<double>(*rpy);
     const bool directed = joint.turns() || joint.slides();
     if (directed && !(axis->norm() > 1e-9))
-        return fail(ErrorCode::bad_input, "joint " + joint.name + ": its axis has no direction");
+        return refused_at(line, "joint " + joint.name + ": its axis has no direction");
     if (directed) joint.axis = axis->normalized();
     if (const pugi::xml_node mimic = node.child("mimic")) joint.follows = mimic.attribute("joint").value();
     if (node.child("mimic") && joint.follows.empty()) joint.follows = "another one";
@@ -58,6 +77,10 @@ Result<Joint> joint_in(const pugi::xml_node& node) {
 
 }  // namespace
 
+tl::unexpected<Error> refused_at(int line, std::string message) {
+    return fail(Error{ErrorCode::bad_input, std::move(message), {}, {}, line});
+}
+
 void Joint::freeze(double value) {
     if (slides()) X_PJ = X_PJ * Eigen::Translation3d(value * axis);
     if (turns()) X_PJ = X_PJ * Eigen::AngleAxisd(value, axis);
@@ -67,22 +90,25 @@ void Joint::freeze(double value) {
 Result<Robot> read(const std::string& xml) {
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
+    const Lines lines(xml);
     if (!parsed)
-        return fail(ErrorCode::bad_input, std::string("not readable as XML: ") + parsed.description() +
-                                              ", at character " + std::to_string(parsed.offset));
+        return refused_at(lines.line(parsed.offset),
+                          std::string("not readable as XML: ") + parsed.description());
     const pugi::xml_node root = document.child("robot");
-    if (!root) return fail(ErrorCode::bad_input, "no URDF: its root element <robot> is missing");
-    if (xml.find("<xacro:") != std::string::npos)
-        return fail(ErrorCode::bad_input,
-                    "the file has xacro macros: expand them first (xacro FILE > arm.urdf)");
-    Robot robot{.name = root.attribute("name").value()};
+    if (!root)
+        return refused_at(lines.line(document.first_child().offset_debug()),
+                          "no URDF: its root element <robot> is missing");
+    if (const std::size_t xacro = xml.find("<xacro:"); xacro != std::string::npos)
+        return refused_at(lines.line(static_cast<std::ptrdiff_t>(xacro)),
+                          "the file has xacro macros: expand them first (xacro FILE > arm.urdf)");
+    Robot robot{.name = root.attribute("name").value(), .line = lines.line(root.offset_debug())};
     std::set<std::string> children;
     for (const pugi::xml_node& node : root.children("joint")) {
-        auto joint = joint_in(node);
+        auto joint = joint_in(node, lines.line(node.offset_debug()));
         if (!joint) return fail(joint.error());
         if (!children.insert(joint->child).second)
-            return fail(ErrorCode::bad_input,
-                        "link " + joint->child + " hangs on two joints; URDF describes trees");
+            return refused_at(joint->line,
+                              "link " + joint->child + " hangs on two joints; URDF describes trees");
         robot.joints.push_back(std::move(*joint));
     }
     return robot;
@@ -103,10 +129,10 @@ Result<std::vector<Remark>> freeze(Robot& robot, const std::vector<FrozenJoint>&
                                                   did_you_mean(wanted.name, names));
         Joint& joint = *found->second;
         if (joint.kind == JointKind::fixed)
-            return fail(ErrorCode::bad_input, "joint " + wanted.name + " does not move, or is frozen twice");
+            return refused_at(joint.line, "joint " + wanted.name + " does not move, or is frozen twice");
         if (!joint.slides() && !joint.turns() && wanted.value != 0.0)
-            return fail(ErrorCode::bad_input, "joint " + wanted.name + " is of the type " + joint.type +
-                                                  ": it can be frozen at 0 only");
+            return refused_at(joint.line, "joint " + wanted.name + " is of the type " + joint.type +
+                                              ": it can be frozen at 0 only");
         const double value = Unit::of(joint.slides() ? "mm" : "deg").to_si(wanted.value);
         char text[64];
         std::snprintf(text, sizeof text, "frozen at %.10g%s", wanted.value, joint.slides() ? " mm" : "°");

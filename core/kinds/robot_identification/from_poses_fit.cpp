@@ -1,15 +1,14 @@
 #include "core/kinds/robot_identification/from_poses_fit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/kinds/robot_identification/input_sensitivity.h"
+#include "core/math/decompositions.h"
 #include "core/math/special_quantiles.h"
 #include "core/quantity/input_quantity.h"
+#include "core/text/numbers.h"
 
 namespace covaria::pose_calibration {
 
@@ -18,12 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-std::string number(double value, const char* format = "%.3g") {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 /// Estimates of all inputs; their deviations are what a trial changes.
 std::vector<double> estimates(const InputSet& inputs) {
@@ -117,7 +110,12 @@ bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
         const VectorXd scale = A.colwise().norm();
         MatrixXd N = A.transpose() * A;
         N.diagonal() += damping * scale.cwiseAbs2();
-        const VectorXd dv = N.ldlt().solve(A.transpose() * r);
+        const auto solved = damped_step(N, A.transpose() * r);
+        if (!solved) {
+            if ((damping *= 10.0) > 1e8) return false;
+            continue;
+        }
+        const VectorXd& dv = *solved;
         std::vector<double> next = v;
         for (std::size_t i = 0; i < v.size(); ++i) next[i] += dv[static_cast<Index>(i)];
         const VectorXd r_next = w.cwiseProduct(residuals_of(c, next, fitted(c)));
@@ -254,7 +252,7 @@ private:
         const MatrixXd A = w_.asDiagonal() * jacobian_of(c_, c_.solution, fitted(c_));
         const VectorXd length = A.colwise().norm();
         const MatrixXd scaled = A * length.cwiseInverse().asDiagonal();
-        const Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const auto svd = singular_values(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
         const VectorXd& s = svd.singularValues();
         if (!(s[s.size() - 1] > 1e-9 * s[0]))
             return refuse(
@@ -319,7 +317,7 @@ private:
             warn_of_outlier(worst, size[worst]);
         if (s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))
             problems_.warning(
-                "/poses", "the residuals are " + number(s.scatter) +
+                "/poses", "the residuals are " + format_short(s.scatter) +
                               " times as large as the uncertainties of points and readings explain: there "
                               "is more than these (a joint's elasticity, temperature, an outlier), and "
                               "the uncertainty of the parameters is stated too small");
@@ -331,8 +329,9 @@ private:
         const auto m = static_cast<Index>(c_.rows_per_pose());
         const MeasuredPose& pose = c_.poses[static_cast<std::size_t>(row / m)];
         problems_.warning(pose.source, "pose " + pose.name + ": the residual of its " + names[row % m] +
-                                           " is " + number(size) + " times its standard uncertainty (limit " +
-                                           number(c_.statistics.limit) +
+                                           " is " + format_short(size) +
+                                           " times its standard uncertainty (limit " +
+                                           format_short(c_.statistics.limit) +
                                            "). Look at this pose first; hold it back by use = check");
     }
 
@@ -345,7 +344,7 @@ private:
             if (std::abs(s.weakest[i]) > 0.3)
                 names += (names.empty() ? "" : ", ") + c_.unknowns[static_cast<std::size_t>(i)].name();
         problems_.warning(place_, "these poses hardly tell " + names + " apart (condition " +
-                                      number(condition, "%.2g") +
+                                      format_short(condition, 2) +
                                       "): turn more joints further, or hold one of them");
     }
 

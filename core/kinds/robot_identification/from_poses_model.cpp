@@ -29,6 +29,10 @@ public:
     std::vector<DataTable> evaluation() const override { return tables(c_); }
     Layout layout(std::span<const double>) const override { return pose_calibration::layout(c_); }
 
+    std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
+        return robot_of_analysis(identified(c_), c_.parameters(), id);
+    }
+
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
         return pose_calibration::evaluate<Real>(c_, x,
@@ -117,6 +121,7 @@ ModelDescriptor robot_calibration_model() {
     d.notes = calibration_notes();
     d.help_page = "robot-calibration.md";
     d.example = "er10l-c10.covaria";
+    d.capabilities = {"serial-robot"};
     d.schema = SetupSchema(pose_calibration::fields());
     d.create = create_calibration;
     return d;

@@ -147,7 +147,7 @@ private:
         static const char* const angles[] = {"alpha", "beta", "gamma"};
         MeasuredPose& pose = c_.poses[k];
         pose.first_input = c_.inputs.quantities.size();
-        const LocatedPoint point{pose.p, std::to_string(k + 1), pose.first_input};
+        const LocatedPoint point{pose.p, std::to_string(k + 1), pose.first_input, pose.name};
         for (std::size_t i = 0; i < c_.rows_per_pose(); ++i) {
             const bool turn = i >= 3;
             const std::string symbol = std::string(turn ? angles[i - 3] : axes[i]) + "_" + point.label;

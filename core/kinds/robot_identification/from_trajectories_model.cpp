@@ -33,6 +33,12 @@ public:
     std::vector<DataTable> evaluation() const override { return circle_points::tables(id_); }
     Layout layout(std::span<const double>) const override { return circle_points::layout(id_); }
 
+    std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
+        Problems problems;
+        auto data = circle_points::identified(id_, problems);
+        return data ? robot_of_analysis(std::move(*data), id_.parameters, id) : nullptr;
+    }
+
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
         return circle_points::evaluate<Real>(id_, x,
@@ -109,6 +115,7 @@ ModelDescriptor robot_circle_points_model() {
     d.notes = circle_notes();
     d.help_page = "robot-circle-points.md";
     d.example = "er10l-c10.covaria";
+    d.capabilities = {"serial-robot"};
     d.schema = SetupSchema(circle_points::fields());
     d.create = create_circle_points;
     return d;

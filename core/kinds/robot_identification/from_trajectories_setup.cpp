@@ -1,12 +1,12 @@
 // Reads the points of the joint trajectories, checks them, decides on the structure of the arm.
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
 #include "core/kinds/robot/serial_robot.h"
 #include "core/kinds/robot_identification/from_trajectories.h"
+#include "core/math/decompositions.h"
 #include "core/quantity/input_quantity.h"
 
 namespace covaria::circle_points {
@@ -263,7 +263,7 @@ private:
     }
 
     static Eigen::Matrix3d rotation_nearest(const Eigen::Matrix3d& H) {
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        const auto svd = singular_values(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
         Eigen::Vector3d d = Eigen::Vector3d::Ones();
         d[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
         return svd.matrixU() * d.asDiagonal() * svd.matrixV().transpose();

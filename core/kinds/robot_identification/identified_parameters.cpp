@@ -94,4 +94,14 @@ RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<I
     return data;
 }
 
+std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector<IdentifiedParameter>& found,
+                                               const std::string& analysis) {
+    data.deviations.clear();
+    data.correlations.clear();
+    for (const IdentifiedParameter& p : found)
+        data.outputs.push_back(
+            {p.joint, p.parameter, {analysis, "joint " + std::to_string(p.joint + 1), p.symbol()}});
+    return std::make_shared<RobotAsset>(std::move(data));
+}
+
 }  // namespace covaria

@@ -2,6 +2,7 @@
 // covariance. Shared by all ways of identification.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,9 @@ DataTable held_table(const std::vector<HeldParameter>& held);
 RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
                            const std::vector<double>& values, const Eigen::MatrixXd& covariance,
                            const std::string& origin);
+/// The same without uncertainties, each found parameter an output of the analysis that finds it: in the group
+/// "joint 3", by its symbol.
+std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector<IdentifiedParameter>& found,
+                                               const std::string& analysis);
 
 }  // namespace covaria

@@ -37,8 +37,8 @@ TEST(DegreesOfFreedom, OfAllExamplesAreDrawn) {
             ++found;
             const Distribution drawn = drawn_distribution(c);
             EXPECT_EQ(drawn.standard_uncertainty(), c.distribution.standard_uncertainty()) << c.id;
-            if (!c.normal_draws && c.distribution.kind() == "normal")
-                EXPECT_EQ(drawn.degrees_of_freedom(), nu) << analysis.id << ", " << c.id;
+            if (c.normal_draws || c.distribution.kind() != "normal") continue;
+            EXPECT_EQ(drawn.degrees_of_freedom(), nu) << analysis.id << ", " << c.id;
         }
     });
     EXPECT_GT(found, 20u);

@@ -72,16 +72,17 @@ void expect_line(const OutputResult& y, const UncertaintyResult& result) {
     const double u = y.standard_uncertainty, U = y.expanded_uncertainty;
     const CoverageInterval interval = coverage_interval_of(y, result);
     const double half = 0.5 * (interval.high - interval.low);
-    if (result.fixed_coverage_factor)
+    if (result.fixed_coverage_factor) {
         EXPECT_DOUBLE_EQ(U, *result.fixed_coverage_factor * u);
-    else
+    } else {
         EXPECT_NEAR(U, half, 1e-12 * U + 1e-15 * std::abs(y.estimate));
-    if (std::isfinite(u))
+    }
+    if (std::isfinite(u)) {
         EXPECT_NEAR(U, y.coverage_factor * u, 1e-12 * U);
-    else
+    } else {
         EXPECT_TRUE(std::isnan(y.coverage_factor) || result.fixed_coverage_factor);
-    if (y.monte_carlo) EXPECT_EQ(y.monte_carlo->standard_uncertainty, u);
-    if (!y.monte_carlo) EXPECT_EQ(y.first_order.standard_uncertainty, u);
+    }
+    EXPECT_EQ(y.monte_carlo ? y.monte_carlo->standard_uncertainty : y.first_order.standard_uncertainty, u);
 }
 
 RequirementResult judged(const UncertaintyResult& result, std::size_t j, std::optional<double> lower,

@@ -189,4 +189,13 @@ TEST(BadInput, DeepNestingIsRefused) {
     EXPECT_EQ(problem_with(loaded.problems, "nested too deeply").severity, Severity::error);
 }
 
+TEST(BadInput, AProjectThatWouldTakeTheMemoryIsRefused) {
+    const auto file = fresh_folder("too-large") / "p.covaria";
+    put_bytes(file, std::string(largest_project + 1, ' '));
+    const LoadedProject loaded = load_project(file);
+    const Problem problem = problem_with(loaded.problems, "put its long tables into CSV files");
+    EXPECT_EQ(problem.file, file.string());
+    EXPECT_EQ(problem.line, 1);
+}
+
 }  // namespace covaria::test::bad_input_test

@@ -221,4 +221,18 @@ TEST(CsvFile, MissingFileNamesWhereItWasLookedFor) {
     EXPECT_EQ(std::filesystem::path(problem.file).filename(), "p.covaria");
 }
 
+TEST(CsvTable, MoreRowsThanMemoryIsMeantForAreRefusedBeforeAnyIsKept) {
+    const FieldSpec field = readings_field();
+    EXPECT_EQ(too_many_rows(field, std::string(500'000, '\n')), "");
+    EXPECT_EQ(too_many_rows(field, std::string(20'000, '\n') + std::string(100'000'000, 'x')), "");
+    EXPECT_NE(too_many_rows(field, std::string(200'000, '\n') + std::string(100'000'000, 'x')), "");
+    std::string csv = "point,value\n";
+    for (int i = 0; i < 1'100'000; ++i) csv += "p,1\n";
+    const LoadedProject loaded = with_csv(csv);
+    const Problem problem =
+        problem_with(loaded.problems, "it has 1100002 lines, and there is memory for about ");
+    EXPECT_NE(problem.file.find("readings.csv"), std::string::npos) << problem.file;
+    EXPECT_EQ(problem.line, 1);
+}
+
 }  // namespace covaria::test::csv_test

@@ -31,6 +31,7 @@ std::set<std::string> keys_of(const Json& object) {
 AnalysisEntry full_analysis() {
     const Quantity q{1.5, Unit::of("mm")};
     AnalysisEntry a{.id = "a", .model = "measurement-equation"};
+    a.links.push_back({"y", {"b", "g", "z"}, true});
     ComponentEdit component{"c", "student-t", {0.0, 1.0, 5.0}, Unit::of("mm"), EvaluationType::type_a,
                             7.0, "x"};
     a.inputs.push_back({"x", q, std::vector<ComponentEdit>{component}, Combination::arithmetic, true});
@@ -48,7 +49,8 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     Project project;
     project.analyses.push_back(full_analysis());
     const Json written = Json::parse(project_text(project))["analyses"][0];
-    const std::pair<const char*, Json> objects[] = {{"inputEdit", written["inputs"][0]},
+    const std::pair<const char*, Json> objects[] = {{"link", written["links"][0]},
+                                                    {"inputEdit", written["inputs"][0]},
                                                     {"component", written["inputs"][0]["components"][0]},
                                                     {"correlation", written["correlations"][0]},
                                                     {"options", written["options"]},
@@ -65,6 +67,7 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     for (const Problem& p : again.problems.items())
         EXPECT_EQ(p.message.find("there is no '"), std::string::npos) << p.path << ": " << p.message;
     ASSERT_EQ(again.project.analyses.size(), 1u);
+    EXPECT_EQ(again.project.analyses[0].links, project.analyses[0].links);
     EXPECT_EQ(again.project.analyses[0].inputs, project.analyses[0].inputs);
     EXPECT_EQ(again.project.analyses[0].options, project.analyses[0].options);
     EXPECT_EQ(again.project.analyses[0].studies, project.analyses[0].studies);

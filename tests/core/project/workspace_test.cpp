@@ -193,6 +193,20 @@ TEST(Workspace, RunHasItsProvenance) {
     EXPECT_FALSE(result->provenance.covaria_version.empty());
 }
 
+TEST(Workspace, WarningsAreThoseOfTheAssetsThatAreUsedAndOfTheAnalysis) {
+    Project project = plain_project();
+    AssetEntry unused = project.assets[0];
+    unused.id = "unused";
+    project.assets.insert(project.assets.begin(), unused);
+    Problems of_assets, of_analysis;
+    of_assets.warning("/assets/0/setup/readings", "nobody uses this");
+    of_assets.warning("/assets/1/setup/readings", "readings contradict each other");
+    of_analysis.error("/setup", "wrong");
+    of_analysis.warning("/inputs", "no uncertainty");
+    EXPECT_EQ(warnings_of(project, "sum-1", of_assets, of_analysis),
+              (std::vector<std::string>{"asset block-1: readings contradict each other", "no uncertainty"}));
+}
+
 TEST(Workspace, FingerprintFollowsTheAssetsThatAreUsed) {
     Project project = plain_project();
     AssetEntry unused = project.assets[0];

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "core/model/composed_model.h"
 #include "core/propagation/unit_statistics.h"
 #include "test_models.h"
 
@@ -66,6 +67,26 @@ TEST(HotLoop, DoesNotAllocate) {
 #if !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
     EXPECT_GT(before, 0u);  // the counter works
 #endif
+}
+
+TEST(HotLoop, AChainOfModelsDoesNotAllocate) {
+    const InputSet two = normal_inputs({{1.0, 0.5}, {2.0, 0.1}});
+    const auto product = [](std::span<const double> x, std::span<double> y) {
+        y[0] = x[0] * x[1];
+        return x[0] > 0.0;
+    };
+    const auto model = std::make_shared<FunctionModel>(two, outputs_named({"y"}), product);
+    std::vector<ChainPart> parts{{"a", "", model, two, {}}, {"b", "", model, two, {{1, 0, 0}}}};
+    const ComposedModel chain(std::move(parts));
+    const detail::DrawPlan plan(chain.inputs(), {});
+    const detail::TrialSource source{&chain, &plan, 1, Eigen::VectorXd::Ones(1)};
+    detail::TrialBlockRunner runner(source);
+    runner.run(0, detail::block_trials);
+    const std::uint64_t before = allocations;
+    for (std::uint64_t block = 1; block < 10; ++block)
+        runner.run(block * detail::block_trials, detail::block_trials);
+    EXPECT_EQ(allocations - before, 0u);
+    EXPECT_LT(runner.valid(), runner.trials());
 }
 
 }  // namespace

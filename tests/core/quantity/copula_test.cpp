@@ -38,7 +38,8 @@ TEST(Copula, ClosedForms) {
         EXPECT_NEAR(*rho(normal, rectangular, r), r * std::sqrt(pi / 3.0), 1e-7);
         const double s = 0.4, t = 0.3;
         const double wanted = std::log1p(r * std::sqrt(std::expm1(s * s) * std::expm1(t * t))) / (s * t);
-        if (std::abs(wanted) < 1.0) EXPECT_NEAR(*rho(lognormal(s), lognormal(t), r), wanted, 1e-7);
+        if (std::abs(wanted) >= 1.0) continue;
+        EXPECT_NEAR(*rho(lognormal(s), lognormal(t), r), wanted, 1e-7);
     }
 }
 

@@ -5,9 +5,10 @@
 
 #include <set>
 
-#include "core/base/symbol.h"
+#include "core/project/stated_requirements.h"
 #include "core/report/table_text.h"
 #include "core/result/representation.h"
+#include "core/text/symbol.h"
 #include "tests/core/report/sample_report.h"
 
 namespace covaria::report_test {
@@ -32,6 +33,10 @@ const TableBlock* table_with_id(const ReportDocument& document, const std::strin
     for (const TableBlock* table : tables_of(document))
         if (table->table.id == id) return table;
     return nullptr;
+}
+
+std::string head_of(const TableColumn& column) {
+    return to_unicode(head_text(column));
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -74,7 +79,7 @@ TEST(Report, ManyGroupsBecomeRowsOfTheMatrix) {
     const TableBlock* summary = table_with_id(document, "summary-typed");
     ASSERT_NE(summary, nullptr);
     EXPECT_EQ(summary->table.rows.size(), 20U);
-    EXPECT_EQ(head_text(summary->table.columns[1]), "U(x) (mm)");
+    EXPECT_EQ(head_of(summary->table.columns[1]), "U(x) (mm)");
     EXPECT_EQ(cell_text(*summary, 0, 1), "0.74");
 }
 
@@ -126,7 +131,7 @@ TEST(Report, SetupLeavesOutEmptyColumns) {
     const TableBlock* points = table_with_id(document, "setup-points");
     ASSERT_NE(points, nullptr);
     ASSERT_EQ(points->table.columns.size(), 3U);
-    EXPECT_EQ(head_text(points->table.columns[2]), "uₓ (mm)");
+    EXPECT_EQ(head_of(points->table.columns[2]), "uₓ (mm)");
     EXPECT_EQ(cell_text(*points, 0, 1), "-344");
     EXPECT_EQ(cell_text(*points, 0, 2), "0.066");
 }
@@ -180,6 +185,33 @@ TEST(Report, TooManyLostTrialsMarkTheResultEverywhere) {
     EXPECT_EQ(not_representing(study), std::vector<std::size_t>{1});
     EXPECT_TRUE(contains(remark_on(study, 1), does_not_represent));
     EXPECT_EQ(remark_on(study, 0), "");
+}
+
+// Nothing is met, accepted or rejected by a result that says nothing about the measurand.
+TEST(Report, RequirementsOnWhatDoesNotRepresentTheMeasurandAreNotJudged) {
+    UncertaintyResult result = test::sample_result();
+    result.failed_trials = result.trials / 100 + 1;
+    const Project project = test::sample_project();
+    const EvaluatedAnalysis analysis = test::sample_analysis(result);
+    const auto verdicts = judge(result, project.analyses.front());
+    ASSERT_FALSE(verdicts.empty());
+    for (const RequirementResult& r : verdicts) {
+        EXPECT_EQ(r.not_judged, why_not_judged());
+        EXPECT_FALSE(r.meets_target);
+        EXPECT_EQ(r.decision, RequirementResult::Decision::none);
+    }
+    const std::string report = to_markdown(build_report(project, AssetLibrary{}, {analysis}));
+    EXPECT_TRUE(contains(report, "The requirements are not judged: the result does not represent")) << report;
+    EXPECT_TRUE(contains(report, "| not judged |"));
+    for (const char* verdict : {"| met |", "| not met |", "| accepted |", "| rejected |", "risk"})
+        EXPECT_FALSE(contains(report, verdict)) << verdict;
+    const std::string json = results_json(project, {analysis});
+    EXPECT_TRUE(contains(json, "\"notJudged\": \"the result does not represent the measurand"));
+    EXPECT_TRUE(contains(json, "\"targetMet\": null"));
+    for (const char* key : {"\"targetMet\": true", "\"decision\": \"", "\"conformance\""})
+        EXPECT_FALSE(contains(json, key)) << key;
+    for (const DataTable& table : result_tables(project, analysis))
+        if (table.id == "requirements") EXPECT_TRUE(contains(to_csv(table), "not judged")) << to_csv(table);
 }
 
 TEST(Report, ShowsWhatRemainsWithAContributorHeld) {
@@ -242,7 +274,8 @@ void expect_every_cell(const ReportDocument& document, const std::string& text, 
         for (std::size_t r = 0; r < table->table.rows.size(); ++r)
             for (std::size_t c = 0; c < table->table.rows[r].size(); ++c) {
                 if (!shown_number(table->table.rows[r][c], table->table.columns[c])) continue;
-                const std::string shown = html ? cell_html(*table, r, c) : cell_text(*table, r, c);
+                const std::string shown =
+                    html ? to_html(cell_typeset(*table, r, c)) : cell_text(*table, r, c);
                 ASSERT_TRUE(contains(text, shown)) << table->table.title << ": " << shown;
             }
 }
@@ -266,28 +299,6 @@ TEST(Html, ContainsEveryNumberAndEscapes) {
     EXPECT_TRUE(contains(text, "<img src=\"typed-scene-pose-4.png\""));
     EXPECT_TRUE(contains(text, "<sub>eff</sub>"));
     EXPECT_FALSE(contains(text, "<test"));
-}
-
-TEST(TableText, SymbolsInListsAreSetOneByOne) {
-    EXPECT_EQ(symbols_to_unicode("b_1, b_2 … b_9 (9)"), "b₁, b₂ … b₉ (9)");
-    EXPECT_TRUE(looks_like_symbol("u_x"));
-    EXPECT_TRUE(looks_like_symbol("alpha"));
-    EXPECT_TRUE(looks_like_symbol("x"));
-    EXPECT_FALSE(looks_like_symbol("point"));
-    EXPECT_FALSE(looks_like_symbol("side length"));
-}
-
-TEST(TableText, RunningTextSetsSubscriptedLettersOnly) {
-    EXPECT_EQ(text_to_html("u_by in my_file & a"), symbol_to_html("u_by") + " in my_file &amp; a");
-    EXPECT_EQ(
-        equation_to_html("y = atan2(r_32, alpha)"),
-        symbol_to_html("y") + " = atan2(" + symbol_to_html("r_32") + ", " + symbol_to_html("alpha") + ")");
-}
-
-TEST(TableText, NumbersAreTypeset) {
-    EXPECT_EQ(typeset_number("-2.3e-05"), "−2.3×10⁻⁵");
-    EXPECT_EQ(typeset_number("1.5e+12\u00a0mm"), "1.5×10¹²\u00a0mm");
-    EXPECT_EQ(typeset_number("0.066"), "0.066");
 }
 
 TEST(Report, ComponentsThatOnlyRoundingMakesCountAreLeftOut) {

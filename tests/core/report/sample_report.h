@@ -240,7 +240,7 @@ inline UncertaintyResult sample_result(const SampleOptions& options = {}) {
     add_budget(result);
     add_covariance(result);
     if (options.monte_carlo) add_trials(result);
-    result.provenance = {"0123456789abcdef", "0.1.0", 18446744073709551615ULL};
+    result.provenance = {"0123456789abcdef", "0.2.0", 18446744073709551615ULL};
     return result;
 }
 

@@ -94,9 +94,9 @@ TEST(StudyJson, NoKeyWithoutStudies) {
 TEST(StudyPlot, SweepHasALinePerOutputOfTheUnit) {
     const PlotSpecification plot = study_plot(sample({5}), {});
     std::vector<std::string> names;
-    for (const PlotSeries& series : plot.series) names.push_back(series.name);
+    for (const PlotSeries& series : plot.series) names.push_back(to_unicode(series.name));
     EXPECT_EQ(names, (std::vector<std::string>{"u(3D), B", "U(x), B", "U(y), B", "U(z), B"}));
-    EXPECT_EQ(plot.x.title, "length (mm)");
+    EXPECT_EQ(to_unicode(plot.x.title), "length (mm)");
     EXPECT_DOUBLE_EQ(plot.series[1].y[4], 0.010);
     ASSERT_EQ(plot.marks.size(), 1u);
     EXPECT_EQ(plot.marks[0].at, 15.0);
@@ -106,7 +106,7 @@ TEST(StudyPlot, LinesAreInterruptedWhereThereIsNoValue) {
     const PlotSpecification plot = study_plot(sample({5}, 2), {});
     EXPECT_EQ(plot.series[0].x, (std::vector<double>{10.0, 20.0}));
     EXPECT_EQ(plot.series[1].x, (std::vector<double>{40.0, 50.0}));
-    EXPECT_EQ(plot.series[1].name, "");
+    EXPECT_EQ(to_unicode(plot.series[1].name), "");
     EXPECT_EQ(plot.series[1].role, plot.series[0].role);
 }
 
@@ -116,8 +116,8 @@ TEST(StudyPlot, MapHasTheSecondAxisUpwards) {
     const PlotSpecification plot = study_plot(sample({3, 2}), view);
     ASSERT_EQ(plot.series.size(), 1u);
     EXPECT_EQ(plot.series[0].kind, SeriesKind::heat_map);
-    EXPECT_EQ(plot.x.categories, (std::vector<std::string>{"10", "20", "30"}));
-    EXPECT_EQ(plot.y.categories, (std::vector<std::string>{"20", "10"}));
+    EXPECT_EQ(plot.x.categories, (std::vector<Text>{"10", "20", "30"}));
+    EXPECT_EQ(plot.y.categories, (std::vector<Text>{"20", "10"}));
     EXPECT_DOUBLE_EQ(plot.series[0].z[0], 0.022);  // length 10, angle 20
     EXPECT_DOUBLE_EQ(plot.series[0].z[5], 0.006);  // length 30, angle 10
     EXPECT_DOUBLE_EQ(plot.z_high, 0.026);
@@ -126,20 +126,20 @@ TEST(StudyPlot, MapHasTheSecondAxisUpwards) {
 TEST(StudyPlot, SliceOfThreeAxes) {
     StudyView view{.quantity = 1, .fixed_axis = 1, .slice = 1};
     const PlotSpecification plot = study_plot(sample({3, 2, 4}), view);
-    EXPECT_EQ(plot.x.title, "length (mm)");
-    EXPECT_EQ(plot.y.title, "height (mm)");
+    EXPECT_EQ(to_unicode(plot.x.title), "length (mm)");
+    EXPECT_EQ(to_unicode(plot.y.title), "height (mm)");
     EXPECT_EQ(plot.y.categories.size(), 4u);
     // length 30, height 10: 1 + 2 + 10
     EXPECT_DOUBLE_EQ(plot.series[0].z[11], 0.026);
-    EXPECT_NE(plot.title.find("angle = 20"), std::string::npos) << plot.title;
+    EXPECT_NE(to_unicode(plot.title).find("angle = 20"), std::string::npos) << to_unicode(plot.title);
 }
 
 TEST(StudyPlot, FamilyOfLines) {
     StudyView view{.quantity = 1, .lines = true};
     const PlotSpecification plot = study_plot(sample({3, 8}), view);
     ASSERT_EQ(plot.series.size(), 6u);
-    EXPECT_EQ(plot.series.front().name, "angle = 10 °");
-    EXPECT_EQ(plot.series.back().name, "angle = 80 °");
+    EXPECT_EQ(to_unicode(plot.series.front().name), "angle = 10 °");
+    EXPECT_EQ(to_unicode(plot.series.back().name), "angle = 80 °");
     EXPECT_TRUE(plot.y.logarithmic);
 }
 
@@ -148,7 +148,7 @@ TEST(StudyPlot, NothingToShowSaysWhy) {
     for (StudyPoint& point : study.points) point = {.reason = 1};
     const PlotSpecification plot = study_plot(study, {});
     EXPECT_TRUE(plot.series.empty());
-    EXPECT_NE(plot.title.find("the bars do not meet"), std::string::npos);
+    EXPECT_NE(to_unicode(plot.title).find("the bars do not meet"), std::string::npos);
 }
 
 TEST(StudyReport, HasTableChartsAndReasons) {

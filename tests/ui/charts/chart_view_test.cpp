@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 
 #include "tests/ui/charts/chart_test.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui::chart_view_test {
 namespace {
@@ -48,6 +49,31 @@ TEST_F(ChartViewTest, RubberBandZoomsAndDoubleClickResets) {
     EXPECT_NEAR(view_.chart().view().y_high, 0.8, 0.01);
     QTest::mouseDClick(view_.viewport(), Qt::LeftButton, {}, pixel(-120.0, 0.5));
     EXPECT_FALSE(view_.is_zoomed());
+}
+
+/// Texts of the ticks of a chart with tenths on its axis.
+QStringList texts_of(const ChartLayout& layout) {
+    QStringList texts;
+    for (const Tick& tick : layout.x.ticks) texts << to_qt(tick.text);
+    return texts;
+}
+
+TEST_F(ChartViewTest, NumbersHaveTheDecimalMarkOfTheUserInTheWindowAndThePointInReports) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    ChartView german;
+    german.resize(700, 440);
+    german.set_plot(test::all_plots()[0]);
+    german.show();
+    QCoreApplication::processEvents();
+    const QStringList shown = texts_of(german.chart().chart_layout());
+    const QStringList printed =
+        texts_of(layout_chart(test::all_plots()[0], {700, 440}, german.chart().view()));
+    QLocale::setDefault(before);
+    ASSERT_FALSE(shown.isEmpty());
+    EXPECT_TRUE(shown.front().contains(u',')) << shown.front().toStdString();
+    EXPECT_TRUE(printed.front().contains(u'.')) << printed.front().toStdString();
+    EXPECT_EQ(QStringList(shown).replaceInStrings(",", "."), printed);
 }
 
 TEST_F(ChartViewTest, SeriesFollowTheZoom) {
@@ -136,7 +162,7 @@ TEST(ReadOut, KnowsBarsCellsAndPoints) {
     const auto at = [](const PlotSpecification& plot, double x, double y) {
         const PlotGeometry geometry = layout_chart(plot, {900, 560}, whole_view(plot)).geometry;
         const auto found = read_out(plot, geometry, geometry.at(x, y));
-        return found ? found->text.toStdString() : std::string("nothing");
+        return found ? to_unicode(found->text) : std::string("nothing");
     };
     EXPECT_EQ(at(plots[3], 1.0, 0.0), "p₁ₓ: share of the variance = 25.25\u00a0%");
     EXPECT_EQ(at(plots[4], 1.0, 0.0), "x and y: −0.800");

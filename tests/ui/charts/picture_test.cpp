@@ -158,7 +158,7 @@ TEST_F(ChartFile, SvgHasTextAndNoRaster) {
         const QString svg = read("a.svg");
         EXPECT_TRUE(svg.contains(QStringLiteral("viewBox=\"0 0 720 440\"")));
         EXPECT_FALSE(svg.contains(QStringLiteral("<image"))) << plot.id;
-        const QString word = QString::fromStdString(plot.title).section(u' ', 0, 0);
+        const QString word = QString::fromStdString(to_unicode(plot.title)).section(u' ', 0, 0);
         EXPECT_TRUE(svg.contains(u'>' + word)) << plot.id;
     }
 }

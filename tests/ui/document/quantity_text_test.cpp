@@ -36,6 +36,15 @@ TEST(QuantityText, ReadsTheDecimalMarkOfTheLocale) {
     EXPECT_FALSE(parse_quantity("1.234,5", Unit::of("mm"), german)) << "grouping is not guessed at";
 }
 
+TEST(QuantityText, ReadsPowersOfTenAsTheyAreShown) {
+    EXPECT_EQ(parsed(QString::fromUtf8("−6,1×10⁻⁵ mm"), "mm", german).value, -6.1e-5);
+    EXPECT_EQ(parsed(QString::fromUtf8("2×10⁷"), "mm").value, 2e7);
+    EXPECT_EQ(with_plain_exponent(QString::fromUtf8("6.1×10⁻⁵")), "6.1e-5");
+    EXPECT_EQ(with_plain_exponent("12"), "12");
+    EXPECT_FALSE(parse_number(QString::fromUtf8("2×10"), english));
+    EXPECT_FALSE(parse_number(QString::fromUtf8("2×10⁷x"), english));
+}
+
 TEST(QuantityText, ReadsSignsOfOtherPrograms) {
     EXPECT_EQ(parsed(QString::fromUtf8("−2 µm"), "mm").value, -2.0);
     EXPECT_EQ(parsed(QString::fromUtf8("20 °C"), "degC").unit.text(), Unit::of("degC").text());

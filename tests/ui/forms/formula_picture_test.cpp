@@ -10,9 +10,19 @@
 namespace covaria::ui::formula_picture_test {
 namespace {
 
-FormulaPicture picture(const char* inside) {
-    return FormulaPicture(QStringLiteral("<math>%1</math>").arg(QString::fromUtf8(inside)),
-                          QFont(QApplication::font().family(), 20));
+using K = Formula::Kind;
+
+const Formula x = Formula::of_symbol({"x", "", ""}), y = Formula::of_symbol({"y", "", ""}),
+              two = Formula::leaf(K::number, "2"), plus = Formula::leaf(K::sign, "+");
+
+Formula of(K kind, std::vector<Formula> parts) {
+    Formula f = Formula::row(std::move(parts));
+    f.kind = kind;
+    return f;
+}
+
+FormulaPicture picture(const Formula& formula) {
+    return FormulaPicture(formula, QFont(QApplication::font().family(), 20));
 }
 
 int dark_pixels(const FormulaPicture& formula, const QRect& area) {
@@ -29,8 +39,8 @@ int dark_pixels(const FormulaPicture& formula, const QRect& area) {
 }
 
 TEST(FormulaPicture, AFractionStacksItsParts) {
-    const FormulaPicture a = picture("<mi>a</mi>"), line = picture("<mrow><mi>a</mi><mi>b</mi></mrow>");
-    const FormulaPicture fraction = picture("<mfrac><mi>a</mi><mi>b</mi></mfrac>");
+    const FormulaPicture a = picture(x), line = picture(of(K::row, {x, y}));
+    const FormulaPicture fraction = picture(of(K::fraction, {x, y}));
     EXPECT_GT(fraction.height(), 1.6 * a.height());
     EXPECT_LT(fraction.width(), line.width() + a.width());
     EXPECT_LT(a.baseline(), fraction.baseline());
@@ -43,25 +53,43 @@ TEST(FormulaPicture, AFractionStacksItsParts) {
 }
 
 TEST(FormulaPicture, ScriptsAreSmallerAndShifted) {
-    const FormulaPicture plain = picture("<mrow><mi>x</mi><mn>2</mn></mrow>");
-    const FormulaPicture power = picture("<msup><mi>x</mi><mn>2</mn></msup>");
-    const FormulaPicture index = picture("<msub><mi>x</mi><mn>2</mn></msub>");
+    const FormulaPicture plain = picture(of(K::row, {x, two}));
+    const FormulaPicture power = picture(of(K::power, {x, two}));
+    const FormulaPicture index = picture(Formula::of_symbol({"x", "2", ""}));
     EXPECT_LT(power.width(), plain.width());
     EXPECT_GT(power.baseline(), plain.baseline());
     EXPECT_GT(index.height() - index.baseline(), plain.height() - plain.baseline());
 }
 
 TEST(FormulaPicture, ARootCoversWhatIsUnderIt) {
-    const FormulaPicture inside = picture("<mrow><mi>x</mi><mo>+</mo><mi>y</mi></mrow>");
-    const FormulaPicture root = picture("<msqrt><mi>x</mi><mo>+</mo><mi>y</mi></msqrt>");
+    const FormulaPicture inside = picture(of(K::row, {x, plus, y}));
+    const FormulaPicture root = picture(of(K::root, {of(K::row, {x, plus, y})}));
     EXPECT_GT(root.width(), inside.width());
     EXPECT_GT(root.baseline(), inside.baseline());
 }
 
-TEST(FormulaPicture, WhatIsNoMathmlIsEmpty) {
-    EXPECT_TRUE(FormulaPicture(QString(), QFont()).is_empty());
-    EXPECT_TRUE(FormulaPicture(QStringLiteral("<math><mfrac></mfrac></math>"), QFont()).is_empty());
-    EXPECT_TRUE(FormulaPicture(QStringLiteral("nonsense"), QFont()).is_empty());
+TEST(FormulaPicture, ParenthesesGrowWithWhatTheyHold) {
+    Formula low = Formula::leaf(K::fence, "("), high = low;
+    low.parts = {x};
+    high.parts = {of(K::fraction, {x, y})};
+    const int left = 16;
+    const auto ink = [&](const FormulaPicture& f) { return dark_pixels(f, QRect(0, 0, left, 200)); };
+    EXPECT_GT(ink(picture(high)), 1.3 * ink(picture(low)));
+}
+
+TEST(FormulaPicture, ASymbolMayHaveBothScripts) {
+    const FormulaPicture both = picture(Formula::of_symbol({"x", "1", "2"}));
+    const FormulaPicture below = picture(Formula::of_symbol({"x", "1", ""}));
+    EXPECT_GT(both.baseline(), below.baseline());
+    EXPECT_NEAR(both.width(), below.width(), 3.0) << "one above the other";
+}
+
+TEST(FormulaPicture, TextIsSetWithItsScripts) {
+    const QFont font(QApplication::font().family(), 20);
+    const FormulaPicture prose(equation_text("o_p = R"), font), plain(Text("o_p = R"), font);
+    EXPECT_LT(prose.width(), plain.width());
+    EXPECT_GT(prose.height() - prose.baseline(), plain.height() - plain.baseline());
+    EXPECT_TRUE(FormulaPicture(Text(), font).is_empty());
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ TEST_F(Look, ColumnsAreChosenAndRemembered) {
     menu.actions()[group]->trigger();
     menu.actions()[column(*table.model(), QStringLiteral("k"))]->trigger();
     EXPECT_FALSE(table.isColumnHidden(group));
-    EXPECT_TRUE(table.csv().startsWith(QStringLiteral("Group,")));
+    EXPECT_TRUE(table.csv().startsWith(QStringLiteral("group,")));
     table.setColumnWidth(group, 123);
     answer_.save = SaveAnswer::discard;
     make_window();

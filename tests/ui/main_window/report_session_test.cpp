@@ -1,5 +1,8 @@
 // What leaves the window: the report on paper is the one of the preview and of the command line, page by
 // page, and only results leave it, no previews.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QPainter>
 #include <QProcess>
@@ -151,6 +154,36 @@ TEST_F(ReportSession, APreviewIsNoResult) {
     const QString html = QString::fromUtf8(file.readAll());
     EXPECT_TRUE(html.contains(QStringLiteral("Not in this report")));
     EXPECT_FALSE(html.contains(QStringLiteral("20\u202f000 trials, 30"))) << "no preview in it";
+}
+
+/// What a results.json lists as failed.
+QJsonArray failed_in(const QString& folder) {
+    QFile file(folder + QStringLiteral("/results.json"));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
+    return QJsonDocument::fromJson(file.readAll()).object()[QStringLiteral("failed")].toArray();
+}
+
+TEST_F(ReportSession, ResultsNameWhatFailedAsTheCommandLineDoes) {
+    Project project = load_project(COVARIA_SOURCE_DIR "/tests/fuzz/corpus/att3.covaria").project;
+    for (AnalysisEntry& analysis : project.analyses) analysis.options.method = Method::first_order;
+    const QString file = folder_.filePath(QStringLiteral("att3.covaria"));
+    ASSERT_TRUE(save_project(project, to_path(file)));
+    open(file);
+    window_->runner().run_all();
+    wait_until_idle();
+    const QString ours = folder_.filePath(QStringLiteral("window")),
+                  theirs = folder_.filePath(QStringLiteral("line"));
+    ASSERT_TRUE(QDir().mkpath(ours));
+    QSignalSpy finished(&window_->exports(), &ExportActions::finished);
+    window_->exports().export_results_to(ours);
+    ASSERT_TRUE(wait_for([&] { return !finished.empty(); }, 120'000));
+    QProcess process;
+    process.start(QStringLiteral(COVARIA_PROGRAM),
+                  {QStringLiteral("run"), file, QStringLiteral("--out"), theirs});
+    ASSERT_TRUE(process.waitForFinished(300'000));
+    EXPECT_EQ(process.exitCode(), 1) << "one analysis has no result";
+    ASSERT_FALSE(failed_in(theirs).isEmpty());
+    EXPECT_EQ(failed_in(ours), failed_in(theirs));
 }
 
 TEST_F(ReportSession, WhatIsTypedCountsInRunsAndExports) {

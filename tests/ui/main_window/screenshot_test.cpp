@@ -22,10 +22,11 @@ protected:
         const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
         folder.mkpath(QStringLiteral("."));
         image.save(folder.filePath(name + density_ending() + QStringLiteral(".png")));
-        if (has_baseline(name + density_ending()))
+        if (has_baseline(name + density_ending())) {
             EXPECT_TRUE(matches_screenshot(
                 image, QStringLiteral(COVARIA_SOURCE_DIR "/tests/ui/main_window/baselines"),
                 name + density_ending()));
+        }
         return image;
     }
     /// A choice that shows every tab and both themes. Not the start page: it grows with every example.
@@ -76,8 +77,9 @@ TEST_F(Screenshots, EveryTabShowsSomething) {
         for (int tab = 0; tab < tabs.count(); ++tab) {
             if (!tabs.isTabVisible(tab)) continue;
             tabs.setCurrentIndex(tab);
-            if (auto* report = qobject_cast<ReportPreview*>(tabs.widget(tab)))
+            if (auto* report = qobject_cast<ReportPreview*>(tabs.widget(tab))) {
                 EXPECT_TRUE(QTest::qWaitFor([&] { return report->page_count() > 0; }, 120'000));
+            }
             const QImage image =
                 shoot(QStringLiteral("%1-%2").arg(tabs.tabText(tab).toLower(), QString::fromLatin1(theme)));
             EXPECT_GT(busy_part(image, rect_of(*tabs.widget(tab))), 0.01)

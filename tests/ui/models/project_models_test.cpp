@@ -7,6 +7,7 @@
 #include "core/kinds/models.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/project_edits.h"
+#include "ui/document/quantity_edits.h"
 #include "ui/models/input_correlation_model.h"
 #include "ui/models/input_quantities_model.h"
 #include "ui/models/problems_model.h"
@@ -151,6 +152,47 @@ TEST_F(ProjectModelsTest, InputQuantitiesAreEditedAndReset) {
     EXPECT_EQ(document.project(), before) << "edits that say nothing are removed";
     EXPECT_EQ(model.row_of("b_1z"), 2);
     EXPECT_EQ(model.row_of("b_2x"), -1);
+}
+
+TEST_F(ProjectModelsTest, LinkedQuantitiesAreShownWhereTheyComeFrom) {
+    add_analysis_entry("a");
+    auto chain = std::make_shared<PreparedAnalysis>(*prepared());
+    chain->inputs.quantities[2].analysis = "gauge";  // of upstream: not edited here
+    LinkedInput linked{.symbol = "L_S", .name = "length", .unit = Unit::of("mm"), .analysis = "gauge"};
+    linked.analysis_name = "End gauge";
+    linked.output.symbol = "l";
+    linked.estimate = 0.05;
+    linked.standard_uncertainty = 25e-9;
+    chain->linked = {linked};
+    InputQuantitiesModel model(document);
+    QAbstractItemModelTester tester(&model, fatal);
+    model.set_analysis(chain);
+    ASSERT_EQ(model.rowCount(), 3);
+    EXPECT_EQ(model.row_of("b_1z"), -1);
+    EXPECT_EQ(model.row_of("L_S"), 2);
+    EXPECT_TRUE(model.is_linked(2));
+    const QModelIndex estimate = model.index(2, InputQuantitiesModel::estimate_column);
+    EXPECT_EQ(estimate.data().toString(), "50");
+    EXPECT_FALSE(model.flags(estimate) & Qt::ItemIsEditable);
+    EXPECT_FALSE(model.setData(estimate, "12 mm"));
+    EXPECT_EQ(model.index(2, InputQuantitiesModel::uncertainty_column).data().toString(), "0.000025");
+    EXPECT_EQ(model.index(2, InputQuantitiesModel::components_column).data().toString(), "from End gauge: l");
+}
+
+TEST_F(ProjectModelsTest, ALinkIsOneUndoableEdit) {
+    add_analysis_entry("a");
+    change_input(document, "a", "b_1x", "edit", [](InputEdit& edit) { edit.held = true; });
+    const Project before = document.project();
+    const InputLink link{"b_1x", {"gauge", "", "l"}, false};
+    set_link(document, "a", "b_1x", link);
+    EXPECT_EQ(document.project().analyses[0].links, std::vector<InputLink>{link});
+    EXPECT_TRUE(document.project().analyses[0].inputs.empty()) << "edits have no effect beside a link";
+    EXPECT_EQ(find_link(document.project(), "a", "b_1x"), link);
+    document.undo_stack().undo();
+    EXPECT_EQ(document.project(), before);
+    document.undo_stack().redo();
+    set_link(document, "a", "b_1x", std::nullopt);
+    EXPECT_TRUE(document.project().analyses[0].links.empty());
 }
 
 TEST_F(ProjectModelsTest, CorrelationsAreCheckedWhileTheyAreTyped) {

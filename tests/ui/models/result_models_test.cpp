@@ -5,11 +5,15 @@
 #include <QSortFilterProxyModel>
 #include <algorithm>
 
+#include "core/report/report.h"
+#include "core/report/result_columns.h"
 #include "tests/ui/qt_application.h"
 #include "ui/models/budget_table_model.h"
 #include "ui/models/correlation_table_model.h"
 #include "ui/models/result_table_model.h"
 #include "ui/models/roles.h"
+#include "ui/models/table_text.h"
+#include "ui/theme/label_text.h"
 
 namespace covaria::ui::result_models_test {
 namespace {
@@ -150,6 +154,45 @@ TEST(CorrelationTableModel, ShowsTheMatrixOfAGroup) {
     EXPECT_EQ(model.headerData(2, Qt::Horizontal).toString(), "x, pose 2");
     model.set_result(nullptr, "", true);
     EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(ResultTableModel, SymbolsAreGivenAsText) {
+    ResultTableModel model;
+    model.set_result(sample_result(), true);
+    EXPECT_EQ(model.index(1, column(model, "Symbol")).data(typeset_role).value<Text>(), symbol_text("alpha"));
+    const int nu = column(model, QString::fromUtf8("ν_eff"));
+    EXPECT_EQ(model.headerData(nu, Qt::Horizontal, typeset_role).value<Text>(), symbol_text("nu_eff"));
+}
+
+TEST(ResultTableModel, ItsFileIsThatOfTheRun) {
+    const auto result = sample_result();
+    ResultTableModel model;
+    model.set_result(result, true);
+    const std::vector<int> columns = {column(model, "Symbol"), column(model, "Unit"),
+                                      column(model, "Estimate"), column(model, "U")};
+    const std::string text = to_csv(model.file_table({2, 0}, columns));
+    EXPECT_EQ(text, to_csv(data_table(results_table(*result, {2, 0}), {"symbol", "unit", "estimate", "U"})));
+    EXPECT_TRUE(text.starts_with("symbol,unit,estimate,U\r\nx,mm,-250,")) << text;
+    DisplayUnits units;
+    units.choose(Unit::of("um"));
+    model.set_units(units);
+    EXPECT_NE(to_csv(model.file_table({2}, columns)).find("x,um,-250000,"), std::string::npos);
+}
+
+TEST(Clipboard, NumbersAreThoseOfASpreadsheetInTheUsersLocale) {
+    ResultTableModel model;
+    const QString exact = QString::fromStdString(format_exact(1.0234567 * 1000.0));
+    for (const QLocale& locale : {QLocale(QLocale::German), QLocale::c()}) {
+        QLocale::setDefault(locale);
+        model.set_result(sample_result(), true);
+        model.set_digits(1);
+        const QModelIndexList cells{model.index(0, column(model, "Unit")),
+                                    model.index(0, column(model, "Estimate"))};
+        EXPECT_EQ(block_text(cells), "mm\t" + QString(exact).replace('.', locale.decimalPoint()) + '\n')
+            << "all digits, not those shown";
+        EXPECT_EQ(cells[1].data().toString().contains(','), locale.language() == QLocale::German);
+    }
+    QLocale::setDefault(QLocale::c());
 }
 
 TEST(DisplayUnits, OffersUnitsOfTheSameDimension) {

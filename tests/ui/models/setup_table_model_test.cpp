@@ -112,21 +112,6 @@ TEST_F(SetupTableModelTest, FillsDownAndClears) {
     EXPECT_EQ(document.undo_stack().count(), 2);
 }
 
-TEST(Clipboard, NumbersAreNumbersForASpreadsheet) {
-    const QLocale german(QLocale::German), plain = QLocale::c();
-    EXPECT_EQ(number_for_programs(QString::fromUtf8("−0,735"), german, ","), "-0,735");
-    EXPECT_EQ(number_for_programs(QString::fromUtf8("−0,735"), german, "."), "-0.735");
-    EXPECT_EQ(number_for_programs(QString::fromUtf8("1\u00a0234\u202f567"), plain, "."), "1234567");
-    EXPECT_EQ(number_for_programs(QString::fromUtf8("6.1e−05"), plain, "."), "6.1e-05");
-    for (const char* text : {"∞", "pose 7", "b₁ₓ", "−", "a−b", "1.2.3", ""})
-        EXPECT_EQ(number_for_programs(QString::fromUtf8(text), plain, "."), QString::fromUtf8(text));
-    for (const double value : {-1.5, 0.0, 734.25, -6.09e-7, 12345678.5})
-        for (const QLocale& locale : {german, plain}) {
-            const QString shown = number_text(value, locale).replace('-', QChar(0x2212));
-            EXPECT_EQ(number_for_programs(shown, locale, ".").toDouble(), value) << shown.toStdString();
-        }
-}
-
 TEST_F(SetupTableModelTest, CopiesWhatPasteReads) {
     QModelIndexList cells;
     for (int row = 0; row < 2; ++row)

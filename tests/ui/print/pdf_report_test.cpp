@@ -85,7 +85,7 @@ TEST_F(PdfReport, EveryNumberOfEveryTableIsPrinted) {
         for (std::size_t r = 0; r < table->table.rows.size(); ++r)
             for (std::size_t c = 0; c < table->table.rows[r].size(); ++c)
                 if (shown_number(table->table.rows[r][c], table->table.columns[c])) {
-                    ASSERT_TRUE(contains(text, cell_html(*table, r, c)))
+                    ASSERT_TRUE(contains(text, to_html(cell_typeset(*table, r, c))))
                         << table->table.title << " row " << r;
                 }
     }

@@ -4,16 +4,41 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <thread>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <stop_token>
 
 #include "tests/ui/qt_application.h"
 
 namespace covaria::ui::analysis_runner_test {
 namespace {
 
-/// The project's notes are the fingerprint of all its analyses; "bad" cannot be prepared, "fail" fails.
+/// A door that runs wait at while it is closed, or until they are stopped.
+class Gate {
+public:
+    void operator=(bool closed) {
+        {
+            const std::lock_guard lock(mutex_);
+            closed_ = closed;
+        }
+        opened_.notify_all();
+    }
+    void pass(const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        opened_.wait(lock, stop, [this] { return !closed_; });
+    }
+
+private:
+    std::mutex mutex_;
+    std::condition_variable_any opened_;
+    bool closed_ = false;
+};
+
+/// The project's notes are the fingerprint of all its analyses; "bad" cannot be prepared, "fail" fails; for
+/// "huge" and "greedy" there is no memory.
 struct Script {
-    std::atomic<bool> block = false;  ///< full runs wait for a stop request
+    Gate block;  ///< of full runs
     std::atomic<int> runs = 0;
     std::atomic<int> first_orders = 0;
     std::atomic<int> runs_of_x = 0;
@@ -29,6 +54,7 @@ struct Script {
                 }};
     }
     static std::map<std::string, Preparation> prepare(const Project& project) {
+        if (project.notes == "huge") throw std::bad_alloc();
         std::map<std::string, Preparation> prepared;
         for (const AnalysisEntry& entry : project.analyses) {
             auto analysis = std::make_shared<PreparedAnalysis>();
@@ -46,9 +72,9 @@ struct Script {
         ++runs;
         if (analysis.id == "x") ++runs_of_x;
         if (control.progress) control.progress({500, 1000});
-        while (block && !control.stop.stop_requested())
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        block.pass(control.stop);
         if (control.stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped");
+        if (analysis.fingerprint == "greedy") throw std::bad_alloc();
         if (analysis.fingerprint == "fail") return fail(ErrorCode::numeric, "no value at the estimates");
         UncertaintyResult result;
         result.trials = analysis.options.trials;
@@ -115,6 +141,21 @@ TEST_F(AnalysisRunnerTest, StopsARun) {
     EXPECT_EQ(status().state, RunState::out_of_date);
     EXPECT_FALSE(status().result);
     EXPECT_TRUE(status().message.isEmpty()) << "stopping is not a failure";
+}
+
+TEST_F(AnalysisRunnerTest, MemoryThatIsNotThereIsAFailureLikeAnother) {
+    for (const char* notes : {"huge", "greedy"}) {
+        runner.set_project(project(notes));
+        runner.run("x");
+        ASSERT_TRUE(settle());
+        EXPECT_EQ(status().state, RunState::failed) << notes;
+        EXPECT_EQ(status().message, "the memory of this machine does not suffice");
+        EXPECT_FALSE(status().is_current());
+    }
+    runner.set_project(project("good"));
+    runner.run("x");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(status().state, RunState::up_to_date) << "the workers are still there";
 }
 
 TEST_F(AnalysisRunnerTest, FailuresSayWhy) {

@@ -6,6 +6,7 @@
 #include <QStandardItemModel>
 #include <QTableView>
 
+#include "core/text/symbol.h"
 #include "tests/ui/qt_application.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/theme.h"
@@ -45,15 +46,21 @@ protected:
     Typeset() { apply_theme(*qApp, Theme::light()); }
 };
 
-TEST_F(Typeset, KnowsWhatIsASubscript) {
-    const QFont font = QApplication::font();
-    for (const char* text : {"p_1x,1", "u_y / mm", "ν_eff", "b₁", "x̄_1"})
-        EXPECT_TRUE(LabelText(QString::fromUtf8(text), font).has_subscripts()) << text;
-    for (const char* text : {"mm", "length", "2D_", "_x", "base_points", "file_1_a.csv", "u / mm", "−0.12"})
-        EXPECT_FALSE(LabelText(QString::fromUtf8(text), font).has_subscripts()) << text;
-    const double whole = LabelText(QStringLiteral("p_1x,1"), font).width();
-    EXPECT_LT(whole, QFontMetricsF(font).horizontalAdvance(QStringLiteral("p1x,1")));
-    EXPECT_LT(whole, LabelText(QStringLiteral("p_1x, 1"), font).width()) << "the second comma ends it";
+TEST_F(Typeset, WhatAModelGivesAsTextIsDrawnAsSuch) {
+    QStandardItemModel model(2, 1);
+    model.setData(model.index(0, 0), QStringLiteral("b₁"));
+    model.setData(model.index(0, 0), QVariant::fromValue(symbol_text("b_1")), typeset_role);
+    model.setData(model.index(1, 0), QStringLiteral("b_1"));
+    QTableView view;
+    view.setShowGrid(false);
+    TypesetDelegate delegate;
+    view.setItemDelegate(&delegate);
+    view.setModel(&model);
+    const QImage image = picture_of(view, {240, 160});
+    const auto row = [&](int r) {
+        return image.copy(view.visualRect(model.index(r, 0)).translated(view.viewport()->pos()));
+    };
+    EXPECT_EQ(row(0), row(1));
 }
 
 TEST_F(Typeset, CellsAreDrawnWithLoweredLetters) {
@@ -87,7 +94,7 @@ TEST_F(Typeset, HeadsLeaveRoomForTheText) {
     model.setHorizontalHeaderItem(0, new QStandardItem(QStringLiteral("u_one,two,three,four")));
     TypesetHeader header(Qt::Horizontal);
     header.setModel(&model);
-    const double width = LabelText(QStringLiteral("u_one,two,three,four"), header.font()).width();
+    const double width = text_width(running_text("u_one,two,three,four"), header.font());
     EXPECT_GE(header.sectionSizeHint(0), width);
     EXPECT_LE(header.sectionSizeHint(0), width + 40);
 }

@@ -124,13 +124,16 @@ TEST(BuildScene, CaptionSaysMagnificationAndProbability) {
     const auto setup = test::stewart_setup(100);
     SceneOptions options;
     options.magnification = 2000;
-    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 2000, ellipsoids p = 95 %");
+    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 2000, ellipsoids p = 95\u00a0%");
     options.probability = 0.9973;
     options.magnification = 25000;
     EXPECT_EQ(build_scene(setup.source(), options).caption,
-              "uncertainty × 25\u2009000, ellipsoids p = 99.73 %");
+              "uncertainty × 25\u202f"
+              "000, ellipsoids p = 99.73\u00a0%");
     options.ellipsoids = false;
-    EXPECT_EQ(build_scene(setup.source(), options).caption, "uncertainty × 25\u2009000");
+    EXPECT_EQ(build_scene(setup.source(), options).caption,
+              "uncertainty × 25\u202f"
+              "000");
     options.clouds = false;
     EXPECT_EQ(build_scene(setup.source(), options).caption, "");
 }
@@ -231,7 +234,7 @@ TEST(BuildScene, VectorsHaveTheirUncertaintyAtTheTip) {
     EXPECT_GT(cloud->size(), 100u);
     const auto legend = [&](const std::string& text) {
         return std::any_of(scene.legend.begin(), scene.legend.end(),
-                           [&](const LegendLine& line) { return line.text.find(text) == 0; });
+                           [&](const LegendLine& line) { return to_unicode(line.text).starts_with(text); });
     };
     EXPECT_TRUE(legend("forces") && legend("moments"));
 }

@@ -1,4 +1,4 @@
-// Camera: projection and its inverse, views, orbit, pan, zoom; picking; placement of labels; round numbers.
+// Camera: projection and its inverse, views, orbit, pan, zoom; picking; placement of labels.
 #include "viz/scene/camera.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,6 @@
 #include "tests/viz/stewart_scene.h"
 #include "viz/scene/label_placement.h"
 #include "viz/scene/pick.h"
-#include "viz/scene/round_numbers.h"
 
 namespace covaria::camera_test {
 namespace {
@@ -150,21 +149,6 @@ TEST(LabelPlacement, HigherPriorityGoesFirst) {
     const auto placed = place_labels(requests, {0, 0, 150, 150}, {});
     EXPECT_TRUE(placed[1].has_value());
     EXPECT_FALSE(placed[0].has_value());
-}
-
-TEST(RoundNumbers, NearestBelowAndTexts) {
-    EXPECT_DOUBLE_EQ(nearest_round_number(109), 100);
-    EXPECT_DOUBLE_EQ(nearest_round_number(1600), 2000);
-    EXPECT_DOUBLE_EQ(nearest_round_number(0.08), 0.1);
-    EXPECT_DOUBLE_EQ(round_number_below(499), 200);
-    EXPECT_DOUBLE_EQ(round_number_below(500), 500);
-    EXPECT_EQ(round_number_text(2000), "2000");
-    EXPECT_EQ(round_number_text(0.05), "0.05");
-    EXPECT_EQ(plain_number(-1234567.5, 1), "\u22121\u2009234\u2009567.5");
-    EXPECT_EQ(plain_number(-0.2, 0), "0");
-    EXPECT_EQ(plain_number(9999, 0), "9999");
-    EXPECT_EQ(percent_text(0.95), "95 %");
-    EXPECT_EQ(percent_text(0.9973), "99.73 %");
 }
 
 }  // namespace

@@ -178,6 +178,31 @@ TEST(Urdf, WhatIsNoArmIsRefusedWithItsReason) {
     EXPECT_TRUE(import_urdf(two, {.tip = "m1"}));
 }
 
+// Of the element that cannot be, or where reading ended.
+TEST(Urdf, WhatIsRefusedHasItsLine) {
+    const auto line = [](const std::string& xml) {
+        const auto imported = import_urdf(xml);
+        return imported ? 0 : imported.error().line;
+    };
+    EXPECT_EQ(line("<robot>\n\n<joint>\n</robot>"), 4);
+    EXPECT_EQ(line(""), 1);
+    EXPECT_EQ(line("<?xml version=\"1.0\"?>\n<sdf/>"), 2);
+    EXPECT_EQ(line("<robot>\n<link name=\"a\"/>\n<xacro:a/></robot>"), 3);
+    EXPECT_EQ(line("\n\n<robot name=\"a\"/>"), 3);
+    const Joint good{"revolute", {.1, 0, 0}, O, Z};
+    EXPECT_EQ(line(urdf_of({good, {"revolute", O, O, O}})), 4);
+    EXPECT_EQ(line(urdf_of({{"planar", O, O, X}})), 3);
+    EXPECT_EQ(line(urdf_of(std::vector<Joint>(9, good))), 3 + 7);
+    const auto and_joint = [&](const std::string& from, const std::string& to) {
+        const std::string xml = urdf_of({good, good});
+        return std::string(xml).insert(xml.find("</robot>"), joint_xml("k", good, from, to));
+    };
+    EXPECT_EQ(line(and_joint("l1", "l2")), 5) << "two joints hold one link";
+    EXPECT_EQ(line(and_joint("l2", "")), 5);
+    EXPECT_EQ(line(and_joint("l2", "l0")), 3) << "a ring";
+    EXPECT_EQ(line(and_joint("l1", "m")), 5) << "two arms of equal length";
+}
+
 TEST(Urdf, SlidingJointsAnywhere) {
     expect_same_tool({{"prismatic", {.1, .2, 0}, O, Y},
                       {"revolute", {0, 0, .4}, O, Z},

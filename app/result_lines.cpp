@@ -1,0 +1,56 @@
+#include "app/result_lines.h"
+
+#include "core/project/stated_requirements.h"
+#include "core/report/csv_text.h"
+#include "core/text/numbers.h"
+#include "core/result/result_line.h"
+
+namespace covaria {
+namespace {
+
+/// "yes", "no"; empty where nothing is required.
+std::string met_word(const std::vector<RequirementResult>& verdicts, std::size_t output) {
+    bool any = false, met = true;
+    for (const RequirementResult& verdict : verdicts) {
+        if (verdict.output != output) continue;
+        any = true;
+        met = met && verdict.meets_target && verdict.decision != RequirementResult::Decision::reject;
+    }
+    return any ? (met ? "yes" : "no") : "";
+}
+
+std::string line_of(const OutputResult& output, const UncertaintyResult& result) {
+    const Unit& unit = output.quantity.unit;
+    const CoverageInterval interval = coverage_interval_of(output, result);
+    std::string line = csv_text(output.quantity.group) + "," + csv_text(output.quantity.symbol) + "," +
+                       csv_text(unit.text());
+    for (const double value :
+         {unit.from_si(output.estimate), unit.interval_from_si(output.standard_uncertainty),
+          unit.interval_from_si(output.expanded_uncertainty), output.coverage_factor,
+          result.coverage_probability, unit.from_si(interval.low), unit.from_si(interval.high)})
+        line += "," + format_exact(value);
+    return line;
+}
+
+}  // namespace
+
+std::string result_lines_head() {
+    return "name,analysis,group,symbol,unit,estimate,u,U,k,p,low,high,met\r\n";
+}
+
+std::string result_lines(const std::string& name, const Project& project,
+                         const std::vector<EvaluatedAnalysis>& analyses) {
+    std::string lines;
+    for (const EvaluatedAnalysis& one : analyses) {
+        const auto verdicts = judge(*one.result, *project.find_analysis(one.analysis->id));
+        for (std::size_t i = 0; i < one.result->outputs.size(); ++i) {
+            const OutputResult& output = one.result->outputs[i];
+            if (output.quantity.role != OutputRole::measurand) continue;
+            lines += csv_text(name) + "," + csv_text(one.analysis->id) + "," + line_of(output, *one.result) +
+                     "," + met_word(verdicts, i) + "\r\n";
+        }
+    }
+    return lines;
+}
+
+}  // namespace covaria

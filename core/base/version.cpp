@@ -1,0 +1,9 @@
+#include "core/base/version.h"
+
+namespace covaria {
+
+const char* version() {
+    return COVARIA_VERSION;
+}
+
+}  // namespace covaria

@@ -1,0 +1,322 @@
+#include "core/project/links.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "core/base/in_quotes.h"
+#include "core/model/composed_model.h"
+#include "core/model/linearised_model.h"
+#include "core/project/kind_lookup.h"
+#include "core/project/references.h"
+#include "core/propagation/engine.h"
+#include "core/setup/message_text.h"
+
+namespace covaria {
+
+namespace {
+
+constexpr std::size_t deepest_chain = 64;  // of analyses one after the other; each is on the stack
+
+/// A link with its place: of the list of links, or of the field of the set-up that refers to an analysis.
+struct PlacedLink {
+    InputLink link;
+    std::string path;
+};
+
+std::vector<PlacedLink> links_of(const AnalysisEntry& entry, const InputSet& inputs) {
+    std::vector<PlacedLink> links;
+    for (std::size_t i = 0; i < entry.links.size(); ++i)
+        links.push_back({entry.links[i], "/links/" + std::to_string(i)});
+    for (const InputQuantity& quantity : inputs.quantities) {
+        const bool given = std::any_of(entry.links.begin(), entry.links.end(),
+                                       [&](const InputLink& link) { return link.input == quantity.symbol; });
+        if (quantity.taken_from && !given)
+            links.push_back({{quantity.symbol, *quantity.taken_from, false}, "/setup"});
+    }
+    return links;
+}
+
+std::string words_of(const std::string& group, const std::string& symbol) {
+    return group.empty() ? symbol : group + ": " + symbol;
+}
+
+/// Whether every quantity that the component is part of takes its value from elsewhere.
+bool only_in_linked(const InputSet& inputs, std::size_t component, const std::set<std::string>& linked) {
+    bool found = false;
+    for (const InputQuantity& quantity : inputs.quantities)
+        for (const Share& share : quantity.shares) {
+            if (share.component != component) continue;
+            if (!linked.contains(quantity.symbol)) return false;
+            found = true;
+        }
+    return found;
+}
+
+/// Edits and correlations of what is taken from elsewhere have no effect, so they are refused.
+void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Problems& problems) {
+    std::set<std::string> linked;
+    for (const PlacedLink& placed : links_of(entry, inputs)) linked.insert(placed.link.input);
+    const auto refuse = [&](const std::string& symbol, const std::string& path) {
+        std::set<std::string> names = linked;
+        for (std::size_t c = 0; c < inputs.components.size(); ++c)
+            if (only_in_linked(inputs, c, linked)) names.insert(inputs.components[c].id);
+        if (names.contains(symbol))
+            problems.error(path, in_quotes(symbol) +
+                                     " is taken from another analysis, with all its uncertainty: remove "
+                                     "either this or the link");
+    };
+    for (std::size_t i = 0; i < entry.inputs.size(); ++i)
+        refuse(entry.inputs[i].symbol, "/inputs/" + std::to_string(i) + "/symbol");
+    for (std::size_t i = 0; i < entry.correlations.size(); ++i) {
+        const std::string path = "/correlations/" + std::to_string(i);
+        refuse(entry.correlations[i].first, path + "/first");
+        refuse(entry.correlations[i].second, path + "/second");
+    }
+}
+
+std::string objection_to(const std::string& id, const Problems& found) {
+    for (const Problem& problem : found.items())
+        if (problem.severity == Severity::error)
+            return "the analysis " + in_quotes(id) + " has errors of its own: " + problem.message;
+    return "the analysis " + in_quotes(id) + " has no value at its estimates";
+}
+
+/// Puts the parts of a chain in order, upstream first, each analysis once.
+class ChainMaker {
+public:
+    ChainMaker(const Project& project, const MakeOwnModel& make_own, std::vector<std::string> path = {})
+        : project_(project), make_own_(make_own), path_(std::move(path)) {}
+
+    /// The chain that ends with this analysis.
+    ModelOfAnalysis make(const AnalysisEntry& entry, ModelOfAnalysis own, Problems& problems) {
+        if (!add(entry, own, problems)) return {};
+        if (parts_.size() == 1) return own;
+        auto chain = std::make_shared<ComposedModel>(std::move(parts_));
+        for (const std::string& id : chain->kept_apart())
+            problems.warning("/links", "the component " + in_quotes(id) +
+                                           " is not stated alike (held, or edited) by all analyses of the "
+                                           "chain: they are taken as independent");
+        InputSet inputs = chain->inputs();
+        if (const auto resolved = resolved_correlations(inputs); !resolved)
+            problems.error("/links", resolved.error().message);
+        if (problems.has_errors()) return {};
+        return {std::move(chain), std::move(inputs)};
+    }
+
+private:
+    using Index = std::optional<std::size_t>;
+
+    Index add(const AnalysisEntry& entry, const ModelOfAnalysis& own, Problems& problems) {
+        refuse_idle_edits(entry, own.inputs, problems);
+        path_.push_back(entry.id);
+        ChainPart part{entry.id, entry.name, own.model, own.inputs, {}};
+        std::set<std::string> linked;
+        for (const PlacedLink& placed : links_of(entry, own.inputs)) {
+            if (!linked.insert(placed.link.input).second)
+                problems.error(placed.path + "/input", in_quotes(placed.link.input) + " is linked twice");
+            else if (const auto link = resolve(placed, own.inputs, problems))
+                part.links.push_back(*link);
+        }
+        path_.pop_back();
+        if (problems.has_errors()) return {};
+        parts_.push_back(std::move(part));
+        return parts_.size() - 1;
+    }
+
+    std::optional<ModelLink> resolve(const PlacedLink& placed, const InputSet& inputs, Problems& problems) {
+        const InputLink& link = placed.link;
+        const std::size_t input = inputs.find(link.input);
+        if (input == InputSet::npos) {
+            std::vector<std::string> known;
+            for (const InputQuantity& quantity : inputs.quantities) known.push_back(quantity.symbol);
+            problems.error(
+                placed.path + "/input",
+                "the model has no input quantity " + in_quotes(link.input) + did_you_mean(link.input, known));
+            return {};
+        }
+        const Index part = upstream(placed, problems);
+        if (!part) return {};
+        const Index output = output_of(placed, parts_[*part].model->outputs(), problems);
+        if (!output) return {};
+        const Unit& from = parts_[*part].model->outputs()[*output].unit;
+        const Unit& to = inputs.quantities[input].unit;
+        if (from.dimension() != to.dimension()) {
+            problems.error(placed.path + "/output", in_quotes(link.input) + " is " + dimension_words(to) +
+                                                        "; " + in_quotes(link.output.symbol) + " of " +
+                                                        in_quotes(link.output.analysis) + " is " +
+                                                        dimension_words(from));
+            return {};
+        }
+        return ModelLink{input, *part, *output};
+    }
+
+    Index upstream(const PlacedLink& placed, Problems& problems) {
+        const std::string& id = placed.link.output.analysis;
+        const AnalysisEntry* entry = project_.find_analysis(id);
+        if (!entry) {
+            std::vector<std::string> ids;
+            for (const AnalysisEntry& analysis : project_.analyses) ids.push_back(analysis.id);
+            problems.error(placed.path + "/analysis",
+                           "there is no analysis " + in_quotes(id) + did_you_mean(id, ids));
+            return {};
+        }
+        if (const auto first = std::find(path_.begin(), path_.end(), id); first != path_.end()) {
+            std::string circle;
+            for (auto step = first; step != path_.end(); ++step) circle += *step + " ← ";
+            problems.error(placed.path + "/analysis", "the analysis " + in_quotes(path_.back()) +
+                                                          " would be made of itself: " + circle + id);
+            return {};
+        }
+        if (path_.size() >= deepest_chain) {
+            problems.error(placed.path + "/analysis", "more than " + std::to_string(deepest_chain) +
+                                                          " analyses feed each other in a row");
+            return {};
+        }
+        const auto key = std::make_pair(id, placed.link.linearised);
+        if (const auto known = known_.find(key); known != known_.end()) return known->second;
+        Problems found;
+        const Index made = placed.link.linearised ? add_linearised(*entry, found) : add_whole(*entry, found);
+        if (!made) problems.error(placed.path + "/analysis", objection_to(id, found));
+        return known_[key] = made;
+    }
+
+    Index add_whole(const AnalysisEntry& entry, Problems& problems) {
+        const ModelOfAnalysis own = make_own_(entry, problems);
+        if (!own.model || problems.has_errors()) return {};
+        return add(entry, own, problems);
+    }
+
+    Index add_linearised(const AnalysisEntry& entry, Problems& problems) {
+        ModelOfAnalysis own = make_own_(entry, problems);
+        if (!own.model || problems.has_errors()) return {};
+        const ModelOfAnalysis chain =
+            ChainMaker(project_, make_own_, path_).make(entry, std::move(own), problems);
+        if (!chain.model) return {};
+        auto model = linearised(chain.model, chain.inputs);
+        if (!model) return {};
+        parts_.push_back({entry.id, entry.name, std::move(model), chain.inputs, {}});
+        return parts_.size() - 1;
+    }
+
+    static Index output_of(const PlacedLink& placed, const std::vector<OutputQuantity>& outputs,
+                           Problems& problems) {
+        const OutputReference& wanted = placed.link.output;
+        std::vector<std::string> known;
+        for (std::size_t j = 0; j < outputs.size(); ++j) {
+            if (outputs[j].symbol == wanted.symbol && outputs[j].group == wanted.group) return j;
+            known.push_back(words_of(outputs[j].group, outputs[j].symbol));
+        }
+        const std::string words = words_of(wanted.group, wanted.symbol);
+        problems.error(placed.path + "/output", "the analysis " + in_quotes(wanted.analysis) +
+                                                    " has no output " + in_quotes(words) +
+                                                    did_you_mean(words, known));
+        return {};
+    }
+
+    const Project& project_;
+    const MakeOwnModel& make_own_;
+    std::vector<std::string> path_;  ///< from the analysis that is made to the one in work
+    std::map<std::pair<std::string, bool>, Index> known_;
+    std::vector<ChainPart> parts_;
+};
+
+std::set<std::string> directly_used_by(const Project& project, const AnalysisEntry& entry) {
+    std::set<std::string> ids;
+    if (const SetupSchema* schema = schema_of(entry))
+        for (const AssetReference& reference : references_of(*schema, entry.setup))
+            if (!project.find_asset(reference.id)) ids.insert(reference.id);
+    for (const InputLink& link : entry.links) ids.insert(link.output.analysis);
+    return ids;
+}
+
+std::set<std::string> upstream_of(const Project& project, const AnalysisEntry& analysis) {
+    std::set<std::string> ids;
+    std::vector<const AnalysisEntry*> waiting{&analysis};
+    while (!waiting.empty()) {
+        const AnalysisEntry& entry = *waiting.back();
+        waiting.pop_back();
+        for (const std::string& id : directly_used_by(project, entry)) {
+            const AnalysisEntry* upstream = project.find_analysis(id);
+            if (upstream && ids.insert(id).second) waiting.push_back(upstream);
+        }
+    }
+    return ids;
+}
+
+}  // namespace
+
+ModelOfAnalysis compose_analysis(const Project& project, const AnalysisEntry& entry, ModelOfAnalysis own,
+                                 const MakeOwnModel& make_own, Problems& problems) {
+    if (!own.model || links_of(entry, own.inputs).empty()) return own;
+    Problems found;
+    ModelOfAnalysis made = ChainMaker(project, make_own).make(entry, std::move(own), found);
+    problems.take(found, "");
+    return made;
+}
+
+void add_offering_analyses(const Project& project, const AnalysisEntry& entry, const MakeOwnModel& make_own,
+                           AssetLibrary& assets, Problems& problems) {
+    const SetupSchema* schema = schema_of(entry);
+    if (!schema) return;
+    for (const AssetReference& reference : references_of(*schema, entry.setup)) {
+        const AnalysisEntry* other = project.find_analysis(reference.id);
+        if (!other || project.find_asset(reference.id) || assets.find(reference.id)) continue;
+        Problems found;
+        const ModelOfAnalysis made = make_own(*other, found);
+        if (!made.model) {
+            problems.error(reference.path, objection_to(reference.id, found));
+            continue;
+        }
+        if (auto asset = made.model->as_asset(other->id))
+            assets.add(other->id, {other->name, nullptr, std::move(asset)});
+    }
+}
+
+std::vector<std::string> analyses_used_by(const Project& project, const AnalysisEntry& analysis) {
+    const std::set<std::string> ids = upstream_of(project, analysis);
+    std::vector<std::string> ordered;
+    for (const AnalysisEntry& entry : project.analyses)
+        if (ids.contains(entry.id) && entry.id != analysis.id) ordered.push_back(entry.id);
+    return ordered;
+}
+
+std::vector<std::string> analyses_taking_from(const Project& project, const std::string& analysis_id) {
+    std::vector<std::string> takers;
+    for (const AnalysisEntry& entry : project.analyses) {
+        const auto used = analyses_used_by(project, entry);
+        if (std::find(used.begin(), used.end(), analysis_id) != used.end()) takers.push_back(entry.id);
+    }
+    return takers;
+}
+
+void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Project& part) {
+    for (const std::string& id : analyses_used_by(project, analysis)) {
+        part.analyses.push_back(*project.find_analysis(id));
+        part.analyses.back().studies.clear();
+        part.analyses.back().requirements.clear();
+        part.analyses.back().options = {};  // of its own evaluation
+    }
+}
+
+std::vector<LinkedInput> linked_inputs(const MeasurementModel& of_chain) {
+    const auto* chain = dynamic_cast<const ComposedModel*>(&of_chain);
+    if (!chain) return {};
+    const std::unique_ptr<ComposedModel> model = linked_quantities(chain->parts());
+    const auto result = evaluate_first_order(*model, model->inputs(), {});
+    if (!result) return {};
+    std::vector<LinkedInput> inputs;
+    for (std::size_t i = 0; i < chain->parts().back().links.size(); ++i) {
+        const ModelLink& link = chain->parts().back().links[i];
+        const ChainPart& from = chain->parts()[link.part];
+        const OutputResult& value = result->outputs[i];
+        inputs.push_back({value.quantity.symbol, value.quantity.name, value.quantity.unit, from.id, from.name,
+                          from.model->outputs()[link.output], is_linearised(*from.model),
+                          value.first_order.estimate, value.first_order.standard_uncertainty,
+                          value.first_order.effective_degrees_of_freedom});
+    }
+    return inputs;
+}
+
+}  // namespace covaria

@@ -1,0 +1,38 @@
+// Analyses that feed analyses: input quantities whose values are outputs of other analyses.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/project/workspace.h"
+
+namespace covaria {
+
+/// The model of an entry by itself, edits applied; no model after an error (paths relative to the analysis).
+using MakeOwnModel = std::function<ModelOfAnalysis(const AnalysisEntry& entry, Problems& problems)>;
+
+/// `own` with what it takes from other analyses in front of it, directly or through others: one model, whose
+/// inputs go down to what nothing is taken for. Without links, `own` itself. No model after an error: unknown
+/// analysis, output or input, another dimension, an input that is edited as well, a circle (with its path).
+ModelOfAnalysis compose_analysis(const Project& project, const AnalysisEntry& entry, ModelOfAnalysis own,
+                                 const MakeOwnModel& make_own, Problems& problems);
+
+/// Analyses that the set-up refers to where it could refer to an asset: what stands for them is added to
+/// `assets` under their ids. Paths of problems are relative to the set-up.
+void add_offering_analyses(const Project& project, const AnalysisEntry& entry, const MakeOwnModel& make_own,
+                           AssetLibrary& assets, Problems& problems);
+
+/// Ids of the analyses that this one takes outputs from, directly or through others; in project order.
+std::vector<std::string> analyses_used_by(const Project& project, const AnalysisEntry& analysis);
+/// Ids of the analyses that take something from this one, likewise.
+std::vector<std::string> analyses_taking_from(const Project& project, const std::string& analysis_id);
+/// Adds to `part`, behind its analyses, those that `analysis` takes outputs from, with what influences
+/// numbers.
+void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Project& part);
+
+/// The linked input quantities of the last analysis of a chain, in the order of its links, by the law of
+/// propagation. Empty for a model that is no chain, or has no value at its estimates.
+std::vector<LinkedInput> linked_inputs(const MeasurementModel& model);
+
+}  // namespace covaria

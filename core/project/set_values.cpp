@@ -1,0 +1,147 @@
+#include "core/project/set_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/setup/message_text.h"
+
+namespace covaria {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string unescaped(std::string name) {
+    for (const auto& [escaped, plain] : {std::pair("~1", "/"), std::pair("~0", "~")})
+        for (std::size_t at = name.find(escaped); at != std::string::npos; at = name.find(escaped, at + 1))
+            name.replace(at, 2, plain);
+    return name;
+}
+
+std::vector<std::string> names_of(const std::string& pointer) {
+    std::vector<std::string> names;
+    for (std::size_t begin = 1; begin <= pointer.size();) {
+        const std::size_t end = std::min(pointer.find('/', begin), pointer.size());
+        names.push_back(unescaped(pointer.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return names;
+}
+
+std::optional<std::size_t> index_in(const Json& list, const std::string& name) {
+    std::size_t index = 0;
+    const auto read = std::from_chars(name.data(), name.data() + name.size(), index);
+    if (read.ec != std::errc() || read.ptr != name.data() + name.size() || index >= list.size()) return {};
+    return index;
+}
+
+/// "r_u [%]" -> "r_u".
+std::string key_of(const Json& header) {
+    const std::string text = header.is_string() ? header.get<std::string>() : "";
+    return text.substr(0, text.find(" ["));
+}
+
+/// Goes down a document name by name.
+class Walk {
+public:
+    explicit Walk(Json& document) : at_(&document) {}
+
+    /// What the name leads to; null, and `candidates` says what there is.
+    Json* enter(const std::string& name, bool last) {
+        Json* from = at_;
+        at_ = from->is_object() ? member(name, last) : from->is_array() ? element(name) : nullptr;
+        row_of_ = rows_of_;
+        rows_of_ = from->is_object() && name == "rows" && from->contains("columns") ? from : nullptr;
+        return at_;
+    }
+    const std::vector<std::string>& candidates() const { return candidates_; }
+
+private:
+    Json* member(const std::string& name, bool last) {
+        if (at_->contains(name) || last) return &(*at_)[name];
+        candidates_.clear();
+        for (const auto& [key, value] : at_->items()) candidates_.push_back(key);
+        return nullptr;
+    }
+
+    Json* element(const std::string& name) {
+        if (const auto index = index_in(*at_, name)) return &(*at_)[*index];
+        candidates_.clear();
+        for (std::size_t i = 0; i < at_->size(); ++i) {
+            const std::string known = row_of_ ? column(i) : name_of((*at_)[i]);
+            if (known == name) return &(*at_)[i];
+            candidates_.push_back(known);
+        }
+        return nullptr;
+    }
+
+    std::string column(std::size_t index) const {
+        const Json& columns = (*row_of_)["columns"];
+        return index < columns.size() ? key_of(columns[index]) : "";
+    }
+
+    static std::string name_of(const Json& entry) {
+        if (entry.is_object() && entry.contains("id") && entry["id"].is_string()) return entry["id"];
+        if (entry.is_array() && !entry.empty() && entry[0].is_string()) return entry[0];
+        return {};
+    }
+
+    Json* at_;
+    Json* rows_of_ = nullptr;  // the table whose list of rows `at_` is
+    Json* row_of_ = nullptr;   // the table whose row `at_` is
+    std::vector<std::string> candidates_;
+};
+
+Json json_of(const std::string& value) {
+    Json read = Json::parse(value, nullptr, false);
+    return read.is_discarded() || read.is_structured() ? Json(value) : read;
+}
+
+Result<void> put(const Json& value, Json& place, const ValueAt& asked) {
+    const bool quantity = place.is_object() && place.contains("value") && place.contains("unit");
+    if (quantity && value.is_number()) {
+        place["value"] = value;
+        return {};
+    }
+    if (place.is_structured() && !quantity)
+        return fail(ErrorCode::bad_input, "there is no single value here, but a list or a group",
+                    asked.pointer);
+    place = value;
+    return {};
+}
+
+Result<void> set(Json& document, const ValueAt& asked) {
+    const std::vector<std::string> names = names_of(asked.pointer);
+    Walk walk(document);
+    Json* place = &document;
+    for (std::size_t i = 0; i < names.size() && place; ++i) {
+        place = walk.enter(names[i], i + 1 == names.size());
+        if (!place)
+            return fail(ErrorCode::bad_input,
+                        "there is nothing called '" + names[i] + "' to set" +
+                            did_you_mean(names[i], walk.candidates()),
+                        asked.pointer);
+    }
+    return put(json_of(asked.value), *place, asked);
+}
+
+}  // namespace
+
+Result<ValueAt> value_at(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (text.empty() || text[0] != '/' || equals == std::string::npos)
+        return fail(ErrorCode::usage, "'" + text + "' is not of the form /PLACE/IN/THE/PROJECT=VALUE");
+    return ValueAt{text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Result<std::string> with_values(const std::string& json, const std::vector<ValueAt>& values) {
+    Json document = Json::parse(json, nullptr, false);
+    if (document.is_discarded()) return json;  // reading it says what is wrong, with its line
+    for (const ValueAt& value : values)
+        if (auto done = set(document, value); !done) return fail(done.error());
+    return document.dump();
+}
+
+}  // namespace covaria

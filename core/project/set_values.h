@@ -1,0 +1,29 @@
+// Values of a project file changed from outside before it is read: `--set`, a row of a table a serial number.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace covaria {
+
+/// A place in a project file and what is to stand there.
+struct ValueAt {
+    /// JSON pointer. A list is also entered by the "id" of an entry, a table's row by its first cell, its
+    /// cell by the column's key: "/analyses/gauge/setup/quantities/rows/l_S/value". Within names '~1' stands
+    /// for '/', '~0' for '~' (RFC 6901).
+    std::string pointer;
+    std::string
+        value;  ///< JSON (23.5, true, null), or else a text; a number takes the unit that stands there
+};
+
+/// From "POINTER=VALUE". Error{usage}.
+Result<ValueAt> value_at(const std::string& text);
+
+/// The JSON text of a project with the values in their places. Error{bad_input} with the pointer as path:
+/// there is no such place, or it holds a list or an object. A key that the file leaves out may be set where
+/// its object is there.
+Result<std::string> with_values(const std::string& json, const std::vector<ValueAt>& values);
+
+}  // namespace covaria

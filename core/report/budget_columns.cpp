@@ -1,0 +1,131 @@
+// The uncertainty budget.
+#include <memory>
+
+#include "core/report/report_parts.h"
+#include "core/report/result_columns.h"
+
+namespace covaria {
+namespace {
+
+using Scale = Measured::Scale;
+using Places = std::shared_ptr<const std::vector<BudgetPlace>>;
+
+/// A line of a budget and what it is about.
+struct BudgetLine {
+    const OutputQuantity& output;
+    const BudgetRow& row;
+    const BudgetComponent& component;
+};
+
+template <class Get>
+std::function<Cell(std::size_t)> of_line(const UncertaintyResult& result, const Places& places, Get get) {
+    return [&result, places, get](std::size_t i) -> Cell {
+        const auto [output, at] = (*places)[i];
+        const BudgetRow& row = result.budget.rows[output][at];
+        return get(BudgetLine{result.outputs[output].quantity, row, result.budget.components[row.component]});
+    };
+}
+
+/// In the component's unit, or with that of its quantity: -49.28° where u is in seconds of arc. The estimate
+/// of a component that several quantities share would be that of one of them.
+Cell estimate_cell(const BudgetLine& line) {
+    const BudgetComponent& c = line.component;
+    const Unit& unit = c.quantity_unit;
+    if (c.quantities.size() > 1) return {};
+    if (unit == c.unit || !(unit.dimension() == c.unit.dimension()))
+        return Measured{c.estimate, Scale::value, c.unit, {}};
+    const std::string number = typeset_number(
+        format_to_match(unit.from_si(c.estimate), unit.interval_from_si(c.standard_uncertainty)));
+    return number + (unit == Unit::of("deg") ? "" : "\u00a0") + unit.display();
+}
+
+Cell interval(double si, const Unit& unit) {
+    return Measured{si, Scale::interval, unit, {}};
+}
+
+/// The unit that all places have in common.
+std::optional<Unit> common_unit(const UncertaintyResult& result, const std::vector<BudgetPlace>& places) {
+    for (const BudgetPlace& place : places)
+        if (place.output != places.front().output) return std::nullopt;
+    if (places.empty()) return std::nullopt;
+    return result.outputs[places.front().output].quantity.unit;
+}
+
+}  // namespace
+
+std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::size_t output) {
+    std::vector<BudgetPlace> places;
+    if (output < result.budget.rows.size())
+        for (std::size_t i = 0; i < result.budget.rows[output].size(); ++i) places.push_back({output, i});
+    return places;
+}
+
+Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at) {
+    const std::optional<Unit> unit = common_unit(result, at);
+    const auto places = std::make_shared<const std::vector<BudgetPlace>>(std::move(at));
+    Table table{"budget", "Uncertainty budgets", places->size()};
+    using L = const BudgetLine&;
+    const auto add = [&](const char* key, auto get) -> Column& {
+        return table.add(key, of_line(result, places, get));
+    };
+    add("group", [](L l) -> Cell { return l.output.group; });
+    add("output", [](L l) -> Cell { return Symbols{l.output.symbol}; });
+    add("output unit", [](L l) -> Cell { return l.output.unit; });
+    add("quantity", [](L l) -> Cell { return l.component.quantities; })
+        .print("Symbol")
+        .window("Input quantity")
+        .of_symbols();
+    add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
+    add("component in words",
+        [](L l) -> Cell { return l.component.name + (l.component.held ? " (held)" : ""); })
+        .print("Component")
+        .not_in_files();
+    add("id", [](L l) -> Cell { return l.component.id; });
+    add("unit", [](L l) -> Cell { return l.component.unit; })
+        .print("Unit")
+        .window("Unit", "Of the component's u");
+    add("estimate", estimate_cell).print_symbol("x_i").round({.match = "u", .input = true}).not_in_files();
+    add("u", [](L l) { return interval(l.component.standard_uncertainty, l.component.unit); })
+        .print_symbol("u(x_i)")
+        .window("u", "Standard uncertainty of the component")
+        .digits(3);
+    add("distribution", [](L l) -> Cell { return l.component.distribution; })
+        .print("Distribution")
+        .window("Distribution");
+    add("type", [](L l) -> Cell { return report_parts::type_text(l.component.type); })
+        .print("Type")
+        .window("Type", "Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)");
+    add("degrees of freedom", [](L l) -> Cell { return Measured{l.component.degrees_of_freedom}; })
+        .print_symbol("nu_i")
+        .window(symbol_text("nu"), "Degrees of freedom")
+        .round({.degrees_of_freedom = true});
+    add("sensitivity",
+        [](L l) -> Cell {
+            return Measured{l.row.sensitivity, Scale::interval, l.output.unit, l.component.unit};
+        })
+        .print_symbol("c_i")
+        .window("c", "Sensitivity coefficient, unit of the output quantity per unit of the component")
+        .digits(3);
+    add("contribution", [](L l) { return interval(l.row.contribution, l.output.unit); })
+        .print("|cᵢ|·u(xᵢ)")
+        .window("|c|·u", "Contribution to the standard uncertainty")
+        .digits(2)
+        .in(unit);
+    add("share of variance", [](L l) -> Cell { return Measured{l.row.share}; })
+        .print("Share of variance in %")
+        .window("Share / %", "Of the variance, with its part of the covariances")
+        .round({.decimals = 1, .percent = true});
+    add("one at a time",
+        [](L l) { return l.row.one_at_a_time ? interval(*l.row.one_at_a_time, l.output.unit) : Cell(); })
+        .print("alone, Monte Carlo,")
+        .window("u one at a time", "By Monte Carlo with every other component held")
+        .digits(2)
+        .in(unit);
+    add("held", [](L l) -> Cell { return Answer{l.component.held}; });
+    add("origin", [](L l) -> Cell {
+        return l.component.origin;
+    }).window("Origin", "Where the figure comes from");
+    return table;
+}
+
+}  // namespace covaria

@@ -1,0 +1,188 @@
+// Input quantities and their components.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/report/report_parts.h"
+#include "core/report/result_columns.h"
+
+namespace covaria {
+namespace {
+
+using Scale = Measured::Scale;
+
+/// A row and what it is about.
+struct InputLine {
+    const InputSet& inputs;
+    const InputRow& row;
+
+    std::size_t index() const { return row.quantities.front(); }
+    const InputQuantity& quantity() const { return inputs.quantities[index()]; }
+    const UncertaintyComponent& component_of(const Share& share) const {
+        return inputs.components[share.component];
+    }
+    /// The share that the row is about; null where it is about none, or about several.
+    const Share* share() const {
+        const std::vector<Share>& shares = quantity().shares;
+        if (row.share) return &shares[*row.share];
+        return shares.size() == 1 ? &shares.front() : nullptr;
+    }
+    const UncertaintyComponent* component() const { return share() ? &component_of(*share()) : nullptr; }
+};
+using L = const InputLine&;
+
+std::string name_of(L l) {
+    if (l.row.part) return "– " + l.component()->name;
+    const std::string& first = l.quantity().name;
+    return l.row.quantities.size() == 1 ? first
+                                        : first + " … " + l.inputs.quantities[l.row.quantities.back()].name;
+}
+
+Cell symbols_of(L l) {
+    Symbols symbols;
+    for (const std::size_t i : l.row.quantities)
+        if (!l.row.part) symbols.push_back(l.inputs.quantities[i].symbol);
+    return symbols;
+}
+
+/// Of the quantity, or of a part of it.
+double row_uncertainty(L l) {
+    if (!l.row.part) return standard_uncertainty_of(l.inputs, l.index());
+    return std::abs(l.share()->factor) * l.component()->distribution.standard_uncertainty();
+}
+
+std::string row_distribution(L l) {
+    if (l.quantity().shares.empty()) return "constant";
+    const UncertaintyComponent* c = l.component();
+    return c ? std::string(drawn_distribution(*c).title()) + (c->held ? ", held" : "") : "combined";
+}
+
+/// The origin that all components of the quantity have in common: "typed; ", else nothing.
+std::string common_origin(L l) {
+    const std::vector<Share>& shares = l.quantity().shares;
+    const std::string& origin = l.component_of(shares.front()).origin;
+    const bool same = std::all_of(shares.begin(), shares.end(),
+                                  [&](const Share& share) { return l.component_of(share).origin == origin; });
+    return same && !origin.empty() ? origin + "; " : "";
+}
+
+Cell row_origin(L l) {
+    const std::vector<Share>& shares = l.quantity().shares;
+    if (shares.empty()) return {};
+    if (const UncertaintyComponent* c = l.component()) return c->origin.empty() ? c->name : c->origin;
+    const bool linear = l.quantity().combination == Combination::arithmetic;
+    return common_origin(l) + std::to_string(shares.size()) +
+           (linear ? " components, added arithmetically" : " components, in quadrature");
+}
+
+Cell row_degrees_of_freedom(L l) {
+    if (l.quantity().shares.empty()) return {};
+    const UncertaintyComponent* c = l.component();
+    return Measured{c ? c->degrees_of_freedom : degrees_of_freedom_of(l.inputs, l.index())};
+}
+
+/// Adds columns whose cells are made from lines.
+class InputColumns {
+public:
+    InputColumns(const InputSet& inputs, std::vector<InputRow> rows)
+        : inputs_(inputs), rows_(std::make_shared<const std::vector<InputRow>>(std::move(rows))) {}
+
+    Table make() {
+        table_.rows = rows_->size();
+        add_quantity();
+        add_row();
+        add_component();
+        return std::move(table_);
+    }
+
+private:
+    template <class Get>
+    Column& add(const char* key, Get get) {
+        return table_.add(key, [&inputs = inputs_, rows = rows_, get](std::size_t i) -> Cell {
+            return get(InputLine{inputs, (*rows)[i]});
+        });
+    }
+
+    /// Of the component of the row's share; nothing without.
+    template <class Get>
+    void add_of_component(const char* key, Get get) {
+        add(key, [get](L l) { return l.row.share ? Cell(get(l, *l.component())) : Cell(); });
+    }
+
+    void add_quantity() {
+        add("group", [](L l) -> Cell { return l.quantity().group; });
+        add("symbol", symbols_of).print("Symbol").of_symbols();
+        add("name", [](L l) -> Cell { return name_of(l); }).print("Quantity");
+        add("unit", [](L l) -> Cell { return l.quantity().unit; }).print("Unit");
+        add("estimate",
+            [](L l) -> Cell {
+                if (l.row.part || l.row.quantities.size() > 1) return {};
+                return Measured{estimate_of(l.inputs, l.index()), Scale::value, l.quantity().unit, {}};
+            })
+            .print("Estimate")
+            .round({.match = "u", .input = true});
+        add("u",
+            [](L l) -> Cell {
+                return Measured{row_uncertainty(l), Scale::interval, l.quantity().unit, {}};
+            })
+            .print_symbol("u(x_i)")
+            .digits(3);
+    }
+
+    /// What print says in one row, of the quantity or of a part of it.
+    void add_row() {
+        add("row distribution", [](L l) -> Cell { return row_distribution(l); })
+            .print("Distribution")
+            .not_in_files();
+        add("row type",
+            [](L l) -> Cell {
+                return l.component() ? Cell(report_parts::type_text(l.component()->type)) : Cell();
+            })
+            .print("Type")
+            .not_in_files();
+        add("row degrees of freedom", row_degrees_of_freedom)
+            .print_symbol("nu_i")
+            .round({.degrees_of_freedom = true})
+            .not_in_files();
+        add("row origin", row_origin).print("Origin").not_in_files();
+    }
+
+    void add_component() {
+        using C = const UncertaintyComponent&;
+        add_of_component("component", [](L, C c) { return c.name; });
+        add_of_component("id", [](L, C c) { return c.id; });
+        add_of_component("factor", [](L l, C c) {
+            return Measured{l.share()->factor, Scale::interval, l.quantity().unit, c.unit};
+        });
+        add_of_component("component unit", [](L, C c) { return c.unit; });
+        add_of_component("component u", [](L, C c) {
+            return Measured{c.distribution.standard_uncertainty(), Scale::interval, c.unit, {}};
+        });
+        add_of_component("distribution", [](L, C c) { return std::string(drawn_distribution(c).title()); });
+        add_of_component("type", [](L, C c) { return report_parts::type_text(c.type); });
+        add_of_component("degrees of freedom", [](L, C c) { return Measured{c.degrees_of_freedom}; });
+        add_of_component("held", [](L, C c) { return Answer{c.held}; });
+        add_of_component("origin", [](L, C c) { return c.origin; });
+    }
+
+    const InputSet& inputs_;
+    std::shared_ptr<const std::vector<InputRow>> rows_;
+    Table table_{"inputs", "Input quantities and their components"};
+};
+
+}  // namespace
+
+std::vector<InputRow> all_shares(const InputSet& inputs) {
+    std::vector<InputRow> rows;
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) {
+        if (inputs.quantities[i].shares.empty()) rows.push_back({{i}});
+        for (std::size_t k = 0; k < inputs.quantities[i].shares.size(); ++k) rows.push_back({{i}, k});
+    }
+    return rows;
+}
+
+Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows) {
+    return InputColumns(inputs, std::move(rows)).make();
+}
+
+}  // namespace covaria

@@ -1,0 +1,55 @@
+// Joint coverage regions.
+#include "core/report/result_columns.h"
+
+namespace covaria {
+namespace {
+
+using R = const CoverageRegion&;
+
+Cell factor(const std::optional<double>& value) {
+    return value ? Cell(Measured{*value}) : Cell();
+}
+
+std::string symbols_of(const UncertaintyResult& result, R region) {
+    std::string symbols;
+    for (const std::size_t i : region.outputs)
+        symbols += (symbols.empty() ? "" : " ") + result.outputs[i].quantity.symbol;
+    return symbols;
+}
+
+}  // namespace
+
+Table regions_table(const UncertaintyResult& result) {
+    Table table{"regions", "Joint coverage regions", result.regions.size()};
+    const auto add = [&](const char* key, auto get) -> Column& {
+        return table.add(key, [&result, get](std::size_t row) -> Cell { return get(result.regions[row]); });
+    };
+    const NumberRule three{.decimals = 3};
+    add("group", [](R r) -> Cell { return r.group; });
+    add("group in words", [](R r) -> Cell { return r.group.empty() ? "all" : r.group; })
+        .print("Group")
+        .not_in_files();
+    add("outputs", [&result](R r) -> Cell { return symbols_of(result, r); });
+    add("size", [](R r) -> Cell { return Measured{static_cast<double>(r.outputs.size())}; })
+        .print("Quantities")
+        .round({.decimals = 0})
+        .not_in_files();
+    add("coverage probability", [&result](R) -> Cell { return Measured{result.coverage_probability}; });
+    add("ellipsoid first order", [](R r) -> Cell { return Measured{r.ellipsoid_first_order}; })
+        .print("ellipsoid, law of prop.")
+        .round(three);
+    add("rectangle first order", [](R r) -> Cell { return Measured{r.rectangle_first_order}; })
+        .print("rectangle, law of prop.")
+        .round(three);
+    add("ellipsoid Monte Carlo", [](R r) { return factor(r.ellipsoid_monte_carlo); })
+        .print("ellipsoid, Monte Carlo")
+        .round(three);
+    add("rectangle Monte Carlo", [](R r) { return factor(r.rectangle_monte_carlo); })
+        .print("rectangle, Monte Carlo")
+        .round(three);
+    add("trials", [](R r) -> Cell { return Measured{static_cast<double>(r.trials)}; });
+    add("singular", [](R r) -> Cell { return Answer{r.singular}; });
+    return table;
+}
+
+}  // namespace covaria

@@ -1,0 +1,280 @@
+// The output quantities of a result.
+#include "core/report/result_columns.h"
+
+#include <memory>
+#include <numeric>
+
+#include "core/report/report_parts.h"
+#include "core/result/representation.h"
+#include "core/result/result_line.h"
+
+namespace covaria {
+namespace {
+
+using Number = std::function<std::optional<double>(const OutputResult&)>;
+using Scale = Measured::Scale;
+
+/// A number of Monte Carlo, where it ran.
+Number trials(std::function<double(const MonteCarloOutput&)> of) {
+    return [of = std::move(of)](const OutputResult& output) {
+        return output.monte_carlo ? std::optional(of(*output.monte_carlo)) : std::nullopt;
+    };
+}
+
+Number line(double OutputResult::*member) {
+    return [member](const OutputResult& output) { return std::optional(output.*member); };
+}
+
+Number first(double FirstOrderOutput::*member) {
+    return [member](const OutputResult& output) { return std::optional(output.first_order.*member); };
+}
+
+Number second(std::optional<double> FirstOrderOutput::*member) {
+    return [member](const OutputResult& output) { return output.first_order.*member; };
+}
+
+Number validation(double FirstOrderOutput::Validation::*member) {
+    return [member](const OutputResult& output) {
+        const auto& v = output.first_order.validation;
+        return v ? std::optional((*v).*member) : std::nullopt;
+    };
+}
+
+class ResultColumns {
+public:
+    ResultColumns(const UncertaintyResult& result, std::vector<std::size_t> outputs)
+        : result_(result), outputs_(std::make_shared<const std::vector<std::size_t>>(std::move(outputs))) {}
+
+    /// In the order in which files have them.
+    Table make() {
+        table_.rows = outputs_->size();
+        add_quantity();
+        add_result_line();
+        add_trials();
+        add_first_order();
+        table_.add("U by", words(expanded_key(result_)));
+        table_.add("remark", words(represents_measurand(result_) ? "" : std::string(does_not_represent)));
+        add_contributors();
+        return std::move(table_);
+    }
+
+private:
+    using Cells = std::function<Cell(std::size_t)>;
+
+    Cells of_output(std::function<Cell(const OutputResult&)> get) const {
+        return [&all = result_.outputs, shown = outputs_, get = std::move(get)](std::size_t row) {
+            return get(all[(*shown)[row]]);
+        };
+    }
+    static Cells words(std::string same) {
+        return [same = std::move(same)](std::size_t) -> Cell { return same; };
+    }
+    Cells measured(Number number, Scale scale) const {
+        return of_output([number = std::move(number), scale](const OutputResult& output) -> Cell {
+            const std::optional<double> si = number(output);
+            return si ? Cell(Measured{*si, scale, output.quantity.unit, {}}) : Cell();
+        });
+    }
+    Cells value(Number number) const { return measured(std::move(number), Scale::value); }
+    Cells interval(Number number) const { return measured(std::move(number), Scale::interval); }
+    Cells pure(Number number) const {
+        return of_output([number = std::move(number)](const OutputResult& output) -> Cell {
+            const std::optional<double> x = number(output);
+            return x ? Cell(Measured{*x}) : Cell();
+        });
+    }
+
+    void add_quantity() {
+        using R = const OutputResult&;
+        table_.add("group", of_output([](R o) -> Cell { return o.quantity.group; }))
+            .window("Group", "The pose, point or target the quantity belongs to");
+        table_.add("symbol", of_output([](R o) -> Cell { return Symbols{o.quantity.symbol}; }))
+            .print("Quantity")
+            .window("Symbol")
+            .of_symbols();
+        table_.add("name", of_output([](R o) -> Cell { return o.quantity.name; })).window("Output quantity");
+        table_.add(
+            "role", of_output([](R o) -> Cell {
+                return std::string(o.quantity.role == OutputRole::measurand ? "measurand" : "intermediate");
+            }));
+        table_.add("unit", of_output([](R o) -> Cell { return o.quantity.unit; }))
+            .print("Unit")
+            .window("Unit");
+    }
+
+    void add_result_line() {
+        const std::string by = expanded_words(result_);
+        table_.add("estimate", value(line(&OutputResult::estimate)))
+            .print_symbol("y")
+            .window("Estimate", "Best value of the output quantity")
+            .match("U");
+        table_.add("u", interval(line(&OutputResult::standard_uncertainty)))
+            .print_symbol("u(y)")
+            .window("u", "Standard uncertainty")
+            .digits(2);
+        table_.add("k", pure(line(&OutputResult::coverage_factor)))
+            .print_symbol("k")
+            .window("k", "Coverage factor. " + by)
+            .round({.decimals = 2});
+        table_.add("U", interval(line(&OutputResult::expanded_uncertainty)))
+            .print_symbol("U")
+            .window("U", "Expanded uncertainty. " + by)
+            .digits(2);
+        table_.add("coverage probability",
+                   [p = result_.coverage_probability](std::size_t) -> Cell { return Measured{p}; });
+    }
+
+    Column& add_limit(const char* key, double CoverageInterval::*side,
+                      CoverageInterval MonteCarloOutput::*which) {
+        const auto limit = trials([=](const MonteCarloOutput& t) { return (t.*which).*side; });
+        return table_.add(key, value(limit)).print(key).match("U");
+    }
+
+    void add_trials() {
+        using T = const MonteCarloOutput&;
+        using C = CoverageInterval;
+        using M = MonteCarloOutput;
+        const char* symmetric = "Limit of the probabilistically symmetric coverage interval";
+        const char* shortest = "Limit of the shortest coverage interval";
+        table_.add("mean", value(trials([](T t) { return t.mean; })))
+            .print("mean Monte Carlo")
+            .match("u Monte Carlo");
+        table_.add("u Monte Carlo", interval(trials([](T t) { return t.standard_uncertainty; })))
+            .print("u Monte Carlo")
+            .digits(3);
+        table_.add("standard error of mean", interval(trials([](T t) { return t.standard_error_of_mean; })));
+        table_.add("standard error of u",
+                   interval(trials([](T t) { return t.standard_error_of_uncertainty; })));
+        add_limit("interval low", &C::low, &M::symmetric).window("Low", symmetric);
+        add_limit("interval high", &C::high, &M::symmetric).window("High", symmetric);
+        add_limit("shortest low", &C::low, &M::shortest).window("Low", shortest);
+        add_limit("shortest high", &C::high, &M::shortest).window("High", shortest);
+        table_.add("skewness", pure(trials([](T t) { return t.skewness; })))
+            .print("skewness")
+            .round({.decimals = 3});
+        table_.add("excess kurtosis", pure(trials([](T t) { return t.kurtosis; })))
+            .print("excess kurtosis")
+            .round({.decimals = 3});
+        table_.add("kurtosis", pure(trials([](T t) { return 3.0 + t.kurtosis; }))).not_in_files();
+        table_.add("coverage ratio", pure(trials([](T t) { return t.normality.coverage_ratio; })));
+        table_.add("distribution", of_output([](const OutputResult& o) -> Cell {
+                       return o.monte_carlo ? Cell(o.monte_carlo->normality.words) : Cell();
+                   }));
+        // Without the advice after the colon, which stands below the table.
+        table_
+            .add("distribution in short", of_output([](const OutputResult& o) -> Cell {
+                     if (!o.monte_carlo) return {};
+                     const std::string& words = o.monte_carlo->normality.words;
+                     return words.substr(0, words.find(':'));
+                 }))
+            .print("Distribution")
+            .not_in_files();
+        table_
+            .add(
+                "ratio", of_output([](const OutputResult& o) -> Cell {
+                    if (!o.monte_carlo || !(o.monte_carlo->standard_uncertainty > 0.0)) return {};
+                    return Measured{o.first_order.standard_uncertainty / o.monte_carlo->standard_uncertainty};
+                }))
+            .print("ratio")
+            .round({.decimals = 3})
+            .not_in_files();
+        // Of the result line: of Monte Carlo, else of the law of propagation.
+        const auto stated = [&r = result_](double C::*side) -> Number {
+            return [&r, side](const OutputResult& o) { return coverage_interval_of(o, r).*side; };
+        };
+        table_
+            .add("stated interval", of_output([](const OutputResult& o) -> Cell {
+                     return std::string(o.monte_carlo ? "symmetric" : "first-order");
+                 }))
+            .not_in_files();
+        table_.add("stated low", value(stated(&C::low))).not_in_files();
+        table_.add("stated high", value(stated(&C::high))).not_in_files();
+    }
+
+    void add_first_order() {
+        using F = FirstOrderOutput;
+        using V = FirstOrderOutput::Validation;
+        const char* help = "By the law of propagation of uncertainty";
+        table_.add("estimate first order", value(first(&F::estimate)))
+            .print("y at the estimates")
+            .window("Estimate (first order)", help)
+            .match("u first order");
+        table_.add("u first order", interval(first(&F::standard_uncertainty)))
+            .print("u law of prop.")
+            .window("u (first order)", help)
+            .digits(3);
+        table_.add("nu_eff", pure(first(&F::effective_degrees_of_freedom)))
+            .print_symbol("nu_eff")
+            .window(symbol_text("nu_eff"), "Effective degrees of freedom (JCGM 100 G.4)")
+            .round({.degrees_of_freedom = true});
+        table_.add("k first order", pure(first(&F::coverage_factor)));
+        table_.add("U first order", interval(first(&F::expanded_uncertainty)))
+            .window("U (first order)", help)
+            .digits(2);
+        table_.add("delta", interval(validation(&V::tolerance))).print_symbol("delta").digits(1);
+        table_.add("d_low", interval(validation(&V::d_low))).print_symbol("d_low").match("delta");
+        table_.add("d_high", interval(validation(&V::d_high))).print_symbol("d_high").match("delta");
+        table_
+            .add("clause 8", of_output([](const OutputResult& o) -> Cell {
+                     const auto& v = o.first_order.validation;
+                     return v ? Cell(Answer{v->validated, "validated", "not validated"}) : Cell();
+                 }))
+            .print("Clause 8")
+            .window("First order validated",
+                    "JCGM 101 clause 8: agrees with Monte Carlo within the tolerance");
+        table_.add("u second order", interval(second(&F::second_order_standard_uncertainty)))
+            .print("u with second-order terms")
+            .window("u (second order)", "With the second-order terms of JCGM 100 5.1.2; for information")
+            .digits(3);
+        table_.add("shift second order", interval(second(&F::second_order_estimate_shift)))
+            .print("shift of the estimate")
+            .window("shift (second order)",
+                    "What the curvature of the equation adds to the estimate; for information, not added")
+            .digits(2);
+    }
+
+    void add_contributors() {
+        const std::vector<std::string> keys = contributor_keys(result_);
+        const std::string method =
+            result_.contributor_trials > 0 ? "by Monte Carlo" : "by the law of propagation";
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            const std::string name = report_parts::contributor_title(result_.contributors[i]);
+            table_
+                .add(keys[i],
+                     [&r = result_, shown = outputs_, i](std::size_t row) -> Cell {
+                         const OutputResult& output = r.outputs[(*shown)[row]];
+                         const double U = expanded_with(output, r.contributors[i].without, (*shown)[row]);
+                         return Measured{U, Scale::interval, output.quantity.unit, {}};
+                     })
+                .window(keys[i], "Expanded uncertainty that remains when everything " + name +
+                                     " brings in is held (an ideal one), " + method)
+                .digits(2)
+                .not_in_files();
+        }
+    }
+
+    const UncertaintyResult& result_;
+    std::shared_ptr<const std::vector<std::size_t>> outputs_;
+    Table table_{"results", "Results"};
+};
+
+}  // namespace
+
+std::vector<std::string> contributor_keys(const UncertaintyResult& result) {
+    std::vector<std::string> keys;
+    for (const ContributorResult& c : result.contributors)
+        keys.push_back("U, " + report_parts::contributor_title(c) + " held");
+    return keys;
+}
+
+Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs) {
+    return ResultColumns(result, std::move(outputs)).make();
+}
+
+Table results_table(const UncertaintyResult& result) {
+    std::vector<std::size_t> all(result.outputs.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return results_table(result, std::move(all));
+}
+
+}  // namespace covaria

@@ -1,0 +1,44 @@
+// The tables of a result, each defined once: what all views of it choose from.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/report/table.h"
+#include "core/result/uncertainty_result.h"
+
+namespace covaria {
+
+// All read the result when they are asked for cells.
+
+/// A row for each of these outputs.
+Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs);
+Table results_table(const UncertaintyResult& result);  ///< all of them
+/// Keys of the columns "U, ... held", one for each contributor.
+std::vector<std::string> contributor_keys(const UncertaintyResult& result);
+
+struct BudgetPlace {
+    std::size_t output = 0, row = 0;
+};
+/// A row for each place.
+Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> places);
+std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::size_t output);
+
+/// A row about quantities with equal components, or about one share of a quantity.
+struct InputRow {
+    std::vector<std::size_t> quantities;
+    std::optional<std::size_t> share = {};
+    bool part = false;  ///< below the row of its quantity, whose symbol and estimate it leaves out
+};
+Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows);
+/// Every share of every quantity.
+std::vector<InputRow> all_shares(const InputSet& inputs);
+
+/// Correlation coefficients: "output symbol" and a column for each of the outputs.
+Table correlation_table(const UncertaintyResult& result, const std::vector<std::size_t>& outputs);
+/// Joint coverage regions of the groups of measurands.
+Table regions_table(const UncertaintyResult& result);
+
+}  // namespace covaria

@@ -1,0 +1,107 @@
+// Cells of a table as the views show them.
+#include "core/report/table.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace covaria {
+namespace {
+
+std::string joined(const Symbols& symbols) {
+    std::string text;
+    for (const std::string& symbol : symbols) text += (text.empty() ? "" : ", ") + symbol;
+    return text;
+}
+
+TableCell file_cell(const Cell& cell, const DisplayUnits& units) {
+    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* symbols = std::get_if<Symbols>(&cell)) return joined(*symbols);
+    if (const auto* unit = std::get_if<Unit>(&cell)) return units.of(*unit).text();
+    if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? answer->yes : answer->no;
+    if (const auto* number = std::get_if<Measured>(&cell)) return number->in(units);
+    return {};
+}
+
+}  // namespace
+
+Quantity Measured::in(const DisplayUnits& units) const {
+    const Unit& shown = units.of(unit);
+    if (scale == Scale::value) return {shown.from_si(si), shown};
+    return {shown.interval_from_si(si * units.of(per).interval_to_si(1.0)), shown};
+}
+
+const Column& Table::operator[](std::string_view key) const {
+    const auto it =
+        std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.key == key; });
+    if (it == columns.end()) throw std::out_of_range("no column " + std::string(key) + " in table " + id);
+    return *it;
+}
+
+DataTable data_table(const Table& table, const std::vector<std::string>& keys, const DisplayUnits& units) {
+    DataTable data{table.id, table.title, {}, {}, {}};
+    std::vector<const Column*> chosen;
+    for (const std::string& key : keys) chosen.push_back(&table[key]);
+    for (const Column* column : chosen)
+        data.columns.push_back({column->key, column->unit ? units.of(*column->unit) : Unit{}, false, 0});
+    for (std::size_t row = 0; row < table.rows; ++row) {
+        data.rows.emplace_back();
+        for (const Column* column : chosen) data.rows.back().push_back(file_cell(column->cell(row), units));
+    }
+    return data;
+}
+
+DataTable data_table(const Table& table) {
+    std::vector<std::string> keys;
+    for (const Column& column : table.columns)
+        if (column.in_files) keys.push_back(column.key);
+    return data_table(table, keys);
+}
+
+std::optional<double> number_in(const Cell& cell, const DisplayUnits& units) {
+    const auto* number = std::get_if<Measured>(&cell);
+    return number ? std::optional(number->in(units).value) : std::nullopt;
+}
+
+bool is_numeric(const Column& column) {
+    const NumberRule& rule = column.rule;
+    return rule.digits > 0 || rule.decimals >= 0 || !rule.match.empty() || rule.typed ||
+           rule.degrees_of_freedom;
+}
+
+std::optional<double> matched_to(const Table& table, const Column& column, std::size_t row,
+                                 const DisplayUnits& units) {
+    return column.rule.match.empty() ? std::nullopt : number_in(table.cell(row, column.rule.match), units);
+}
+
+std::string format_by(const NumberRule& rule, double value, std::optional<double> other) {
+    if (rule.degrees_of_freedom) return format_degrees_of_freedom(value);
+    if (rule.percent) value *= 100.0;
+    if (rule.decimals >= 0) return format_decimals(value, rule.decimals);
+    if (other) {
+        return rule.input ? format_estimate(value, *other)
+                          : format_to_match(value, *other, rule.digits > 0 ? rule.digits : 2);
+    }
+    return rule.digits > 0 ? format_significant(value, rule.digits) : format_typed(value);
+}
+
+Text head_shown(const Column& column, const TableView& view) {
+    if (!column.unit || *column.unit == Unit{}) return column.title;
+    return column.title + (" / " + view.units.of(*column.unit).display());
+}
+
+Text cell_shown(const Table& table, const Column& column, std::size_t row, const TableView& view) {
+    const Cell cell = column.cell(row);
+    if (const auto number = number_in(cell, view.units)) {
+        NumberRule rule = column.rule;
+        if (view.digits > 0 && !rule.typed) rule.digits = view.digits;
+        return typeset_number(format_by(rule, *number, matched_to(table, column, row, view.units)),
+                              view.locale);
+    }
+    if (const auto* unit = std::get_if<Unit>(&cell)) return view.units.of(*unit).display();
+    if (const auto* symbols = std::get_if<Symbols>(&cell)) return symbols_text(joined(*symbols));
+    if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? "yes" : "no";
+    const auto* words = std::get_if<std::string>(&cell);
+    return words ? Text(*words) : Text();
+}
+
+}  // namespace covaria

@@ -1,0 +1,214 @@
+// Rounding of numbers for people (JCGM 100 7.2.6) and their exact text for machines; independent of the
+// locale.
+#include "core/text/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/base/superscript.h"
+
+namespace covaria {
+namespace {
+
+constexpr int unmatched_digits = 7;  // of a computed value without an uncertainty to match
+constexpr int most_typed_digits = 13;
+constexpr double conversion_error = 6e-16;  // relative, of a unit and back
+
+std::string fixed(double value, int decimals) {
+    std::array<char, 400> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    return {text.data(), end.ptr};
+}
+
+std::string scientific(double value, int decimals) {
+    std::array<char, 64> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, decimals);
+    return {text.data(), end.ptr};
+}
+
+std::string not_finite(double value) {
+    if (std::isnan(value)) return "–";
+    return value > 0.0 ? "∞" : "-∞";
+}
+
+/// Decimal exponent of `value` once rounded to `digits`: 9.96 to two digits is 10, so 1.
+int rounded_exponent(double value, int digits) {
+    const std::string text = scientific(value, digits - 1);
+    return std::atoi(text.c_str() + text.find('e') + 1);
+}
+
+std::string without_negative_zero(std::string text) {
+    const bool zero = text.find_first_of("123456789") == std::string::npos;
+    return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+/// With few digits, up to the rounding of a conversion of units.
+bool is_typed(double value) {
+    if (!std::isfinite(value) || value == 0.0) return true;
+    const std::string text = scientific(value, most_typed_digits - 1);
+    double kept = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), kept);
+    return std::abs(kept - value) <= conversion_error * std::abs(value);
+}
+
+std::size_t decimals_in(const std::string& text) {
+    const std::size_t point = text.find('.');
+    return point == std::string::npos ? 0 : std::min(text.find('e'), text.size()) - point - 1;
+}
+
+std::string without_trailing_zeros(std::string text) {
+    const std::size_t end = std::min(text.find('e'), text.size());
+    if (text.find('.') >= end) return text;
+    std::size_t kept = text.find_last_not_of('0', end - 1) + 1;
+    if (text[kept - 1] == '.') --kept;
+    return text.erase(kept, end - kept);
+}
+
+}  // namespace
+
+std::string format_decimals(double value, int decimals) {
+    if (!std::isfinite(value)) return not_finite(value);
+    if (decimals >= 0) return without_negative_zero(fixed(value, decimals));
+    const double step = std::pow(10.0, -decimals);
+    return without_negative_zero(fixed(std::round(value / step) * step, 0));
+}
+
+std::string format_significant(double value, int digits) {
+    if (!std::isfinite(value)) return not_finite(value);
+    if (value == 0.0) return "0";
+    const int kept = std::max(digits, 1);
+    const double size = std::abs(value);
+    if (size < 1e-4 || size >= 1e7) return scientific(value, kept - 1);
+    return format_decimals(value, kept - 1 - rounded_exponent(value, kept));
+}
+
+std::string format_trimmed(double value, int digits) {
+    return without_trailing_zeros(format_significant(value, digits));
+}
+
+int decimals_for(double uncertainty, int digits) {
+    if (!std::isfinite(uncertainty) || uncertainty == 0.0) return unmatched_digits - 1;
+    return digits - 1 - rounded_exponent(uncertainty, digits);
+}
+
+std::string format_to_match(double value, double uncertainty, int digits) {
+    if (!std::isfinite(uncertainty) || uncertainty == 0.0) return format_trimmed(value, unmatched_digits);
+    const int decimals = decimals_for(uncertainty, digits);
+    const double size = std::abs(uncertainty);
+    if (size < 1e-4 || size >= 1e7) {
+        if (value == 0.0) return "0";
+        const int value_digits = rounded_exponent(value, 1) + decimals + 1;
+        return value_digits < 1 ? "0" : scientific(value, value_digits - 1);
+    }
+    return format_decimals(value, decimals);
+}
+
+std::string format_typed(double value) {
+    // A large whole number loses no digits: 50000623 nm.
+    const double whole = std::round(value), size = std::abs(value);
+    if (std::abs(value - whole) <= conversion_error * size && size >= 1e7 && size < 1e12)
+        return fixed(whole, 0);
+    if (is_typed(value)) return format_trimmed(value, most_typed_digits);
+    return format_trimmed(value, unmatched_digits);
+}
+
+std::string format_estimate(double value, double uncertainty) {
+    const std::string typed = format_typed(value);
+    if (!(uncertainty > 0.0) || !std::isfinite(uncertainty)) return typed;
+    const std::string matched = format_to_match(value, uncertainty);
+    if (!is_typed(value)) return matched;
+    const bool plain = typed.find('e') == std::string::npos && matched.find('e') != std::string::npos;
+    return plain || decimals_in(typed) > decimals_in(matched) ? typed : matched;
+}
+
+double shown_degrees_of_freedom(double nu) {
+    if (std::isnan(nu)) return nu;
+    if (nu >= 1e4) return std::numeric_limits<double>::infinity();
+    if (nu >= 10.0) return std::floor(nu * (1.0 + 1e-12));
+    return nu >= 1.0 ? std::round(10.0 * nu) / 10.0 : std::round(100.0 * nu) / 100.0;
+}
+
+std::string format_degrees_of_freedom(double nu) {
+    return format_trimmed(shown_degrees_of_freedom(nu), unmatched_digits);
+}
+
+std::string format_cell(const TableCell& cell, const TableColumn& column) {
+    const auto number = [&column](double value) {
+        if (column.decimals >= 0) return format_decimals(value, column.decimals);
+        if (column.digits > 0) return format_significant(value, column.digits);
+        return format_typed(value);
+    };
+    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* value = std::get_if<double>(&cell)) return number(column.unit.from_si(*value));
+    const auto* quantity = std::get_if<Quantity>(&cell);
+    if (!quantity) return {};
+    const std::string unit = quantity->unit.text() == "1" ? "" : quantity->unit.display();
+    if (unit.empty() || quantity->unit == column.unit) return number(quantity->value);
+    return number(quantity->value) + "\u00a0" + unit;
+}
+
+std::string format_exact(double value) {
+    std::array<char, 64> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), end.ptr};
+}
+
+std::string format_shortest(double value) {
+    const double size = std::abs(value);
+    const bool plain = value == 0.0 || (size >= 1e-4 && size < 1e9);
+    std::array<char, 64> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   plain ? std::chars_format::fixed : std::chars_format::scientific);
+    return {text.data(), end.ptr};
+}
+
+std::string format_short(double value, int digits) {
+    std::array<char, 64> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    return {text.data(), end.ptr};
+}
+
+std::string typeset_number(std::string plain, const NumberLocale& locale) {
+    const std::size_t e = plain.find('e');
+    if (e != std::string::npos && e > 0 && e + 1 < plain.size() &&
+        (plain[e + 1] == '-' || plain[e + 1] == '+')) {
+        const std::size_t end = std::min(plain.find_first_not_of("0123456789", e + 2), plain.size());
+        plain.replace(e, end - e, "×" + power_of_ten(std::atoi(plain.c_str() + e + 1)));
+    }
+    if (const std::size_t point = plain.find('.'); point != std::string::npos)
+        plain.replace(point, 1, locale.decimal);
+    if (!plain.empty() && plain.front() == '-') plain.replace(0, 1, "−");
+    return plain;
+}
+
+std::string grouped_number(double value, int decimals, const NumberLocale& locale) {
+    const std::string plain = format_decimals(value, decimals);
+    if (!std::isfinite(value)) return typeset_number(plain, locale);
+    const std::size_t first = plain.starts_with('-') ? 1 : 0, end = std::min(plain.find('.'), plain.size());
+    std::string whole = plain.substr(first, end - first);
+    if (whole.size() > 4)
+        for (std::size_t i = whole.size(); i > 3;) whole.insert(i -= 3, locale.group);
+    return (first == 1 ? "−" : "") + whole +
+           (end < plain.size() ? locale.decimal + plain.substr(end + 1) : std::string());
+}
+
+std::string count_text(std::uint64_t count) {
+    return grouped_number(static_cast<double>(count), 0);
+}
+
+std::string percent_text(double probability) {
+    return typeset_number(format_typed(100.0 * probability)) + "\u00a0%";
+}
+
+std::string power_of_ten(int exponent) {
+    return "10" + superscript(exponent);
+}
+
+}  // namespace covaria

@@ -1,0 +1,59 @@
+// Numbers as metrologists write them: U to two significant digits, the value to match (JCGM 100 7.2.6). The
+// `format_` functions give plain texts ("-2.3e-05"), which machines read too; `typeset_number` makes them
+// what people read.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/base/data_table.h"
+
+namespace covaria {
+
+/// Rounded to `digits` significant digits, without exponent where 1e-4 <= |x| < 1e7: "0.066", "1 234.5" has
+/// no spaces.
+std::string format_significant(double value, int digits);
+/// Rounded to the given number of decimals (may be negative).
+std::string format_decimals(double value, int decimals);
+/// The same without a tail of zeros.
+std::string format_trimmed(double value, int digits);
+/// Decimals that show `uncertainty` to `digits` significant digits.
+int decimals_for(double uncertainty, int digits = 2);
+/// Value rounded to match its uncertainty: "1 174.91" style without spaces.
+std::string format_to_match(double value, double uncertainty, int digits = 2);
+/// Every digit of a value that was typed ("10.000172"): all of them where there are at most 13, else (a
+/// computed value) seven.
+std::string format_typed(double value);
+/// Of an input quantity: rounded to match its uncertainty, but a typed one keeps every digit.
+std::string format_estimate(double value, double uncertainty);
+/// Degrees of freedom as they are shown, everywhere alike: whole ones, cut off, from 10; infinite from 10
+/// 000, where k of a t distribution differs from the normal one by less than 0.03 %.
+double shown_degrees_of_freedom(double nu);
+std::string format_degrees_of_freedom(double nu);
+/// Cell as people read it, in the column's unit.
+std::string format_cell(const TableCell& cell, const TableColumn& column);
+/// Shortest text that reads back to the same double: for CSV.
+std::string format_exact(double value);
+
+/// Likewise, without exponent where 1e-4 <= |x| < 1e9: for fields.
+std::string format_shortest(double value);
+/// At most `digits` significant digits, for messages: "0.0123", "1.5e+05".
+std::string format_short(double value, int digits = 3);
+
+/// How numbers are written where the reader lives.
+struct NumberLocale {
+    std::string decimal = ".";
+    std::string group = "\u202f";  ///< between groups of three digits, where there are groups
+    bool operator==(const NumberLocale&) const = default;
+};
+
+/// A plain number for people: a true minus sign, powers of ten, the locale's decimal sign: "−2.3×10⁻⁵".
+std::string typeset_number(std::string plain, const NumberLocale& locale = {});
+/// Likewise, rounded to `decimals`, digits in groups of three from 10 000 on.
+std::string grouped_number(double value, int decimals, const NumberLocale& locale = {});
+std::string count_text(std::uint64_t count);   ///< "1 000 000"
+std::string percent_text(double probability);  ///< "95 %", "95.45 %"
+/// 10 to that power: "10⁻⁵".
+std::string power_of_ten(int exponent);
+
+}  // namespace covaria

@@ -1,0 +1,17 @@
+// Round numbers: 1, 2, 5 times a power of ten.
+#pragma once
+
+#include <string>
+
+namespace covaria {
+
+double nearest_round_number(double value);  ///< in ratio; value > 0
+double round_number_below(double value);    ///< the largest that is not larger; value > 0
+double round_number_above(double value);    ///< the smallest that is not smaller; value > 0
+
+/// Decimals that show a multiple of `step`.
+int decimals_of_step(double step);
+/// A round number without superfluous decimals: "2000", "0.5".
+std::string round_number_text(double value);
+
+}  // namespace covaria

@@ -1,0 +1,29 @@
+// Where an axis has its ticks and what they say: steps of 1, 2 or 5 times a power of ten.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/text/numbers.h"
+#include "core/text/text.h"
+
+namespace covaria {
+
+struct Tick {
+    double at = 0.0;  ///< on the axis; of a logarithmic axis, log10 of the value
+    std::string text;
+};
+
+struct Ticks {
+    std::vector<Tick> ticks;
+    int exponent = 0;  ///< texts are in units of 10^exponent, which the axis' title says
+};
+
+/// Ticks inside [low, high], no more than `most` + 1; all texts have the same number of decimals.
+Ticks linear_ticks(double low, double high, int most, const NumberLocale& locale = {});
+/// The same for log10 of the value: whole decades, or 1-2-5 inside a decade.
+Ticks logarithmic_ticks(double low, double high, int most, const NumberLocale& locale = {});
+/// "x (mm)" with 10^-6 becomes "x (10⁻⁶ mm)".
+Text title_with_exponent(const Text& title, int exponent);
+
+}  // namespace covaria

@@ -1,0 +1,97 @@
+// Runs with other values, tables of serial numbers, requirements as test cases.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include "tests/app/program.h"
+
+namespace covaria::automation_test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string gauge = shipped_project("gum/h1-end-gauge.covaria").string();
+
+double estimate_in(const fs::path& folder) {
+    return json::parse(read_text(folder / "results.json"))["analyses"][0]["outputs"][0]["estimate"];
+}
+
+TEST(Automation, AValueIsSetForOneRun) {
+    const fs::path folder = fresh_folder("set");
+    const Outcome run = run_program({"run", gauge, "--analysis", "table", "--out", folder.string(), "--set",
+                                     "/analyses/table/setup/quantities/rows/l_S/value=50000723"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(estimate_in(folder), 50000838 + 100, 1.0);
+}
+
+TEST(Automation, AWrongPlaceOrValueIsRefusedWithItsPath) {
+    const Outcome place = run_program({"run", gauge, "--set", "/analyses/tabel/name=x"});
+    EXPECT_EQ(place.status, 1);
+    EXPECT_NE(place.err.find("/analyses/tabel/name"), std::string::npos) << place.err;
+    EXPECT_NE(place.err.find("did you mean 'table'"), std::string::npos) << place.err;
+    const Outcome value =
+        run_program({"run", gauge, "--set", "/analyses/table/options/coverageProbability=2"});
+    EXPECT_EQ(value.status, 1);
+    EXPECT_NE(value.err.find("/analyses/0/options/coverageProbability"), std::string::npos) << value.err;
+    EXPECT_EQ(run_program({"run", gauge, "--set", "title"}).status, 2);
+}
+
+TEST(Automation, ARowOfATableIsARun) {
+    const fs::path folder = fresh_folder("set-from");
+    write_text(folder / "blocks.csv",
+               "serial,/title,/analyses/table/setup/quantities/rows/l_S/value\n"
+               "A 1,Block A 1,50000623\nA/1,Block A/1,50000723\nB,,50000523\n");
+    const Outcome run = run_program({"run", gauge, "--analysis", "table", "--set-from",
+                                     (folder / "blocks.csv").string(), "--out", (folder / "out").string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(estimate_in(folder / "out" / "A-1"), 50000838, 1.0);
+    EXPECT_NEAR(estimate_in(folder / "out" / "A-1-2"), 50000938, 1.0);
+    EXPECT_NEAR(estimate_in(folder / "out" / "B"), 50000738, 1.0);
+    const std::string table = read_text(folder / "out" / "results.csv");
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4) << table;
+    EXPECT_NE(table.find("\r\nA/1,table,,l,nm,50000"), std::string::npos) << table;
+}
+
+TEST(Automation, ARowThatCannotBeRunIsSaidAndTheOthersAre) {
+    const fs::path folder = fresh_folder("set-from-wrong");
+    write_text(folder / "blocks.csv",
+               "serial,/analyses/table/setup/quantities/rows/l_S/value\nA,long\nB,50000523\n");
+    const Outcome run = run_program({"run", gauge, "--analysis", "table", "--set-from",
+                                     (folder / "blocks.csv").string(), "--out", (folder / "out").string()});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_TRUE(fs::exists(folder / "out" / "B" / "results.json"));
+    EXPECT_NE(run.err.find("1 of 2 rows"), std::string::npos) << run.err;
+    write_text(folder / "heads.csv", "value\n1\n");
+    const Outcome heads = run_program({"run", gauge, "--set-from", (folder / "heads.csv").string()});
+    EXPECT_EQ(heads.status, 1);
+    EXPECT_NE(heads.err.find("heads.csv:1"), std::string::npos) << heads.err;
+}
+
+TEST(Automation, RequirementsAreTestCases) {
+    const fs::path folder = fresh_folder("check");
+    const std::string file = (folder / "junit.xml").string();
+    const Outcome met =
+        run_program({"check", gauge, "--analysis", "statements", "--trials", "20000", "--junit", file});
+    EXPECT_TRUE(met.status == 0 || met.status == 3) << met.err;
+    pugi::xml_document xml;
+    ASSERT_TRUE(xml.load_file(file.c_str()));
+    const pugi::xml_node suite = xml.child("testsuites").child("testsuite");
+    EXPECT_STREQ(suite.attribute("name").value(), "statements");
+    EXPECT_EQ(suite.attribute("tests").as_int(), 2);  // target and tolerance
+    const bool all_met = suite.attribute("failures").as_int() == 0;
+    EXPECT_EQ(met.status, all_met ? 0 : 3) << met.out;
+
+    const Outcome missed =
+        run_program({"check", gauge, "--analysis", "statements", "--trials", "20000", "--junit", file,
+                     "--set", "/analyses/statements/requirements/0/targetUncertainty=1"});
+    EXPECT_EQ(missed.status, 3) << missed.err;
+    EXPECT_NE(missed.out.find("NOT MET statements/l, target uncertainty: U = "), std::string::npos)
+        << missed.out;
+    ASSERT_TRUE(xml.load_file(file.c_str()));
+    EXPECT_GE(xml.child("testsuites").child("testsuite").attribute("failures").as_int(), 1);
+}
+
+}  // namespace
+}  // namespace covaria::automation_test

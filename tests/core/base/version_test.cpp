@@ -1,0 +1,19 @@
+// The version is stated once, and the list of changes begins with it.
+#include "core/base/version.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+namespace covaria::version_test {
+
+TEST(Version, IsThatOfTheNewestChanges) {
+    std::ifstream changes(COVARIA_SOURCE_DIR "/CHANGELOG.md");
+    std::string line;
+    while (std::getline(changes, line) && !line.starts_with("## ")) {
+    }
+    EXPECT_TRUE(line.starts_with(std::string("## ") + version() + " (")) << line << " and " << version();
+}
+
+}  // namespace covaria::version_test

@@ -1,0 +1,167 @@
+// Rounding rules: U to two digits, the value to match, and the cases where rounding goes wrong.
+#include "core/text/numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace covaria::numbers_test {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+TEST(FormatSignificant, KeepsTheDigitsAskedFor) {
+    EXPECT_EQ(format_significant(0.0664, 2), "0.066");
+    EXPECT_EQ(format_significant(1234.5, 2), "1200");
+    EXPECT_EQ(format_significant(1234.5, 5), "1234.5");
+    EXPECT_EQ(format_significant(0.5, 2), "0.50");
+    EXPECT_EQ(format_significant(-0.0664, 2), "-0.066");
+}
+
+TEST(FormatSignificant, RoundingUpToTheNextDecadeKeepsTheDigits) {
+    EXPECT_EQ(format_significant(0.0996, 2), "0.10");
+    EXPECT_EQ(format_significant(9.96, 2), "10");
+    EXPECT_EQ(format_significant(99.6, 2), "100");
+    EXPECT_EQ(format_significant(0.00099951, 3), "0.00100");
+}
+
+TEST(FormatSignificant, UsesAnExponentOnlyFarFromOne) {
+    EXPECT_EQ(format_significant(0.0001, 2), "0.00010");
+    EXPECT_EQ(format_significant(0.0000999, 2), "1.0e-04");
+    EXPECT_EQ(format_significant(9999999.0, 7), "9999999");
+    EXPECT_EQ(format_significant(1.5e7, 2), "1.5e+07");
+}
+
+TEST(FormatSignificant, ZeroAndWhatIsNotFinite) {
+    EXPECT_EQ(format_significant(0.0, 2), "0");
+    EXPECT_EQ(format_significant(inf, 2), "∞");
+    EXPECT_EQ(format_significant(-inf, 2), "-∞");
+    for (const double nu : {1e4, 6.09e7, inf}) EXPECT_EQ(format_degrees_of_freedom(nu), "∞") << nu;
+    EXPECT_EQ(format_degrees_of_freedom(9999.9), "9999");
+    EXPECT_EQ(format_degrees_of_freedom(18.97), "18");
+    EXPECT_EQ(format_degrees_of_freedom(9.26), "9.3");
+    EXPECT_EQ(format_degrees_of_freedom(3.0), "3");
+    EXPECT_EQ(format_degrees_of_freedom(0.25), "0.25");
+    EXPECT_EQ(format_significant(std::nan(""), 2), "–");
+}
+
+TEST(FormatDecimals, NegativeDecimalsRoundBeforeThePoint) {
+    EXPECT_EQ(format_decimals(1234.0, -2), "1200");
+    EXPECT_EQ(format_decimals(1251.0, -2), "1300");
+    EXPECT_EQ(format_decimals(49.0, -2), "0");
+    EXPECT_EQ(format_decimals(-51.0, -2), "-100");
+}
+
+TEST(FormatDecimals, NeverShowsAMinusBeforeZero) {
+    EXPECT_EQ(format_decimals(-0.0004, 2), "0.00");
+    EXPECT_EQ(format_decimals(-49.0, -2), "0");
+    EXPECT_EQ(format_decimals(-0.006, 2), "-0.01");
+}
+
+TEST(DecimalsFor, FollowsTheRoundedUncertainty) {
+    EXPECT_EQ(decimals_for(0.734), 2);
+    EXPECT_EQ(decimals_for(0.0996), 2);  // rounds to 0.10
+    EXPECT_EQ(decimals_for(0.0994), 3);
+    EXPECT_EQ(decimals_for(12.0), 0);
+    EXPECT_EQ(decimals_for(1234.0), -2);
+    EXPECT_EQ(decimals_for(0.734, 1), 1);
+}
+
+TEST(FormatToMatch, ValueHasTheDecimalsOfItsUncertainty) {
+    EXPECT_EQ(format_to_match(1174.9091, 0.3016), "1174.91");
+    EXPECT_EQ(format_to_match(-120.0, 0.75), "-120.00");
+    EXPECT_EQ(format_to_match(1174.9091, 1234.0), "1200");
+    EXPECT_EQ(format_to_match(1174.9091, 0.0996), "1174.91");
+}
+
+TEST(FormatToMatch, ZeroOrInfiniteUncertaintyLeavesTheValueAsItIs) {
+    EXPECT_EQ(format_to_match(688.0, 0.0), "688");
+    EXPECT_EQ(format_to_match(0.066, 0.0), "0.066");
+    EXPECT_EQ(format_to_match(688.25, inf), "688.25");
+    EXPECT_EQ(format_to_match(0.0, 0.0), "0");
+}
+
+TEST(FormatToMatch, TinyUncertaintiesAreShownWithAnExponent) {
+    EXPECT_EQ(format_to_match(1.2347e-5, 1.2e-7), "1.235e-05");
+    EXPECT_EQ(format_to_match(0.0, 1.2e-7), "0");
+}
+
+TEST(FormatCell, ConvertsToTheColumnsUnitAndShowsForeignUnits) {
+    const TableColumn micrometres{"u", Unit::of("um"), false, 2};
+    EXPECT_EQ(format_cell(TableCell(66.4e-6), micrometres), "66");
+    EXPECT_EQ(format_cell(TableCell(Quantity{0.0664, Unit::of("mm")}), micrometres), "0.066\u00a0mm");
+    EXPECT_EQ(format_cell(TableCell(Quantity{66.4, Unit::of("um")}), micrometres), "66");
+    EXPECT_EQ(format_cell(TableCell(std::string("a | b")), micrometres), "a | b");
+    EXPECT_EQ(format_cell(TableCell{}, micrometres), "");
+    EXPECT_EQ(format_cell(TableCell(688.0), TableColumn{}), "688");
+    EXPECT_EQ(format_cell(TableCell(2.3e-5), TableColumn{}), "2.3e-05");
+    EXPECT_EQ(format_cell(TableCell(2e-5), TableColumn{}), "2e-05");
+}
+
+// Typed numbers keep their digits, through units and back; computed ones without an uncertainty have seven.
+TEST(FormatTyped, KeepsEveryDigitThatWasTyped) {
+    EXPECT_EQ(
+        format_cell(TableCell(Quantity{10.000172, Unit::of("V")}), TableColumn{"", Unit::of("V"), false, 0}),
+        "10.000172");
+    const Unit mm = Unit::of("mm");
+    for (const double typed : {344.5, 0.066, 1174.91, 10.000172, 9999.99999, 0.1, 123.456789012, 50000623.0})
+        for (const Unit& unit : {mm, Unit::of("deg"), Unit::of("arcsec"), Unit::of("um"), Unit::of("uV")}) {
+            const std::string text = format_typed(unit.from_si(unit.to_si(typed)));
+            EXPECT_EQ(std::stod(text), typed) << unit.text();
+            EXPECT_EQ(text, format_typed(typed)) << unit.text();
+        }
+    EXPECT_EQ(format_typed(1.0 / 3.0), "0.3333333");
+    EXPECT_EQ(format_estimate(10.000172, 0.01), "10.000172");
+    EXPECT_EQ(format_estimate(344.0, 0.066), "344.000");
+    EXPECT_EQ(format_estimate(10.0 / 3.0, 0.01), "3.333");
+    EXPECT_EQ(format_estimate(10.000172, 1e-6), "10.000172");
+}
+
+TEST(FormatExact, ReadsBackToTheSameNumber) {
+    for (const double value :
+         {0.1, 1.0 / 3.0, 1174.9091234567891, 5e-324, -0.0, 1e300, 123456789012345680.0}) {
+        const double back = std::strtod(format_exact(value).c_str(), nullptr);
+        EXPECT_EQ(back, value) << format_exact(value);
+    }
+    EXPECT_EQ(format_exact(0.1), "0.1");
+    EXPECT_EQ(format_exact(inf), "inf");
+}
+
+TEST(TypesetNumber, HasATrueMinusPowersOfTenAndTheDecimalSignOfTheLocale) {
+    EXPECT_EQ(typeset_number("-2.3e-05"), "−2.3×10⁻⁵");
+    EXPECT_EQ(typeset_number("1.5e+12\u00a0mm"), "1.5×10¹²\u00a0mm");
+    EXPECT_EQ(typeset_number("0.066"), "0.066");
+    EXPECT_EQ(typeset_number("-0.066", {",", "."}), "−0,066");
+    EXPECT_EQ(typeset_number("-∞"), "−∞");
+}
+
+TEST(GroupedNumber, FromTenThousandOn) {
+    EXPECT_EQ(grouped_number(-0.25, 2), "−0.25");
+    EXPECT_EQ(grouped_number(-0.001, 2), "0.00");
+    EXPECT_EQ(grouped_number(1234.5, 1), "1234.5");
+    EXPECT_EQ(grouped_number(9999, 0), "9999");
+    EXPECT_EQ(grouped_number(1234567.0, 0), "1\u202f234\u202f567");
+    EXPECT_EQ(grouped_number(-1234567.5, 1), "−1\u202f234\u202f567.5");
+    EXPECT_EQ(grouped_number(-12345.5, 1, {",", "."}), "−12.345,5");
+    EXPECT_EQ(grouped_number(inf, 0), "∞");
+    EXPECT_EQ(count_text(1'000'000), "1\u202f000\u202f000");
+}
+
+TEST(PercentText, HasTheDecimalsThatItNeeds) {
+    EXPECT_EQ(percent_text(0.95), "95\u00a0%");
+    EXPECT_EQ(percent_text(0.9973), "99.73\u00a0%");
+}
+
+TEST(ShortTexts, OfFieldsAndMessages) {
+    EXPECT_EQ(format_shortest(0.1), "0.1");
+    EXPECT_EQ(format_shortest(123456789.5), "123456789.5");
+    EXPECT_EQ(format_shortest(1e-5), "1e-05");
+    EXPECT_EQ(format_short(0.012345), "0.0123");
+    EXPECT_EQ(format_short(152345.0, 2), "1.5e+05");
+    EXPECT_EQ(format_trimmed(0.5, 6), "0.5");
+}
+
+}  // namespace
+}  // namespace covaria::numbers_test

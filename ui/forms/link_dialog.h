@@ -1,0 +1,45 @@
+// Which result of another analysis an input quantity takes its value from.
+#pragma once
+
+#include <QDialog>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/project/project.h"
+
+class QCheckBox;
+class QComboBox;
+
+namespace covaria::ui {
+
+/// An analysis that something can be taken from, with its results of the right dimension.
+struct LinkChoice {
+    std::string analysis, name;
+    std::vector<OutputReference> outputs;
+};
+
+class LinkDialog : public QDialog {
+    Q_OBJECT
+public:
+    LinkDialog(const std::string& symbol, std::vector<LinkChoice> choices,
+               const std::optional<InputLink>& now, QWidget* parent = nullptr);
+
+    /// What is chosen; empty where nothing can be.
+    std::optional<InputLink> link() const;
+    QComboBox& analyses() { return *analyses_; }
+    QComboBox& outputs() { return *outputs_; }
+    QCheckBox& linearised() { return *linearised_; }
+
+private:
+    void build();
+    void list_outputs();
+
+    std::string symbol_;
+    std::vector<LinkChoice> choices_;
+    QComboBox* analyses_;
+    QComboBox* outputs_;
+    QCheckBox* linearised_;
+};
+
+}  // namespace covaria::ui
