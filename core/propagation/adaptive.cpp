@@ -149,16 +149,28 @@ void BatchSummariser::add_values(const UnitStatistics& statistics, TrialBlockRun
         summary.values.push_back(ellipsoid_factor(region, statistics, runner));
 }
 
+/// Between two values, at the rank of least bias for any continuous distribution (Hyndman and Fan, The
+/// American Statistician 50 (1996) 361, definition 8): by whole ranks each batch would be wrong by the same
+/// fraction of a rank.
+double BatchSummariser::tail_quantile(const UnitStatistics& statistics, TrialBlockRunner& runner,
+                                      std::size_t output, Side side) {
+    const std::uint64_t count = statistics.moments.count();
+    const double p = 0.5 * (1.0 - watched_.probability);
+    const double rank = std::max(1.0, (static_cast<double>(count) + 1.0 / 3.0) * p + 1.0 / 3.0);
+    const auto whole = std::min(static_cast<std::uint64_t>(rank), count - 1);
+    const double part = rank - static_cast<double>(whole);
+    const double outer = tail_value(statistics, runner, output, whole, side);
+    return outer + part * (tail_value(statistics, runner, output, whole + 1, side) - outer);
+}
+
 void BatchSummariser::add_figures(const UnitStatistics& statistics, TrialBlockRunner& runner,
                                   BatchSummary& summary) {
     const Moments& moments = statistics.moments;
-    const CoverageRanks ranks = coverage_ranks(moments.count(), watched_.probability);
-    const std::uint64_t from_above = ranks.trials - ranks.q - ranks.r + 1;
     for (std::size_t j = 0; j < rows_; ++j) {
         const auto index = static_cast<Eigen::Index>(j);
-        summary.figures.push_back({{moments.mean(index), moments.variance(index),
-                                    tail_value(statistics, runner, j, ranks.r, Side::low),
-                                    tail_value(statistics, runner, j, from_above, Side::high)}});
+        summary.figures.push_back(
+            {{moments.mean(index), moments.variance(index), tail_quantile(statistics, runner, j, Side::low),
+              tail_quantile(statistics, runner, j, Side::high)}});
     }
 }
 

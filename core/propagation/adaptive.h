@@ -61,6 +61,8 @@ private:
     void each_block(TrialBlockRunner& runner, Use use);
     double tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t output,
                       std::uint64_t rank, Side side);
+    double tail_quantile(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t output,
+                         Side side);
     double ellipsoid_factor(const CoverageRegion& region, const UnitStatistics& statistics,
                             TrialBlockRunner& runner);
 

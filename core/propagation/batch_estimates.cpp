@@ -6,10 +6,22 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/special_quantiles.h"
+
 namespace covaria::detail {
 namespace {
 
-constexpr double greatest_gain = 1e12;  // of linear models, where only rounding is left
+constexpr double greatest_gain = 1e12;             // of linear models, where only rounding is left
+constexpr double beyond_two = 0.0227501319481792;  // of a normal distribution
+
+/// A scatter known from few degrees of freedom.
+double widening(double degrees_of_freedom) {
+    return 0.5 * t_quantile(1.0 - beyond_two, degrees_of_freedom);
+}
+
+Eigen::Index terms_of(std::size_t figure) {
+    return figure < 2 ? 2 : 3;
+}
 
 }  // namespace
 
@@ -50,7 +62,7 @@ void BatchEstimates::forget_controls() {
 
 /// Least squares of d on 1, v and for the ends v^2, read at v = 0.
 BatchEstimates::Estimate BatchEstimates::controlled(const Sums& s, std::size_t figure) const {
-    const Eigen::Index terms = figure < 2 ? 2 : 3;
+    const Eigen::Index terms = terms_of(figure);
     const double h = s.v[0], width = std::sqrt(s.v[2] / h);
     Eigen::MatrixXd normal(terms, terms);
     Eigen::VectorXd right(terms);
@@ -75,11 +87,13 @@ BatchEstimates::Estimate BatchEstimates::estimate(std::size_t output, std::size_
     const Sums& s = sums_[output][figure];
     const auto h = static_cast<double>(batches_);
     if (batches_ < least_batches) return {s.y, std::numeric_limits<double>::quiet_NaN(), 1.0, false, 0.0};
-    const Estimate plain{s.y, std::sqrt(s.yy / (h * (h - 1.0))), 1.0, false, 0.0};
+    const double scatter = std::sqrt(s.yy / (h * (h - 1.0)));
+    const Estimate plain{s.y, scatter * widening(h - 1.0), 1.0, false, 0.0};
     if (control_of_[output] == none || !std::isfinite(s.expectation) || !(s.v[2] > 0.0)) return plain;
     Estimate estimate = controlled(s, figure);
-    if (!(estimate.standard_error < plain.standard_error)) return plain;
-    estimate.gain = std::min(greatest_gain, std::pow(plain.standard_error / estimate.standard_error, 2));
+    if (!(estimate.standard_error < scatter)) return plain;
+    estimate.gain = std::min(greatest_gain, std::pow(scatter / estimate.standard_error, 2));
+    estimate.standard_error *= widening(h - static_cast<double>(terms_of(figure)));
     return estimate;
 }
 

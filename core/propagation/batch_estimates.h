@@ -29,6 +29,7 @@ public:
     };
     struct Estimate {
         double value = 0.0;
+        /// So that twice as much is held with 95.45 %, however few the batches (Student's t).
         double standard_error = 0.0;
         double gain = 1.0;        ///< variance without the control over the variance with it
         bool controlled = false;  ///< otherwise the value is the mean of the batches
