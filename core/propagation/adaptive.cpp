@@ -149,28 +149,28 @@ void BatchSummariser::add_values(const UnitStatistics& statistics, TrialBlockRun
         summary.values.push_back(ellipsoid_factor(region, statistics, runner));
 }
 
-/// Between two values, at the rank of least bias for any continuous distribution (Hyndman and Fan, The
-/// American Statistician 50 (1996) 361, definition 8): by whole ranks each batch would be wrong by the same
-/// fraction of a rank.
-double BatchSummariser::tail_quantile(const UnitStatistics& statistics, TrialBlockRunner& runner,
-                                      std::size_t output, Side side) {
-    const std::uint64_t count = statistics.moments.count();
+/// The rank of least bias for any continuous distribution (Hyndman and Fan, The American Statistician 50
+/// (1996) 361, definition 8) is not whole: on average over the batches it is taken. Were it the same whole
+/// one in each, all would be wrong by the same fraction of a rank; between two values a curve would be cut
+/// short.
+std::uint64_t BatchSummariser::rank_of_figures(std::uint64_t count) const {
+    constexpr double golden = 0.6180339887498949;  // its multiples fill the interval from 0 to 1 evenly
+    const double batch = static_cast<double>(first_ / (last_ - first_));
     const double p = 0.5 * (1.0 - watched_.probability);
-    const double rank = std::max(1.0, (static_cast<double>(count) + 1.0 / 3.0) * p + 1.0 / 3.0);
-    const auto whole = std::min(static_cast<std::uint64_t>(rank), count - 1);
-    const double part = rank - static_cast<double>(whole);
-    const double outer = tail_value(statistics, runner, output, whole, side);
-    return outer + part * (tail_value(statistics, runner, output, whole + 1, side) - outer);
+    const double rank = (static_cast<double>(count) + 1.0 / 3.0) * p + 1.0 / 3.0;
+    const double moved = std::floor(rank + (golden * batch - std::floor(golden * batch)));
+    return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(moved), 1, count);
 }
 
 void BatchSummariser::add_figures(const UnitStatistics& statistics, TrialBlockRunner& runner,
                                   BatchSummary& summary) {
     const Moments& moments = statistics.moments;
+    const std::uint64_t rank = rank_of_figures(moments.count());
     for (std::size_t j = 0; j < rows_; ++j) {
         const auto index = static_cast<Eigen::Index>(j);
-        summary.figures.push_back(
-            {{moments.mean(index), moments.variance(index), tail_quantile(statistics, runner, j, Side::low),
-              tail_quantile(statistics, runner, j, Side::high)}});
+        summary.figures.push_back({{moments.mean(index), moments.variance(index),
+                                    tail_value(statistics, runner, j, rank, Side::low),
+                                    tail_value(statistics, runner, j, rank, Side::high)}});
     }
 }
 

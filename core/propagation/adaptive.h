@@ -61,8 +61,7 @@ private:
     void each_block(TrialBlockRunner& runner, Use use);
     double tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t output,
                       std::uint64_t rank, Side side);
-    double tail_quantile(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t output,
-                         Side side);
+    std::uint64_t rank_of_figures(std::uint64_t count) const;
     double ellipsoid_factor(const CoverageRegion& region, const UnitStatistics& statistics,
                             TrialBlockRunner& runner);
 

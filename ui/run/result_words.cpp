@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <cmath>
 
 namespace covaria::ui {
 
@@ -16,23 +15,13 @@ QString count(std::uint64_t trials) {
     return QLocale().toString(qulonglong(trials));
 }
 
-/// ", worth 4 000 000": how many plain trials would give such interval ends.
-QString worth(const UncertaintyResult& result) {
-    const auto gain = least_gain(result);
-    if (!gain || *gain < 1.05) return {};
-    const double trials = *gain * static_cast<double>(result.trials);
-    const double unit = std::pow(10.0, std::floor(std::log10(trials)));
-    return tr(", worth %1").arg(QLocale().toString(std::floor(trials / unit) * unit, 'g', 1));
-}
-
-/// "Preview with 20 000 of 30 000 000 trials, worth 4e+06"
+/// "Preview with 20 000 of 30 000 000 trials"
 QString preview_words(const AnalysisStatus& status) {
     const EvaluationOptions& wanted = status.result_of->options;
     if (status.result->trials == 0) return tr("Preview by the law of propagation, without Monte Carlo");
-    const QString done = count(status.result->trials);
     if (wanted.method == Method::adaptive)
-        return tr("Preview with %1 trials, before the adaptive procedure").arg(done) + worth(*status.result);
-    return tr("Preview with %1 of %2 trials").arg(done, count(wanted.trials)) + worth(*status.result);
+        return tr("Preview with %1 trials, before the adaptive procedure").arg(count(status.result->trials));
+    return tr("Preview with %1 of %2 trials").arg(count(status.result->trials), count(wanted.trials));
 }
 
 bool is_preview(const AnalysisStatus& status) {
