@@ -1,5 +1,5 @@
 // Trials and time to a standard error of u/1000 at the interval ends: plain, with control variates, with
-// Sobol points. Prints the table of docs/performance.md. Times are of the processor, on one thread.
+// Sobol points. Prints a table in Markdown. Times are of the processor, on one thread.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
