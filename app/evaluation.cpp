@@ -1,7 +1,6 @@
 #include "app/evaluation.h"
 
 #include "app/terminal.h"
-#include "core/base/file_io.h"
 #include "core/base/guarded.h"
 #include "core/project/project_file.h"
 #include "core/project/set_values.h"
@@ -150,31 +149,22 @@ private:
     std::stop_token stop_;
 };
 
-/// The lines of problems are those of the file, so there are none where values were set.
-Result<LoadedProject> load_with_values(const std::string& file, const std::vector<std::string>& values) {
+Result<std::vector<ValueAt>> places_of(const std::vector<std::string>& values) {
     std::vector<ValueAt> places;
     for (const std::string& value : values) {
         auto place = value_at(value);
         if (!place) return fail(place.error());
         places.push_back(std::move(*place));
     }
-    const auto text = read_file(file);
-    if (!text) return fail(text.error());
-    const auto changed = with_values(*text, places);
-    if (!changed) return fail(changed.error());
-    LoadedProject loaded = parse_project(*changed, project_folder(file), file);
-    for (Problem& problem : loaded.problems.items())
-        if (problem.file == file) problem.line = 0;
-    return loaded;
+    return places;
 }
 
 }  // namespace
 
 Result<OpenedProject> open_project(const std::string& file, const std::vector<std::string>& values) {
-    Result<LoadedProject> read =
-        values.empty() ? Result<LoadedProject>(load_project(file)) : load_with_values(file, values);
-    if (!read) return fail(read.error());
-    LoadedProject& loaded = *read;
+    const auto places = places_of(values);
+    if (!places) return fail(places.error());
+    LoadedProject loaded = load_project(file, *places);
     print_problems(loaded.problems);
     if (loaded.problems.has_errors())
         return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");

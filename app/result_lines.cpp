@@ -2,8 +2,8 @@
 
 #include "core/project/stated_requirements.h"
 #include "core/report/csv_text.h"
-#include "core/text/numbers.h"
 #include "core/result/result_line.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 namespace {
@@ -14,7 +14,7 @@ std::string met_word(const std::vector<RequirementResult>& verdicts, std::size_t
     for (const RequirementResult& verdict : verdicts) {
         if (verdict.output != output) continue;
         any = true;
-        met = met && verdict.meets_target && verdict.decision != RequirementResult::Decision::reject;
+        met = met && is_met(verdict);
     }
     return any ? (met ? "yes" : "no") : "";
 }

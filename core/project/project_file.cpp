@@ -205,14 +205,20 @@ fs::path project_folder(const fs::path& file) {
     return failure ? file.parent_path() : target.parent_path();
 }
 
-LoadedProject load_project(const fs::path& file) {
+LoadedProject load_project(const fs::path& file, const std::vector<ValueAt>& values) {
     auto read = guarded([&]() -> Result<LoadedProject> {
-        const Result<std::string> text = read_file(file);
+        Result<std::string> text = read_file(file);
         if (!text) return fail(text.error());
         if (text->size() > largest_project)
             return fail(Error{ErrorCode::io, too_large(text->size()), {}, {}, 1});
         remove_leftovers(file.parent_path());
-        return parse_project(*text, project_folder(file), file.string());
+        if (values.empty()) return parse_project(*text, project_folder(file), file.string());
+        text = with_values(*text, values);
+        if (!text) return fail(text.error());
+        LoadedProject changed = parse_project(*text, project_folder(file), file.string());
+        for (Problem& problem : changed.problems.items())
+            if (problem.file == file.string()) problem.line = 0;
+        return changed;
     });
     if (read && *read) return std::move(**read);
     LoadedProject loaded;

@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/file_io.h"
 #include "core/project/project.h"
+#include "core/project/set_values.h"
 
 namespace covaria {
 
@@ -24,7 +26,8 @@ inline constexpr std::size_t largest_project = 40'000'000;
 /// Reads, migrates older versions, reads referenced CSV files, checks everything (setups against schemas,
 /// units, references, edits, correlations, options). An unknown key, a wrong unit, a missing reference, a
 /// newer version: an error.
-LoadedProject load_project(const std::filesystem::path& file);
+/// `values`: read as if they stood in the file; problems of the file have no lines then.
+LoadedProject load_project(const std::filesystem::path& file, const std::vector<ValueAt>& values = {});
 /// The same from text; `directory` is where CSV files are looked for; `name` stands for the file in messages.
 LoadedProject parse_project(const std::string& text, const std::filesystem::path& directory,
                             const std::string& name);

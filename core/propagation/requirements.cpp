@@ -110,6 +110,11 @@ RequirementResult judge(const UncertaintyResult& result, const OutputRequirement
     return made;
 }
 
+bool is_met(const RequirementResult& verdict) {
+    return verdict.not_judged.empty() && verdict.meets_target &&
+           verdict.decision != RequirementResult::Decision::reject;
+}
+
 std::vector<RequirementResult> judge(const UncertaintyResult& result,
                                      const std::vector<OutputRequirement>& requirements) {
     std::vector<RequirementResult> all;

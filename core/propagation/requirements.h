@@ -24,6 +24,9 @@ RequirementResult judge(const UncertaintyResult& result, const OutputRequirement
 std::vector<RequirementResult> judge(const UncertaintyResult& result,
                                      const std::vector<OutputRequirement>& requirements);
 
+/// Judged, target met where there is one, and accepted where there are limits.
+bool is_met(const RequirementResult& verdict);
+
 /// Tolerance and acceptance limits; infinite where there is none.
 struct ToleranceLimits {
     double lower = -infinity, upper = infinity;

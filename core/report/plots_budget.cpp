@@ -108,7 +108,7 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
 }
 
 PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group) {
-    const std::string id = "correlation" + (group.empty() ? "" : "-" + report_parts::file_name_part(group));
+    const std::string id = "correlation" + (group.empty() ? "" : "-" + report_parts::id_part(group));
     const std::vector<std::size_t> outputs = outputs_to_correlate(result, group);
     if (outputs.size() < 2)
         return nothing_to_show(id, "A single output quantity has nothing to be correlated with");

@@ -32,7 +32,7 @@ Text PlottedOutput::label() const {
 }
 
 std::string PlottedOutput::id(const std::string& chart) const {
-    return chart + "-" + report_parts::file_name_part(output_.quantity.symbol + " " + output_.quantity.group);
+    return chart + "-" + report_parts::id_part(output_.quantity.symbol + " " + output_.quantity.group);
 }
 
 Text PlottedOutput::with_unit(const Text& words) const {

@@ -101,7 +101,7 @@ std::vector<TableCell> print_row(const Table& table, const std::vector<std::stri
 std::string project_fingerprint(const ReportSource& source);  ///< of the evaluated project
 std::string type_text(EvaluationType type);                   ///< "A", "B"
 std::string unit_text(const Unit& unit);                      ///< "mm", "1" for the unit one
-std::string file_name_part(const std::string& text);          ///< "pose 7" -> "pose-7"
+std::string id_part(const std::string& text);  ///< of a block's id: a part of a file's name in small letters
 /// "a, b, c" or, if longer than `most`, "a, b … z (117)".
 std::string short_list(const std::vector<std::string>& items, std::size_t most = 3);
 Text output_text(const OutputQuantity& quantity);          ///< "x (pose 7)"

@@ -94,8 +94,8 @@ std::string unit_text(const Unit& unit) {
     return unit.text() == "1" ? "1" : unit.display();
 }
 
-std::string file_name_part(const std::string& text) {
-    std::string out = covaria::file_name_part(text);
+std::string id_part(const std::string& text) {
+    std::string out = file_name_part(text);
     for (char& c : out)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return out;

@@ -18,7 +18,7 @@ public:
     explicit TableNaming(ResultListing& listing) : listing_(listing) {}
 
     void add(const std::string& owner, const std::string& stem, DataTable table) {
-        const std::string file = names_.unique(covaria::file_name_part(stem), ".csv");
+        const std::string file = names_.unique(file_name_part(stem), ".csv");
         ResultFile listed{file, {}};
         if (!owner.empty()) listed.of.emplace_back("analysis", owner);
         listed.of.emplace_back("table", table.id);

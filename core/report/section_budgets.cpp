@@ -33,7 +33,7 @@ public:
           output_(result_.outputs[output]),
           places_(places_that_count(result_, output)),
           table_("budget-" + evaluated.analysis->id + "-" +
-                     file_name_part(output_.quantity.symbol + " " + output_.quantity.group),
+                     id_part(output_.quantity.symbol + " " + output_.quantity.group),
                  "Budget of " + output_label(output_.quantity) + ", " + output_.quantity.name) {
         if (!places_.empty() && row(0).one_at_a_time) keys_.insert(keys_.end() - 1, "one at a time");
     }
@@ -130,7 +130,7 @@ public:
           grouping_(std::move(grouping)),
           outputs_(std::move(outputs)),
           table_("groups-" + evaluated.analysis->id + "-" +
-                     file_name_part(grouping_ + " " + result_.outputs[outputs_.front()].quantity.group),
+                     id_part(grouping_ + " " + result_.outputs[outputs_.front()].quantity.group),
                  "Shares of the variance in % by " + grouping_ + ", " +
                      result_.outputs[outputs_.front()].quantity.group) {}
 

@@ -58,7 +58,7 @@ void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     blocks.push_back(HeadingBlock{2, "Correlation"});
     for (const std::string& group : groups_in_full(result)) {
         const std::vector<std::size_t> outputs = measurands_of(result, group);
-        const std::string id = "correlation-" + evaluated.analysis->id + "-" + file_name_part(group);
+        const std::string id = "correlation-" + evaluated.analysis->id + "-" + id_part(group);
         if (outputs.size() < 2) continue;
         if (outputs.size() <= largest_matrix) blocks.push_back(matrix_block(result, outputs, id));
         blocks.push_back(figure(correlation_plot(result, group), evaluated,

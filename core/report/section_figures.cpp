@@ -9,7 +9,7 @@
 namespace covaria::report_parts {
 
 PlotBlock figure(PlotSpecification plot, const EvaluatedAnalysis& evaluated, std::string caption) {
-    plot.id = file_name_part(evaluated.analysis->id) + "-" + plot.id;
+    plot.id = id_part(evaluated.analysis->id) + "-" + plot.id;
     return {std::move(plot), std::move(caption)};
 }
 
@@ -58,8 +58,7 @@ void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     const std::string group = shown.empty() ? "" : shown.front();
     blocks.push_back(HeadingBlock{2, "Set-up in space"});
     SceneBlock scene;
-    scene.id = file_name_part(evaluated.analysis->id) + "-scene" +
-               (group.empty() ? "" : "-" + file_name_part(group));
+    scene.id = id_part(evaluated.analysis->id) + "-scene" + (group.empty() ? "" : "-" + id_part(group));
     scene.analysis = evaluated.analysis->id;
     scene.group = group;
     scene.view = "iso";

@@ -59,7 +59,7 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
     if (!budget || budget->reductions.empty()) return;
     const OutputQuantity& quantity = result.outputs[r.output].quantity;
     TableBuilder table(
-        "reductions-" + evaluated.analysis->id + "-" + file_name_part(quantity.symbol + " " + quantity.group),
+        "reductions-" + evaluated.analysis->id + "-" + id_part(quantity.symbol + " " + quantity.group),
         "What one component alone must be reduced to for U(" + output_label(quantity) +
             ") to meet its target");
     table.text("Component");

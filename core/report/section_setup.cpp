@@ -65,7 +65,7 @@ std::string setup_text(const FieldSpec& field, const SetupValue& value, const Re
 
 TableBlock setup_table(const FieldSpec& field, const SetupTable& table, const ReportSource& source) {
     TableBlock block;
-    block.table.id = "setup-" + file_name_part(field.key);
+    block.table.id = "setup-" + id_part(field.key);
     block.table.title = field.title;
     const std::size_t rows = std::min(table.rows.size(), most_setup_rows);
     block.table.rows.resize(rows);

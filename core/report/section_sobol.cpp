@@ -24,7 +24,7 @@ TableBlock sobol_table(const EvaluatedAnalysis& evaluated, std::size_t output) {
     const UncertaintyResult& result = *evaluated.result;
     const OutputQuantity& quantity = result.outputs[output].quantity;
     TableBuilder table(
-        "sobol-" + evaluated.analysis->id + "-" + file_name_part(quantity.symbol + " " + quantity.group),
+        "sobol-" + evaluated.analysis->id + "-" + id_part(quantity.symbol + " " + quantity.group),
         "Sobol indices of " + output_label(quantity) + " in %");
     table.text("Component");
     table.fixed("first order of the law of propagation", 1);

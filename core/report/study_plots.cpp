@@ -217,7 +217,7 @@ PlotSpecification study_plot(const StudyResult& study, const StudyView& view) {
         plot = view.lines ? lines_over_first(study, plane, quantity) : map(study, plane, quantity);
         plot.title = title_of(study, view, quantity);
     }
-    plot.id = id + "-" + report_parts::file_name_part(quantity.id);
+    plot.id = id + "-" + report_parts::id_part(quantity.id);
     return plot;
 }
 

@@ -61,7 +61,7 @@ std::string summary(const std::vector<CheckedCase>& cases) {
 }
 
 TableBlock table_of(const CheckedCase& c) {
-    report_parts::TableBuilder table("verification-" + report_parts::file_name_part(c.of.title),
+    report_parts::TableBuilder table("verification-" + report_parts::id_part(c.of.title),
                                      c.of.title + " (" + c.of.source + ")");
     for (const char* head :
          {"Figure", "Unit", "Published", "Reference", "Covaria", "Allowed deviation", "Status"})

@@ -29,9 +29,9 @@ struct FigureWriter {
     const std::stop_token& stop;
 
     Result<void> operator()(const PlotBlock& block) const {
-        const auto svg = svg_bytes(to_unicode(block.plot.title), plot_size, [&](QPainter& painter, const QRectF& area) {
-            painters.paint_plot(painter, area, block.plot);
-        });
+        const auto svg = svg_bytes(
+            to_unicode(block.plot.title), plot_size,
+            [&](QPainter& painter, const QRectF& area) { painters.paint_plot(painter, area, block.plot); });
         if (stop.stop_requested()) return {};  // the chart may be empty; the next block says so
         return write_file_atomically(folder / (block.plot.id + ".svg"), svg);
     }

@@ -1,7 +1,7 @@
 // Edits cells of tables: a list for choices, a line for everything else.
 #pragma once
 
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 

@@ -12,7 +12,7 @@
 #include "ui/document/quantity_edits.h"
 #include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 

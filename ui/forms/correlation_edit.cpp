@@ -8,7 +8,7 @@
 #include "ui/forms/cell_delegate.h"
 #include "ui/forms/complaint.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 

@@ -14,7 +14,7 @@
 #include "ui/document/document.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/run/analysis_runner.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 

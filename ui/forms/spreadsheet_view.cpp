@@ -12,8 +12,8 @@
 #include <set>
 
 #include "ui/forms/cell_delegate.h"
-#include "ui/models/table_text.h"
-#include "ui/theme/typeset.h"
+#include "ui/models/cell_blocks.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 

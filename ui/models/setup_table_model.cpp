@@ -9,8 +9,8 @@
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
+#include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
-#include "ui/models/table_text.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 

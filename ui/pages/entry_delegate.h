@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/run/run_state.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 

@@ -19,7 +19,7 @@
 #include "ui/forms/link_dialog.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 

@@ -22,7 +22,7 @@
 #include "ui/run/result_words.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 namespace {

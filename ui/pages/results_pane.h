@@ -11,7 +11,7 @@
 #include "ui/models/correlation_table_model.h"
 #include "ui/models/result_table_model.h"
 #include "ui/run/analysis_runner.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 class QLabel;
 class QSpinBox;

@@ -12,11 +12,11 @@
 #include "core/project/project_file.h"
 #include "core/report/csv_text.h"
 #include "core/report/report.h"
+#include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
-#include "ui/models/table_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
 namespace {

@@ -11,7 +11,7 @@
 #include "ui/document/study_edits.h"
 #include "ui/models/study_table_model.h"
 #include "ui/run/analysis_runner.h"
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 class QLabel;
 

@@ -175,7 +175,7 @@ TEST_F(ProjectModelsTest, LinkedQuantitiesAreShownWhereTheyComeFrom) {
     EXPECT_EQ(estimate.data().toString(), "50");
     EXPECT_FALSE(model.flags(estimate) & Qt::ItemIsEditable);
     EXPECT_FALSE(model.setData(estimate, "12 mm"));
-    EXPECT_EQ(model.index(2, InputQuantitiesModel::uncertainty_column).data().toString(), "0.000025");
+    EXPECT_EQ(model.index(2, InputQuantitiesModel::uncertainty_column).data().toString(), "2.5×10⁻⁵");
     EXPECT_EQ(model.index(2, InputQuantitiesModel::components_column).data().toString(), "from End gauge: l");
 }
 

@@ -9,10 +9,10 @@
 #include "core/report/result_columns.h"
 #include "tests/ui/qt_application.h"
 #include "ui/models/budget_table_model.h"
+#include "ui/models/cell_blocks.h"
 #include "ui/models/correlation_table_model.h"
 #include "ui/models/result_table_model.h"
 #include "ui/models/roles.h"
-#include "ui/models/table_text.h"
 #include "ui/theme/label_text.h"
 
 namespace covaria::ui::result_models_test {

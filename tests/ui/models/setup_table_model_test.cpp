@@ -8,8 +8,8 @@
 #include "tests/ui/qt_application.h"
 #include "tests/ui/sample_schema.h"
 #include "ui/document/quantity_text.h"
+#include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
-#include "ui/models/table_text.h"
 
 namespace covaria::ui::setup_table_model_test {
 namespace {

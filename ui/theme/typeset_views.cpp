@@ -1,5 +1,5 @@
 // The style draws everything but the text; the text is drawn with its subscripts.
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 #include <QAbstractItemView>
 #include <QApplication>

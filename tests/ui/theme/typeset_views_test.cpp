@@ -1,5 +1,5 @@
 // Symbols in tables, heads and lists have real subscripts, while models and clipboard keep plain text.
-#include "ui/theme/typeset.h"
+#include "ui/theme/typeset_views.h"
 
 #include <gtest/gtest.h>
 

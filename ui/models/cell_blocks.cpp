@@ -1,5 +1,5 @@
 // Reading and writing blocks of cells.
-#include "ui/models/table_text.h"
+#include "ui/models/cell_blocks.h"
 
 #include <QAbstractItemModel>
 #include <algorithm>
