@@ -20,6 +20,16 @@ struct BatchSummary {
     std::vector<BatchFigures> figures;  ///< of each row of the source, where they are asked for
 };
 
+/// Of an output that a Student t of so few degrees of freedom reaches. With four or fewer its fourth moment
+/// does not exist: the scatter of u between batches says nothing, however many there are. With two or fewer
+/// there is no u, and the mean is no better. The ends of the interval remain.
+inline bool mean_settles(double degrees_of_freedom) {
+    return degrees_of_freedom > 2.0;
+}
+inline bool uncertainty_settles(double degrees_of_freedom) {
+    return degrees_of_freedom > 4.0;
+}
+
 /// Which statistics are watched. One measurand: y, u, y_low, y_high (JCGM 101 7.9.4). Several: these of each
 /// measurand, the greatest eigenvalue of their correlation matrix and k_p of each group (JCGM 102 7.8.3).
 struct WatchedStatistics {
@@ -27,16 +37,15 @@ struct WatchedStatistics {
     std::vector<Unit> units;              ///< of those outputs, as reported: they decide what a digit is
     std::vector<CoverageRegion> regions;  ///< that have an ellipsoid
     double probability = 0.95;
-    /// Fewest degrees of freedom of a Student t that reaches each output. With four or fewer its fourth
-    /// moment does not exist: the scatter of u between batches says nothing, however many there are. With two
-    /// or fewer there is no u, and the mean is no better. The ends of the interval remain.
-    std::vector<double> least_degrees_of_freedom;
-    bool figures_of_rows = false;  ///< of all outputs and linear parts, for BatchEstimates
+    std::vector<double> least_degrees_of_freedom;  ///< of each output
+    bool figures_of_rows = false;                  ///< of all outputs and linear parts, for BatchEstimates
 
     bool several() const { return outputs.size() > 1; }
     static constexpr std::size_t per_output = 4;
-    bool has_settling_mean(std::size_t i) const { return least_degrees_of_freedom[i] > 2.0; }
-    bool has_settling_uncertainty(std::size_t i) const { return least_degrees_of_freedom[i] > 4.0; }
+    bool has_settling_mean(std::size_t i) const { return mean_settles(least_degrees_of_freedom[i]); }
+    bool has_settling_uncertainty(std::size_t i) const {
+        return uncertainty_settles(least_degrees_of_freedom[i]);
+    }
     /// Of the values of a BatchSummary.
     std::vector<bool> judged() const;
 };

@@ -41,6 +41,7 @@ LinearDistribution::LinearDistribution(std::vector<LinearTerm> terms) {
         const double u = term.factor * term.distribution.standard_deviation();
         variance += u * u;
         squares += width_of(term) * width_of(term);
+        has_mean_ = has_mean_ && term.distribution.degrees_of_freedom() > 1.0;
     }
     standard_deviation_ = std::sqrt(variance);
     scale_ = std::sqrt(squares);

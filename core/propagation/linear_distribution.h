@@ -30,6 +30,8 @@ public:
 
     /// Infinite with a Student t of two degrees of freedom or fewer.
     double standard_deviation() const { return standard_deviation_; }
+    /// Which is zero; not with a Student t of one degree of freedom or fewer.
+    bool has_mean() const { return has_mean_; }
     double resolution() const { return damping_; }
     double distribution_function(double x) const;
     /// Empty: there are jumps (discrete terms), the density is too peaked for the grid, or the quantile lies
@@ -52,6 +54,7 @@ private:
     double spacing_ = 0.0;
     double damping_ = 0.0;
     std::size_t most_points_ = 0;
+    bool has_mean_ = true;
     bool has_density_ = true;
     std::vector<LinearTerm> alone_;             ///< the only term
     std::vector<LinearTerm> heavy_;             ///< Student t terms

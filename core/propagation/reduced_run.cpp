@@ -29,6 +29,12 @@ std::string little_gained(double explained) {
     return text;
 }
 
+/// Otherwise the scatter of the figure between batches tells nothing. Ends of intervals always have one.
+bool has_variance(std::size_t figure, double degrees_of_freedom) {
+    if (figure == 0) return mean_settles(degrees_of_freedom);
+    return figure != 1 || uncertainty_settles(degrees_of_freedom);
+}
+
 std::uint64_t round_down(std::uint64_t trials) {
     std::uint64_t power = 1;
     while (power * 10 <= trials) power *= 10;
@@ -131,7 +137,7 @@ std::array<double, BatchFigures::count> ReducedRun::expectations(std::size_t k) 
     const LinearDistribution distribution(terms_[k]);
     const double lower = 0.5 * (1.0 - options_.coverage_probability);
     const double variance = linear_covariance_(j, j);
-    return {0.0, std::isfinite(variance) ? variance : not_known,
+    return {distribution.has_mean() ? 0.0 : not_known, std::isfinite(variance) ? variance : not_known,
             distribution.quantile(lower).value_or(not_known),
             distribution.quantile(1.0 - lower).value_or(not_known)};
 }
@@ -160,13 +166,14 @@ double ReducedRun::plain_gain(const MonteCarloOutput& output, const MonteCarloRu
     if (figure == 1) return std::pow(output.standard_error_of_uncertainty / error, 2);
     const double q = 0.5 * (1.0 - options_.coverage_probability);
     const double end = figure == 2 ? output.symmetric.low : output.symmetric.high;
-    const double width = 0.1 * output.standard_uncertainty;
+    const double width = 0.025 * (output.symmetric.high - output.symmetric.low);  // u may be infinite
     const double density = output.distribution.inside(end - width, end + width) / (2.0 * width);
     return q * (1.0 - q) / (n * density * density * error * error);
 }
 
 void ReducedRun::apply(const MonteCarloRun& run, std::vector<MonteCarloOutput>& outputs) const {
     const bool points = options_.variance_reduction == VarianceReduction::sobol;
+    const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
     for (std::size_t j = 0; j < outputs.size(); ++j) {
         MonteCarloOutput& output = outputs[j];
         ReducedVariance reduced;
@@ -182,6 +189,10 @@ void ReducedRun::apply(const MonteCarloRun& run, std::vector<MonteCarloOutput>& 
             *errors[f] = estimate.standard_error;
             *gains[f] = points ? plain_gain(plain, run, f, estimate.standard_error) : estimate.gain;
             if (estimate.controlled) *values[f] = estimate.value;
+            const double of_output = source_.model->outputs()[j].periodic ? infinity : least[j];
+            if (!has_variance(f, of_output)) *errors[f] = *gains[f] = not_known;
+            // A gain is stated of a result line, which has an infinite u here.
+            if (!mean_settles(of_output)) *gains[f] = not_known;
         }
         output.standard_error_of_mean = e.mean;
         output.standard_error_of_uncertainty = e.standard_uncertainty;

@@ -23,8 +23,8 @@ struct OutputFigures {
 
 /// What variance reduction did for one output.
 struct ReducedVariance {
-    OutputFigures standard_errors;  ///< from the scatter of batches; NaN with too few of them
-    OutputFigures gains;            ///< variance of plain trials, as many, over the variance of the figure
+    OutputFigures standard_errors;  ///< from batches; NaN: too few, or a figure of infinite variance
+    OutputFigures gains;            ///< variance of plain trials, as many, over that of the figure; NaN: same
     std::string plain_because;      ///< not empty: nothing was gained by a control variate, and why
 };
 

@@ -84,7 +84,7 @@ Json with_defaults(const char* definition) {
 TEST(JsonSchema, StatesTheDefaults) {
     Problems problems;
     const Json options = with_defaults("options");
-    EXPECT_EQ(options.size(), 11u);
+    EXPECT_EQ(options.size(), 12u);
     EXPECT_EQ(options_from_json(options, "", problems), EvaluationOptions{});
     Json study = with_defaults("study");
     study["id"] = "s";

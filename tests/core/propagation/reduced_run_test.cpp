@@ -11,6 +11,7 @@
 #include "core/math/special_quantiles.h"
 #include "core/propagation/engine.h"
 #include "test_models.h"
+#include "tests/core/quantity/distribution_cases.h"
 
 namespace covaria::test::reduced_run_test {
 namespace {
@@ -275,6 +276,48 @@ TEST(ControlVariate, AdaptiveRunsStopEarlier) {
     EXPECT_GT(gain, 2.0);
     EXPECT_LT(2 * reduced.trials, plain.trials);
     EXPECT_NEAR(output_of(reduced).symmetric.high, bent_quantile(0.975), 0.01);
+}
+
+/// Not linear, and yet with the tails of x1.
+FunctionModel bounded_curve(const Distribution& x1) {
+    InputSet inputs;
+    add_quantity(inputs, "x1", x1);
+    add_quantity(inputs, "x2", Distribution::normal(1.0));
+    return FunctionModel(std::move(inputs), outputs_named({"y"}),
+                         [](std::span<const double> x, std::span<double> y) {
+                             y[0] = x[0] + x[1] + 0.1 * std::sin(x[0] + x[1]);
+                             return true;
+                         });
+}
+
+// A scatter between batches says nothing of a mean without a variance, or of a variance without a fourth
+// moment.
+TEST(VarianceReduction, StatesNothingWhereAVarianceIsInfinite) {
+    std::vector<Distribution> cases = distribution_cases();
+    for (const double nu : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 4.5, 30.0})
+        for (const double scale : {0.1, 1.0, 30.0})
+            cases.push_back(Distribution::of(StudentT{2.0, scale, nu}));
+    for (const auto reduction : {VarianceReduction::control_variate, VarianceReduction::sobol})
+        for (const Distribution& x1 : cases) {
+            SCOPED_TRACE(described(x1) + " " + std::string(key_of(reduction)));
+            const UncertaintyResult result = evaluated(bounded_curve(x1), options_with(reduction, 40'000));
+            const MonteCarloOutput& y = output_of(result);
+            const OutputFigures &errors = y.reduced->standard_errors, &gains = y.reduced->gains;
+            const bool finite = std::isfinite(result.outputs[0].standard_uncertainty);
+            const bool settled = x1.degrees_of_freedom() > 4.0;
+            EXPECT_EQ(finite, std::isfinite(x1.standard_deviation()));
+            EXPECT_EQ(std::isfinite(errors.mean), finite);
+            EXPECT_EQ(std::isfinite(gains.mean), finite);
+            EXPECT_EQ(std::isfinite(y.standard_error_of_mean), finite);
+            EXPECT_EQ(std::isfinite(errors.standard_uncertainty), settled);
+            EXPECT_EQ(std::isfinite(gains.standard_uncertainty), settled);
+            EXPECT_EQ(std::isfinite(y.standard_error_of_uncertainty), settled);
+            EXPECT_EQ(least_gain(result).has_value(), finite);
+            for (const double gain : {gains.low, gains.high}) EXPECT_EQ(gain > 0.0, finite) << gain;
+            // Quantiles have a variance whatever the tails.
+            for (const double error : {errors.low, errors.high})
+                EXPECT_TRUE(std::isfinite(error) && error > 0.0) << error;
+        }
 }
 
 bool same_bits(double a, double b) {
