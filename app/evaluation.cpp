@@ -19,6 +19,7 @@ EvaluationOptions overridden(EvaluationOptions options, const RunRequest& reques
     if (request.adaptive) options.method = Method::adaptive;
     if (request.first_order) options.method = Method::first_order;
     if (request.seed) options.seed = *request.seed;
+    if (request.variance_reduction) options.variance_reduction = *request.variance_reduction;
     return options;
 }
 

@@ -21,6 +21,7 @@ struct RunRequest {
     bool studies = true;     ///< evaluate the studies of the analyses too
     std::string study = {};  ///< only the one with this id; empty = all
     std::optional<std::uint64_t> seed = {};
+    std::optional<VarianceReduction> variance_reduction = {};
     int threads = 0;
     std::vector<std::string> values =
         {};  ///< "/assets/0/setup/temperature=23.5": the file is read as if they stood there

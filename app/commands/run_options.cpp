@@ -1,8 +1,18 @@
 #include "app/commands/run_options.h"
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace covaria {
+namespace {
+
+VarianceReduction reduction_of(const std::string& key) {
+    for (const auto reduction : {VarianceReduction::control_variate, VarianceReduction::sobol})
+        if (key == key_of(reduction)) return reduction;
+    return VarianceReduction::none;
+}
+
+}  // namespace
 
 void add_run_options(CLI::App& command, RunRequest& request) {
     command.add_option("FILE", request.file, "project file (*.covaria)")->required();
@@ -19,6 +29,13 @@ void add_run_options(CLI::App& command, RunRequest& request) {
         command.add_flag("--first-order", request.first_order, "law of propagation of uncertainty only");
     adaptive->excludes(trials);
     first->excludes(trials)->excludes(adaptive);
+    command
+        .add_option_function<std::string>(
+            "--variance-reduction",
+            [&request](const std::string& key) { request.variance_reduction = reduction_of(key); },
+            "of Monte Carlo: none, control-variate or sobol")
+        ->type_name("KIND")
+        ->check(CLI::IsMember({"none", "control-variate", "sobol"}));
     command.add_option("--seed", request.seed, "seed of the random draws")->type_name("S");
     command.add_option("--threads", request.threads, "number of threads (results do not depend on it)")
         ->type_name("T")

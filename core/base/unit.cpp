@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -232,9 +234,12 @@ Result<Unit> Unit::parse(std::string_view text) {
     return unit;
 }
 
+// A set-up of a thousand points asks ten thousand times for the same few.
 Unit Unit::of(std::string_view text) {
-    Result<Unit> unit = parse(text);
-    if (unit) return *std::move(unit);
+    thread_local std::map<std::string, Unit, std::less<>> known;
+    if (const auto unit = known.find(text); unit != known.end()) return unit->second;
+    const Result<Unit> unit = parse(text);
+    if (unit) return known.emplace(text, *unit).first->second;
     std::fputs((unit.error().message + "\n").c_str(), stderr);
     std::abort();
 }

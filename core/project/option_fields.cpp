@@ -36,11 +36,25 @@ OptionField method_field() {
                    {Method::adaptive, "adaptive", "Monte Carlo, adaptive"}});
 }
 
+OptionField variance_reduction_field() {
+    const auto kind = [](VarianceReduction reduction, const char* title) {
+        return ChoiceOf<VarianceReduction>{reduction, key_of(reduction).data(), title};  // of a literal
+    };
+    return choice("varianceReduction", "Variance reduction",
+                  "Makes each trial tell more; the gain is measured and stated with the result. Plain trials are "
+                  "those of JCGM 101.",
+                  &O::variance_reduction, with_trials,
+                  {kind(VarianceReduction::none, "None: plain trials"),
+                   kind(VarianceReduction::control_variate, "Control variate: the linear part"),
+                   kind(VarianceReduction::sobol, "Sobol points, scrambled")});
+}
+
 std::vector<OptionField> common_fields() {
     return {
         method_field(),
         {"trials", "Trials", "Of the method monte-carlo.", &O::trials, {Method::monte_carlo}, {.low = 2.0}},
         {"seed", "Seed", "0 to 18446744073709551615, as text.", SeedOption{&O::seed}, with_trials},
+        variance_reduction_field(),
         {"coverageProbability",
          "Coverage probability",
          "Of the expanded uncertainty, of intervals and regions.",

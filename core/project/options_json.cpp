@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/project/option_fields.h"
 #include "core/project/setup_json.h"

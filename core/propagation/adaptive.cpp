@@ -54,7 +54,7 @@ BatchSummariser::BatchSummariser(const WatchedStatistics& watched, const TrialSo
                                  const Pilot& pilot, std::size_t kept_bytes)
     : watched_(watched),
       pilot_(pilot),
-      outputs_(source.outputs()),
+      rows_(source.rows()),
       kept_numbers_limit_(kept_bytes / sizeof(double)) {}
 
 void BatchSummariser::begin(std::uint64_t first, std::uint64_t last) {
@@ -63,12 +63,12 @@ void BatchSummariser::begin(std::uint64_t first, std::uint64_t last) {
     kept_.clear();
     kept_valid_.clear();
     const std::uint64_t blocks = (last - first + block_trials - 1) / block_trials;
-    keeping_ = !watched_.regions.empty() && blocks * block_trials * outputs_ <= kept_numbers_limit_;
+    keeping_ = !watched_.regions.empty() && blocks * block_trials * rows_ <= kept_numbers_limit_;
 }
 
 void BatchSummariser::keep(const TrialBlockRunner& runner) {
     if (!keeping_) return;
-    kept_.insert(kept_.end(), runner.output(0), runner.output(0) + outputs_ * block_trials);
+    kept_.insert(kept_.end(), runner.output(0), runner.output(0) + rows_ * block_trials);
     kept_valid_.push_back(runner.valid());
 }
 
@@ -76,7 +76,7 @@ template <class Use>
 void BatchSummariser::each_block(TrialBlockRunner& runner, Use use) {
     if (keeping_) {
         for (std::size_t b = 0; b < kept_valid_.size(); ++b)
-            use(kept_.data() + b * outputs_ * block_trials, kept_valid_[b]);
+            use(kept_.data() + b * rows_ * block_trials, kept_valid_[b]);
         return;
     }
     for (std::uint64_t t = first_; t < last_; t += block_trials) {
@@ -124,8 +124,16 @@ double BatchSummariser::ellipsoid_factor(const CoverageRegion& region, const Uni
 bool BatchSummariser::summarise(const UnitStatistics& statistics, TrialBlockRunner& runner,
                                 BatchSummary& summary) {
     summary.values.clear();
+    summary.figures.clear();
+    if (statistics.moments.count() < 2) return true;
+    add_values(statistics, runner, summary);
+    if (watched_.figures_of_rows) add_figures(statistics, runner, summary);
+    return true;
+}
+
+void BatchSummariser::add_values(const UnitStatistics& statistics, TrialBlockRunner& runner,
+                                 BatchSummary& summary) {
     const Moments& moments = statistics.moments;
-    if (moments.count() < 2) return true;
     const CoverageRanks ranks = coverage_ranks(moments.count(), watched_.probability);
     for (std::size_t j : watched_.outputs) {
         const auto index = static_cast<Eigen::Index>(j);
@@ -139,7 +147,31 @@ bool BatchSummariser::summarise(const UnitStatistics& statistics, TrialBlockRunn
         summary.values.push_back(greatest_eigenvalue(moments.covariance(), watched_.outputs));
     for (const CoverageRegion& region : watched_.regions)
         summary.values.push_back(ellipsoid_factor(region, statistics, runner));
-    return true;
+}
+
+/// The rank of least bias for any continuous distribution (Hyndman and Fan, The American Statistician 50
+/// (1996) 361, definition 8) is not whole: on average over the batches it is taken. Were it the same whole
+/// one in each, all would be wrong by the same fraction of a rank; between two values a curve would be cut
+/// short.
+std::uint64_t BatchSummariser::rank_of_figures(std::uint64_t count) const {
+    constexpr double golden = 0.6180339887498949;  // its multiples fill the interval from 0 to 1 evenly
+    const double batch = static_cast<double>(first_ / (last_ - first_));
+    const double p = 0.5 * (1.0 - watched_.probability);
+    const double rank = (static_cast<double>(count) + 1.0 / 3.0) * p + 1.0 / 3.0;
+    const double moved = std::floor(rank + (golden * batch - std::floor(golden * batch)));
+    return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(moved), 1, count);
+}
+
+void BatchSummariser::add_figures(const UnitStatistics& statistics, TrialBlockRunner& runner,
+                                  BatchSummary& summary) {
+    const Moments& moments = statistics.moments;
+    const std::uint64_t rank = rank_of_figures(moments.count());
+    for (std::size_t j = 0; j < rows_; ++j) {
+        const auto index = static_cast<Eigen::Index>(j);
+        summary.figures.push_back({{moments.mean(index), moments.variance(index),
+                                    tail_value(statistics, runner, j, rank, Side::low),
+                                    tail_value(statistics, runner, j, rank, Side::high)}});
+    }
 }
 
 AdaptiveProcedure::AdaptiveProcedure(const EvaluationOptions& options, WatchedStatistics watched)
@@ -151,10 +183,23 @@ std::uint64_t AdaptiveProcedure::batch_trials(double probability) {
     return (trials + block_trials - 1) / block_trials * block_trials;
 }
 
-std::unique_ptr<BatchSummariser> AdaptiveProcedure::make_summariser(const TrialSource& source,
-                                                                    const Pilot& pilot,
-                                                                    const EngineSettings& settings) const {
-    return std::make_unique<BatchSummariser>(watched_, source, pilot, settings.batch_bytes);
+void AdaptiveProcedure::judge_by(const BatchEstimates* estimates) {
+    estimates_ = estimates;
+    watched_.figures_of_rows = estimates != nullptr;
+}
+
+/// Of the mean over the batches so far, or what BatchEstimates has to say.
+double AdaptiveProcedure::standard_error(std::size_t value) const {
+    const auto h = static_cast<double>(batches_);
+    const std::size_t i = value / WatchedStatistics::per_output;
+    if (estimates_ && i < watched_.outputs.size()) {
+        const std::size_t figure = value % WatchedStatistics::per_output;
+        const auto estimate = estimates_->estimate(watched_.outputs[i], figure);
+        if (estimate.controlled)
+            return figure == 1 ? estimate.standard_error / (2.0 * std::sqrt(std::max(0.0, estimate.value)))
+                               : estimate.standard_error;
+    }
+    return std::sqrt(squares_[value] / (h * (h - 1.0)));
 }
 
 /// u, or where it does not settle what the interval would be k times, were the output normal.
@@ -198,7 +243,7 @@ bool AdaptiveProcedure::stable_after(const BatchSummary& summary, const Moments&
     if (batches_ < std::max<std::uint64_t>(2, options_.minimum_batches)) return false;
     const std::vector<double> tolerance = tolerances(all);
     for (std::size_t i = 0; i < mean_.size(); ++i)
-        if (judged_[i] && !(2.0 * std::sqrt(squares_[i] / (h * (h - 1.0))) <= tolerance[i])) return false;
+        if (judged_[i] && !(2.0 * standard_error(i) <= tolerance[i])) return false;
     stabilised_ = true;
     return true;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/propagation/batch_estimates.h"
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/first_order.h"
 #include "core/propagation/options.h"
@@ -16,7 +17,18 @@ namespace covaria::detail {
 /// The statistics of one batch whose scatter between batches is watched. Empty: too few trials had a value.
 struct BatchSummary {
     std::vector<double> values;
+    std::vector<BatchFigures> figures;  ///< of each row of the source, where they are asked for
 };
+
+/// Of an output that a Student t of so few degrees of freedom reaches. With four or fewer its fourth moment
+/// does not exist: the scatter of u between batches says nothing, however many there are. With two or fewer
+/// there is no u, and the mean is no better. The ends of the interval remain.
+inline bool mean_settles(double degrees_of_freedom) {
+    return degrees_of_freedom > 2.0;
+}
+inline bool uncertainty_settles(double degrees_of_freedom) {
+    return degrees_of_freedom > 4.0;
+}
 
 /// Which statistics are watched. One measurand: y, u, y_low, y_high (JCGM 101 7.9.4). Several: these of each
 /// measurand, the greatest eigenvalue of their correlation matrix and k_p of each group (JCGM 102 7.8.3).
@@ -25,15 +37,15 @@ struct WatchedStatistics {
     std::vector<Unit> units;              ///< of those outputs, as reported: they decide what a digit is
     std::vector<CoverageRegion> regions;  ///< that have an ellipsoid
     double probability = 0.95;
-    /// Fewest degrees of freedom of a Student t that reaches each output. With four or fewer its fourth
-    /// moment does not exist: the scatter of u between batches says nothing, however many there are. With two
-    /// or fewer there is no u, and the mean is no better. The ends of the interval remain.
-    std::vector<double> least_degrees_of_freedom;
+    std::vector<double> least_degrees_of_freedom;  ///< of each output
+    bool figures_of_rows = false;                  ///< of all outputs and linear parts, for BatchEstimates
 
     bool several() const { return outputs.size() > 1; }
     static constexpr std::size_t per_output = 4;
-    bool has_settling_mean(std::size_t i) const { return least_degrees_of_freedom[i] > 2.0; }
-    bool has_settling_uncertainty(std::size_t i) const { return least_degrees_of_freedom[i] > 4.0; }
+    bool has_settling_mean(std::size_t i) const { return mean_settles(least_degrees_of_freedom[i]); }
+    bool has_settling_uncertainty(std::size_t i) const {
+        return uncertainty_settles(least_degrees_of_freedom[i]);
+    }
     /// Of the values of a BatchSummary.
     std::vector<bool> judged() const;
 };
@@ -52,16 +64,19 @@ public:
     bool summarise(const UnitStatistics& statistics, TrialBlockRunner& runner, BatchSummary& summary);
 
 private:
+    void add_values(const UnitStatistics& statistics, TrialBlockRunner& runner, BatchSummary& summary);
+    void add_figures(const UnitStatistics& statistics, TrialBlockRunner& runner, BatchSummary& summary);
     template <class Use>
     void each_block(TrialBlockRunner& runner, Use use);
     double tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t output,
                       std::uint64_t rank, Side side);
+    std::uint64_t rank_of_figures(std::uint64_t count) const;
     double ellipsoid_factor(const CoverageRegion& region, const UnitStatistics& statistics,
                             TrialBlockRunner& runner);
 
     const WatchedStatistics& watched_;
     const Pilot& pilot_;
-    std::size_t outputs_;
+    std::size_t rows_;
     std::size_t kept_numbers_limit_;
     std::uint64_t first_ = 0, last_ = 0;
     bool keeping_ = false;
@@ -77,19 +92,22 @@ public:
     /// M = max(J, 10^4) with J = smallest integer >= 100/(1-p), in whole blocks.
     static std::uint64_t batch_trials(double probability);
 
-    std::unique_ptr<BatchSummariser> make_summariser(const TrialSource& source, const Pilot& pilot,
-                                                     const EngineSettings& settings) const;
+    const WatchedStatistics& watched() const { return watched_; }
+    /// Stability is then judged by these standard errors, where there are any.
+    void judge_by(const BatchEstimates* estimates);
     /// Called in the order of batches. True: every watched statistic is stable.
     bool stable_after(const BatchSummary& summary, const Moments& all);
     bool stabilised() const { return stabilised_; }
 
 private:
+    double standard_error(std::size_t value) const;
     double watched_uncertainty(const Moments& all, std::size_t i) const;
     std::vector<double> tolerances(const Moments& all) const;
 
     EvaluationOptions options_;
     WatchedStatistics watched_;
     std::vector<bool> judged_;
+    const BatchEstimates* estimates_ = nullptr;
     std::uint64_t batches_ = 0;
     std::vector<double> mean_, squares_;  ///< of the summaries (Welford)
     bool stabilised_ = false;

@@ -158,11 +158,19 @@ void DrawPlan::mark_first_terms() {
         for (ComponentDraw& draw : vector.members) mark(draw);
 }
 
+void DrawPlan::fill(DrawPurpose purpose, std::uint64_t seed, std::uint32_t address, std::uint64_t first,
+                    std::span<double> u) const {
+    if (points_)
+        points_->fill(purpose, address, first, u);
+    else
+        uniforms(seed, purpose, address, first, u);
+}
+
 void DrawPlan::draw_estimates(std::uint64_t seed, std::uint64_t first, std::size_t count,
                               DrawWorkspace& workspace) const {
     for (std::size_t e = 0; e < estimates_.size(); ++e) {
         const std::span<double> divisor(workspace.latent.row(e), count);
-        uniforms(seed, DrawPurpose::variance_estimates, estimates_[e].address, first, divisor);
+        fill(DrawPurpose::variance_estimates, seed, estimates_[e].address, first, divisor);
         estimates_[e].ratio.quantiles(divisor, divisor);
         for (double& d : divisor) d = std::sqrt(d);
     }
@@ -201,7 +209,7 @@ void DrawPlan::draw_group(const CorrelatedDraws& group, std::uint64_t seed, std:
                           std::size_t count, TrialRows& inputs, DrawWorkspace& workspace) const {
     for (std::size_t k = 0; k < group.addresses.size(); ++k) {
         const std::span<double> normal(workspace.latent.row(estimates_.size() + k), count);
-        uniforms(seed, DrawPurpose::trials, group.addresses[k], first, normal);
+        fill(DrawPurpose::trials, seed, group.addresses[k], first, normal);
         normal_quantiles(normal, normal);
     }
     double* z = workspace.draw.row(0);
@@ -225,7 +233,7 @@ void DrawPlan::draw_vector(const VectorDraws& vector, std::uint64_t seed, std::u
     for (std::size_t axis = 0; axis < 3; ++axis) {
         double* row = workspace.latent.row(estimates_.size() + axis);
         rows[axis] = {row, padded_to_lanes(count)};
-        uniforms(seed, DrawPurpose::trials, vector.members[axis].address, first, {row, count});
+        fill(DrawPurpose::trials, seed, vector.members[axis].address, first, {row, count});
         std::fill(row + count, row + padded_to_lanes(count), 0.5);
     }
     draw_directions(vector.length, rows);
@@ -240,7 +248,7 @@ void DrawPlan::draw(std::uint64_t seed, std::uint64_t first, std::size_t count, 
     draw_estimates(seed, first, count, workspace);
     double* epsilon = workspace.draw.row(0);
     for (const ComponentDraw& component : independent_) {
-        uniforms(seed, DrawPurpose::trials, component.address, first, {epsilon, count});
+        fill(DrawPurpose::trials, seed, component.address, first, {epsilon, count});
         realise(component, {epsilon, count}, workspace);
         add_terms(component, epsilon, count, inputs);
     }

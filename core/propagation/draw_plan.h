@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/propagation/trial_rows.h"
 #include "core/quantity/component_pairs.h"
 #include "core/quantity/isotropic_vector.h"
+#include "core/random/sobol_points.h"
 
 namespace covaria::detail {
 
@@ -63,6 +65,8 @@ public:
     DrawPlan(const InputSet& inputs, const std::vector<ComponentCorrelation>& correlations,
              std::optional<std::size_t> only = {});
 
+    /// Draws then take these points, and no notice of the seed.
+    void use(std::shared_ptr<const SobolPoints> points) { points_ = std::move(points); }
     /// Largest difference between a coefficient of the copula that the distributions need and the one that is
     /// drawn: 0 where the needed ones can all hold at once.
     double largest_compromise() const { return largest_compromise_; }
@@ -82,6 +86,9 @@ private:
                    const std::vector<ComponentCorrelation>& correlations);
     void add_vector(const DrawnVector& vector, const std::vector<ComponentDraw>& draws);
     void mark_first_terms();
+    /// The draws of (seed, purpose, address) for consecutive trials.
+    void fill(DrawPurpose purpose, std::uint64_t seed, std::uint32_t address, std::uint64_t first,
+              std::span<double> u) const;
     void draw_estimates(std::uint64_t seed, std::uint64_t first, std::size_t count,
                         DrawWorkspace& workspace) const;
     /// From uniform numbers to values of an independent component, in place.
@@ -103,6 +110,7 @@ private:
     std::vector<ComponentDraw> independent_;
     std::vector<CorrelatedDraws> correlated_;
     std::vector<VectorDraws> vectors_;
+    std::shared_ptr<const SobolPoints> points_;  ///< null: plain draws
     double largest_compromise_ = 0.0;
     std::size_t latent_rows_ = 0;  ///< of the largest group
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "core/propagation/adaptive.h"
@@ -12,6 +13,7 @@
 #include "core/propagation/engine_parts.h"
 #include "core/propagation/monte_carlo.h"
 #include "core/propagation/propagated.h"
+#include "core/propagation/reduced_run.h"
 #include "core/propagation/second_order.h"
 #include "core/propagation/sobol.h"
 #include "core/propagation/take_trials.h"
@@ -65,13 +67,21 @@ public:
 
 private:
     RunContext context() { return {source_, options_.coverage_probability, settings_, monitor_}; }
+    /// Of the trials of the run, where variance reduction has other points or controls for them.
+    RunContext context_of_run() {
+        return {reduced_ ? reduced_->source() : source_, options_.coverage_probability, settings_, monitor_};
+    }
     Result<void> add_contributions();
     Result<void> add_second_order();
     Result<void> add_monte_carlo();
+    Result<Pilot> pilot_of_run();
     Result<MonteCarloRun> trials_of_run();
+    std::uint64_t unit_of_run() const;
+    std::uint64_t most_trials() const;
     std::unique_ptr<AdaptiveProcedure> adaptive_procedure() const;
     void take_over(const MonteCarloRun& run, std::vector<MonteCarloOutput> outputs);
     void warn_about(const MonteCarloRun& run);
+    void warn_about_reduction(const MonteCarloRun& run);
     void warn_about_tails();
     Result<void> add_regions();
 
@@ -84,6 +94,7 @@ private:
     const EngineSettings& settings_;
     RunMonitor monitor_;
     TrialSource source_;
+    std::optional<ReducedRun> reduced_;
     UncertaintyResult result_;
 };
 
@@ -164,13 +175,37 @@ std::unique_ptr<AdaptiveProcedure> Evaluation::adaptive_procedure() const {
     return std::make_unique<AdaptiveProcedure>(options_, std::move(watched));
 }
 
+Result<Pilot> Evaluation::pilot_of_run() {
+    if (options_.variance_reduction != VarianceReduction::none)
+        reduced_.emplace(source_, inputs_, correlations_, law_, options_);
+    auto pilot = run_pilot(context_of_run(), most_trials());
+    if (pilot && reduced_)
+        if (auto ok = reduced_->choose(*pilot, monitor_); !ok) return fail(ok.error());
+    return pilot;
+}
+
+std::uint64_t Evaluation::unit_of_run() const {
+    if (options_.method == Method::adaptive || reduced_) return batch_of_run(options_);
+    return unit_trials;
+}
+
+std::uint64_t Evaluation::most_trials() const {
+    if (options_.method == Method::monte_carlo) return options_.trials;
+    return options_.maximum_trials / unit_of_run() * unit_of_run();
+}
+
 Result<MonteCarloRun> Evaluation::trials_of_run() {
+    auto pilot = pilot_of_run();
+    if (!pilot) return fail(pilot.error());
+    const RunSize size{most_trials(), unit_of_run()};
+    BatchWatch watch{nullptr, reduced_ ? reduced_->estimates() : nullptr};
     if (options_.method == Method::monte_carlo)
-        return run_monte_carlo(context(), {options_.trials, unit_trials}, nullptr);
-    const std::uint64_t batch = AdaptiveProcedure::batch_trials(options_.coverage_probability);
+        return run_monte_carlo(context_of_run(), std::move(*pilot), size, watch);
     const auto procedure = adaptive_procedure();
+    procedure->judge_by(watch.estimates);
+    watch.adaptive = procedure.get();
     result_.adaptive = true;
-    auto run = run_monte_carlo(context(), {options_.maximum_trials / batch * batch, batch}, procedure.get());
+    auto run = run_monte_carlo(context_of_run(), std::move(*pilot), size, watch);
     if (run) result_.batches = run->units;
     result_.stabilised = procedure->stabilised();
     return run;
@@ -181,8 +216,15 @@ Result<void> Evaluation::add_monte_carlo() {
     if (!run) return fail(run.error());
     auto outputs = outputs_of(*run, options_.coverage_probability, monitor_);
     if (!outputs) return fail(outputs.error());
+    result_.covariance = run->moments.covariance();
+    if (reduced_) {
+        reduced_->apply(*run, *outputs);
+        result_.covariance = reduced_->covariance(*run, *outputs);
+        result_.variance_reduction = options_.variance_reduction;
+    }
     take_over(*run, std::move(*outputs));
     warn_about(*run);
+    if (reduced_) warn_about_reduction(*run);
     return add_regions();
 }
 
@@ -191,7 +233,6 @@ void Evaluation::take_over(const MonteCarloRun& run, std::vector<MonteCarloOutpu
     result_.failed_trials = run.failed();
     result_.intervals_exact = run.exact;
     result_.convergence = run.convergence;
-    result_.covariance = run.moments.covariance();
     const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
     for (std::size_t j = 0; j < outputs.size(); ++j) {
         OutputResult& output = result_.outputs[j];
@@ -242,6 +283,24 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
                                " is hardly determined: its standard uncertainty exceeds 1 rad.");
 }
 
+void Evaluation::warn_about_reduction(const MonteCarloRun& run) {
+    std::vector<std::string>& warnings = result_.warnings;
+    const std::uint64_t batch = batch_of_run(options_);
+    if (run.trials / batch < BatchEstimates::least_batches)
+        warnings.push_back(
+            "Nothing is gained by variance reduction, and standard errors are not known: there are "
+            "fewer than " +
+            std::to_string(BatchEstimates::least_batches) + " batches of " + std::to_string(batch) +
+            " trials.");
+    else if (options_.variance_reduction == VarianceReduction::control_variate && run.failed() > 0)
+        warnings.push_back(
+            "Control variates are not used: the linear part of the trials that have a value has "
+            "another distribution than that of all trials.");
+    else
+        for (const std::string& outputs : reduced_->without_control())
+            warnings.push_back("Without control variate: " + outputs + ".");
+}
+
 /// Student t inputs whose variance, or the variance of whose squares, does not exist.
 void Evaluation::warn_about_tails() {
     const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
@@ -279,7 +338,8 @@ Result<void> Evaluation::add_regions() {
         region.singular = (first_order_known && is_singular(law_.covariance, region.outputs)) ||
                           is_singular(result_.covariance, region.outputs);
     }
-    return fill_monte_carlo_factors(result_.regions, context(), mean, result_.covariance, result_.trials);
+    return fill_monte_carlo_factors(result_.regions, context_of_run(), mean, result_.covariance,
+                                    result_.trials);
 }
 
 }  // namespace

@@ -223,7 +223,7 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
     law.inputs.resize(quantities);
     for (Eigen::Index i = 0; i < quantities; ++i)
         law.inputs(i) = estimate_of(inputs, static_cast<std::size_t>(i));
-    SensitivityRows rows;
+    SensitivityRows& rows = law.sensitivities;
     if (auto ok = evaluate_at_estimates(model, law, rows); !ok) return fail(ok.error());
 
     const auto components = static_cast<Eigen::Index>(inputs.components.size());
@@ -238,6 +238,19 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
 
     add_degrees_of_freedom(inputs, correlations, law);
     return law;
+}
+
+Eigen::MatrixXd covariance_of_draws(const InputSet& inputs, const Correlations& correlations,
+                                    const LawOfPropagation& law) {
+    LawOfPropagation drawn;
+    drawn.u = law.u;
+    for (Eigen::Index c = 0; c < drawn.u.size(); ++c)
+        if (drawn.u(c) > 0.0)
+            drawn.u(c) =
+                drawn_distribution(inputs.components[static_cast<std::size_t>(c)]).standard_deviation();
+    TermMaker maker(inputs, correlations, drawn.u);
+    for (const std::vector<Sensitivity>& row : law.sensitivities) drawn.terms.push_back(maker.make(row));
+    return covariance_of(drawn);
 }
 
 Eigen::MatrixXd sensitivity_matrix(const LawOfPropagation& law) {

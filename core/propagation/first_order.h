@@ -27,12 +27,18 @@ struct LawOfPropagation {
     Eigen::VectorXd u;         ///< standard uncertainties of the components, 0 when held
     /// [output]: by rising component; those without any effect are left out.
     std::vector<std::vector<PropagationTerm>> terms;
-    Eigen::MatrixXd covariance;  ///< U_y = (c u) R (c u)^T
+    SensitivityRows sensitivities;  ///< to the input quantities
+    Eigen::MatrixXd covariance;     ///< U_y = (c u) R (c u)^T
     Eigen::VectorXd degrees_of_freedom;
     bool degrees_of_freedom_approximate = false;  ///< see WelchSatterthwaite
 
     double uncertainty(Eigen::Index j) const;
 };
+
+/// Covariance of the linear parts of the outputs over Monte Carlo's draws: `law.covariance` with the standard
+/// deviations of the drawn distributions (Student t: scale * sqrt(nu/(nu - 2)), infinite for nu <= 2).
+Eigen::MatrixXd covariance_of_draws(const InputSet& inputs, const Correlations& correlations,
+                                    const LawOfPropagation& law);
 
 /// A (quantities x components): x = constant + A epsilon.
 Eigen::MatrixXd factor_matrix(const InputSet& inputs);

@@ -32,17 +32,38 @@ Eigen::Array4d deviations_of(const double* y, double shift, std::size_t count, d
     return {xsimd::hadd(s1), xsimd::hadd(s2), xsimd::hadd(s3), xsimd::hadd(s4)};
 }
 
+/// Rows of `products.rows()` outputs, one after the other.
+void add_products(const double* deviations, std::size_t count, Eigen::MatrixXd& products) {
+    const Eigen::Index outputs = products.rows();
+    const Eigen::Map<const Eigen::MatrixXd, Eigen::Aligned64> d(deviations, block_trials, outputs);
+    const auto trials = static_cast<Eigen::Index>(count);
+    for (Eigen::Index t = 0; t < trials; t += slice_trials) {
+        const auto slice = d.middleRows(t, std::min(slice_trials, trials - t));
+        for (Eigen::Index a = 0; a < outputs; a += tile_outputs) {
+            const Eigen::Index na = std::min(tile_outputs, outputs - a);
+            products.block(a, a, na, na)
+                .selfadjointView<Eigen::Lower>()
+                .rankUpdate(slice.middleCols(a, na).transpose());
+            for (Eigen::Index b = 0; b < a; b += tile_outputs)
+                products.block(a, b, na, tile_outputs).noalias() +=
+                    slice.middleCols(a, na).transpose() * slice.middleCols(b, tile_outputs);
+        }
+    }
+}
+
 }  // namespace
 
-Moments::Moments(Eigen::VectorXd shift)
+Moments::Moments(Eigen::VectorXd shift, Eigen::Index outputs)
     : shift_(std::move(shift)),
       powers_(Eigen::ArrayX4d::Zero(shift_.size(), 4)),
-      products_(Eigen::MatrixXd::Zero(shift_.size(), shift_.size())) {}
+      products_(Eigen::MatrixXd::Zero(outputs, outputs)),
+      linear_products_(Eigen::MatrixXd::Zero(shift_.size() - outputs, shift_.size() - outputs)) {}
 
 void Moments::clear() {
     count_ = 0;
     powers_.setZero();
     products_.setZero();
+    linear_products_.setZero();
 }
 
 void Moments::add(const double* first_row, std::size_t count, TrialRows& scratch) {
@@ -53,31 +74,17 @@ void Moments::add(const double* first_row, std::size_t count, TrialRows& scratch
             deviations_of(first_row + row * block_trials, shift_(j), count, scratch.row(row)).transpose();
     }
     count_ += count;
-    add_products(scratch, padded_to_lanes(count));
-}
-
-void Moments::add_products(const TrialRows& deviations, std::size_t count) {
-    const Eigen::Map<const Eigen::MatrixXd, Eigen::Aligned64> d(deviations.data(), block_trials,
-                                                                shift_.size());
-    const auto trials = static_cast<Eigen::Index>(count);
-    for (Eigen::Index t = 0; t < trials; t += slice_trials) {
-        const auto slice = d.middleRows(t, std::min(slice_trials, trials - t));
-        for (Eigen::Index a = 0; a < shift_.size(); a += tile_outputs) {
-            const Eigen::Index na = std::min(tile_outputs, shift_.size() - a);
-            products_.block(a, a, na, na)
-                .selfadjointView<Eigen::Lower>()
-                .rankUpdate(slice.middleCols(a, na).transpose());
-            for (Eigen::Index b = 0; b < a; b += tile_outputs)
-                products_.block(a, b, na, tile_outputs).noalias() +=
-                    slice.middleCols(a, na).transpose() * slice.middleCols(b, tile_outputs);
-        }
-    }
+    const std::size_t padded = padded_to_lanes(count);
+    add_products(scratch.data(), padded, products_);
+    if (linear_products_.size() > 0)
+        add_products(scratch.row(static_cast<std::size_t>(products_.rows())), padded, linear_products_);
 }
 
 void Moments::merge(const Moments& other) {
     count_ += other.count_;
     powers_ += other.powers_;
     products_ += other.products_;
+    linear_products_ += other.linear_products_;
 }
 
 double Moments::mean(Eigen::Index j) const {
@@ -100,13 +107,22 @@ Eigen::VectorXd Moments::standard_uncertainties() const {
 }
 
 Eigen::MatrixXd Moments::covariance() const {
+    return covariance_among(products_, 0);
+}
+
+Eigen::MatrixXd Moments::covariance_of_linear_parts() const {
+    return covariance_among(linear_products_, products_.rows());
+}
+
+Eigen::MatrixXd Moments::covariance_among(const Eigen::MatrixXd& products, Eigen::Index first) const {
     const auto n = static_cast<double>(count_);
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(shift_.size(), shift_.size());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(products.rows(), products.rows());
     if (count_ < 2) return result;
-    for (Eigen::Index a = 0; a < shift_.size(); ++a) {
-        result(a, a) = variance(a);
+    for (Eigen::Index a = 0; a < products.rows(); ++a) {
+        result(a, a) = variance(first + a);
         for (Eigen::Index b = 0; b < a; ++b)
-            result(a, b) = result(b, a) = (products_(a, b) - powers_(a, 0) * powers_(b, 0) / n) / (n - 1);
+            result(a, b) = result(b, a) =
+                (products(a, b) - powers_(first + a, 0) * powers_(first + b, 0) / n) / (n - 1);
     }
     return result;
 }

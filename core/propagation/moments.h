@@ -13,7 +13,9 @@ namespace covaria::detail {
 /// JCGM 101 9.5 has y near 5e7 u).
 class Moments {
 public:
-    explicit Moments(Eigen::VectorXd shift);
+    /// Products are summed among the first `outputs` rows, and among the others (linear parts).
+    Moments(Eigen::VectorXd shift, Eigen::Index outputs);
+    explicit Moments(const Eigen::VectorXd& shift) : Moments(shift, shift.size()) {}
     void clear();
     /// Adds `count` trials; row j of the outputs begins at `first_row + j * block_trials`. `scratch` has one
     /// row per output. No allocation.
@@ -25,7 +27,8 @@ public:
     double variance(Eigen::Index j) const;  ///< divisor count - 1 (JCGM 101 7.6)
     Eigen::VectorXd means() const;
     Eigen::VectorXd standard_uncertainties() const;
-    Eigen::MatrixXd covariance() const;     ///< JCGM 102 7.6, Eq. 16
+    Eigen::MatrixXd covariance() const;  ///< JCGM 102 7.6, Eq. 16; of the outputs
+    Eigen::MatrixXd covariance_of_linear_parts() const;
     double skewness(Eigen::Index j) const;  ///< 0 for zero spread
     double kurtosis(Eigen::Index j) const;  ///< excess; 0 for zero spread
 
@@ -34,12 +37,13 @@ private:
         double m2, m3, m4;
     };
     Central central(Eigen::Index j) const;
-    void add_products(const TrialRows& deviations, std::size_t count);
+    Eigen::MatrixXd covariance_among(const Eigen::MatrixXd& products, Eigen::Index first) const;
 
     std::uint64_t count_ = 0;
     Eigen::VectorXd shift_;
-    Eigen::ArrayX4d powers_;    ///< sums of d, d^2, d^3, d^4
-    Eigen::MatrixXd products_;  ///< sums of d_a d_b, lower triangle
+    Eigen::ArrayX4d powers_;           ///< sums of d, d^2, d^3, d^4
+    Eigen::MatrixXd products_;         ///< sums of d_a d_b, lower triangle
+    Eigen::MatrixXd linear_products_;  ///< likewise
 };
 
 }  // namespace covaria::detail

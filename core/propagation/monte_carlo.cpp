@@ -14,14 +14,16 @@ namespace {
 Pilot widened(const Pilot& pilot, const std::vector<std::size_t>& outputs) {
     Pilot wide;
     for (std::size_t j : outputs) wide.outputs.push_back(widened(pilot.outputs[j]));
+    wide.own = outputs.size();
     return wide;
 }
 
 class TailCollector {
 public:
     TailCollector(const Pilot& pilot, std::size_t budget, double expected_trials) : budget_(budget) {
-        for (const OutputPilot& p : pilot.outputs)
-            tails_.push_back({Tail(Side::low, p.low), Tail(Side::high, p.high)});
+        for (std::size_t j = 0; j < pilot.own; ++j)
+            tails_.push_back(
+                {Tail(Side::low, pilot.outputs[j].low), Tail(Side::high, pilot.outputs[j].high)});
         const double expected =
             expected_trials * pilot.tail_fraction * 2.0 * static_cast<double>(tails_.size() * sizeof(double));
         if (expected > static_cast<double>(budget_)) to_cells();
@@ -59,14 +61,16 @@ private:
 /// Numbers of trials 1, 2, 5, 10 ... at which the running values are noted.
 class ConvergenceLog {
 public:
+    explicit ConvergenceLog(std::size_t outputs) : outputs_(static_cast<Eigen::Index>(outputs)) {}
     void note(std::uint64_t trials, const Moments& moments, std::vector<ConvergencePoint>& points) {
         if (trials < next_) return;
         append(trials, moments, points);
         while (next_ <= trials) advance();
     }
-    static void append(std::uint64_t trials, const Moments& moments, std::vector<ConvergencePoint>& points) {
+    void append(std::uint64_t trials, const Moments& moments, std::vector<ConvergencePoint>& points) const {
         if (moments.count() < 2 || (!points.empty() && points.back().trials == trials)) return;
-        const Eigen::VectorXd mean = moments.means(), u = moments.standard_uncertainties();
+        const Eigen::VectorXd mean = moments.means().head(outputs_),
+                              u = moments.standard_uncertainties().head(outputs_);
         points.push_back({trials, {mean.begin(), mean.end()}, {u.begin(), u.end()}});
     }
 
@@ -75,6 +79,7 @@ private:
         next_ = mantissa_ == 2 ? next_ / 2 * 5 : next_ * 2;
         mantissa_ = mantissa_ == 1 ? 2 : mantissa_ == 2 ? 5 : 1;
     }
+    Eigen::Index outputs_;
     std::uint64_t next_ = unit_trials;
     int mantissa_ = 1;
 };
@@ -89,7 +94,7 @@ class Worker {
 public:
     Worker(const RunContext& context, const Pilot& pilot, RunSize size)
         : runner_(context.source),
-          scratch_(context.source.outputs()),
+          scratch_(context.source.rows()),
           pilot_(pilot),
           size_(size),
           monitor_(context.monitor) {}
@@ -172,34 +177,51 @@ WorkEnd complete_tails(const RunContext& context, std::uint64_t per_unit, MonteC
     return end;
 }
 
+void add_batch(const Partial& batch, RunSize size, BatchEstimates& estimates) {
+    if (batch.statistics.moments.count() < batch.statistics.trials) estimates.forget_controls();
+    const bool complete = batch.statistics.trials == size.per_unit;
+    if (complete && !batch.summary.figures.empty()) estimates.add(batch.summary.figures);
+}
+
+WatchedStatistics watched_by(const BatchWatch& watch, double probability) {
+    WatchedStatistics watched;
+    if (watch.adaptive) return watch.adaptive->watched();
+    watched.probability = probability;
+    watched.figures_of_rows = watch.estimates != nullptr;
+    return watched;
+}
+
 }  // namespace
 
-Result<MonteCarloRun> run_monte_carlo(const RunContext& context, RunSize size, AdaptiveProcedure* adaptive) {
-    auto pilot = run_pilot(context, size.trials);
-    if (!pilot) return fail(pilot.error());
-    MonteCarloRun run{Moments(pilot->shift()), {}, {}, std::move(*pilot), 0, 0, true, {}};
+Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, RunSize size,
+                                      BatchWatch watch) {
+    const auto own = static_cast<Eigen::Index>(pilot.own);
+    MonteCarloRun run{Moments(pilot.shift(), own), {}, {}, std::move(pilot), 0, 0, true, {}};
     run.cells.assign(context.source.outputs(), std::vector<std::uint64_t>(CellGrid::counters, 0));
     TailCollector collector(run.pilot, context.settings.tail_bytes,
-                            adaptive ? 0.0 : static_cast<double>(size.trials));
-    ConvergenceLog log;
+                            watch.adaptive ? 0.0 : static_cast<double>(size.trials));
+    ConvergenceLog log(context.source.outputs());
+    const WatchedStatistics watched = watched_by(watch, context.probability);
 
     OrderedWork<Partial> work;
     work.units = (size.trials + size.per_unit - 1) / size.per_unit;
     work.make_partial = [&run] { return Partial{UnitStatistics(run.pilot), {}}; };
     work.make_worker = [&] {
         auto worker = std::make_shared<Worker>(context, run.pilot, size);
-        if (adaptive)
-            worker->summarise_with(adaptive->make_summariser(context.source, run.pilot, context.settings));
+        if (watch.adaptive || watch.estimates)
+            worker->summarise_with(std::make_unique<BatchSummariser>(watched, context.source, run.pilot,
+                                                                     context.settings.batch_bytes));
         return [worker](std::uint64_t unit, Partial& partial) { return worker->run(unit, partial); };
     };
     work.merge = [&](std::uint64_t, Partial& partial) {
         merge(run, partial.statistics);
         collector.add(partial.statistics.outside);
         log.note(run.trials, run.moments, run.convergence);
-        return !(adaptive && adaptive->stable_after(partial.summary, run.moments));
+        if (watch.estimates) add_batch(partial, size, *watch.estimates);
+        return !(watch.adaptive && watch.adaptive->stable_after(partial.summary, run.moments));
     };
     WorkEnd end = run_in_order(work, context.monitor);
-    ConvergenceLog::append(run.trials, run.moments, run.convergence);
+    log.append(run.trials, run.moments, run.convergence);
     run.exact = collector.exact();
     run.tails = std::move(collector.tails());
     if (end != WorkEnd::cancelled && run.moments.count() > 0)

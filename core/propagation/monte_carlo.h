@@ -11,6 +11,7 @@
 namespace covaria::detail {
 
 class AdaptiveProcedure;
+class BatchEstimates;
 
 struct RunSize {
     std::uint64_t trials = 0;              ///< at most
@@ -31,8 +32,14 @@ struct MonteCarloRun {
     std::uint64_t failed() const { return trials - moments.count(); }
 };
 
-/// Error: cancelled; numeric when no trial has a value. `adaptive` null: exactly `size.trials` trials.
-Result<MonteCarloRun> run_monte_carlo(const RunContext& context, RunSize size, AdaptiveProcedure* adaptive);
+/// Who looks at the batches (units) of a run as they come, in their order.
+struct BatchWatch {
+    AdaptiveProcedure* adaptive = nullptr;  ///< null: exactly `size.trials` trials
+    BatchEstimates* estimates = nullptr;    ///< of complete batches
+};
+
+/// `pilot`: as from `run_pilot` with the same context. Error: cancelled.
+Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, RunSize size, BatchWatch watch);
 
 /// The statistics of each output. Finishes (sorts) the tails.
 Result<std::vector<MonteCarloOutput>> outputs_of(MonteCarloRun& run, double probability, RunMonitor& monitor);

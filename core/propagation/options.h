@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
+#include "core/result/variance_reduction.h"
 
 namespace covaria {
 
@@ -15,6 +16,7 @@ struct EvaluationOptions {
     Method method = Method::monte_carlo;
     std::uint64_t trials = 1'000'000;  ///< fixed M
     std::uint64_t seed = 1;
+    VarianceReduction variance_reduction = VarianceReduction::none;
     double coverage_probability = 0.95;
     std::optional<double> coverage_factor = {};  ///< fixed k; empty: from t and nu_eff
     bool second_order = false;                   ///< second-order terms of the law of propagation

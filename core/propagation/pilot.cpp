@@ -17,7 +17,7 @@ using Columns = std::vector<std::vector<double>>;  // values of each output
 WorkEnd append_trials(const RunContext& context, std::uint64_t first, std::uint64_t count, Columns& columns) {
     OrderedWork<Columns> work;
     work.units = (count + block_trials - 1) / block_trials;
-    work.make_partial = [&context] { return Columns(context.source.outputs()); };
+    work.make_partial = [&context] { return Columns(context.source.rows()); };
     work.make_worker = [&] {
         return [&, runner = std::make_shared<TrialBlockRunner>(context.source)](std::uint64_t block,
                                                                                 Columns& part) {
@@ -66,6 +66,38 @@ std::vector<RepeatedValue> repeated_values(const std::vector<double>& sorted) {
     return repeated;
 }
 
+double squared_correlation(const std::vector<double>& y, const std::vector<double>& linear) {
+    const auto n = static_cast<double>(y.size());
+    const double mean = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    const double mean_of_linear = std::accumulate(linear.begin(), linear.end(), 0.0) / n;
+    double yy = 0.0, ll = 0.0, yl = 0.0;
+    for (std::size_t t = 0; t < y.size(); ++t) {
+        const double a = y[t] - mean, b = linear[t] - mean_of_linear;
+        yy += a * a;
+        ll += b * b;
+        yl += a * b;
+    }
+    return yl * yl / (yy * ll);
+}
+
+/// Thresholds only; nothing else is made of linear parts.
+OutputPilot look_at_linear_part(std::vector<double>& values, double tail_fraction) {
+    OutputPilot pilot;
+    const auto rank = static_cast<std::size_t>(tail_fraction * static_cast<double>(values.size()));
+    if (rank >= values.size() || 2 * rank >= values.size()) {
+        pilot.low = {infinity, 0.0};
+        pilot.high = {-infinity, 0.0};
+        return pilot;
+    }
+    const auto low = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), low, values.end());
+    pilot.low.threshold = *low;
+    std::nth_element(low, high, values.end());
+    pilot.high.threshold = *high;
+    return pilot;
+}
+
 }  // namespace
 
 OutputPilot look_at(std::vector<double>& values, double tail_fraction) {
@@ -109,8 +141,20 @@ Eigen::VectorXd Pilot::shift() const {
     return shift;
 }
 
+void Pilot::drop_linear_parts(const std::vector<bool>& dropped) {
+    std::vector<OutputPilot> kept(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(own));
+    std::vector<double> kept_explained;
+    for (std::size_t k = 0; k < dropped.size(); ++k) {
+        if (dropped[k]) continue;
+        kept.push_back(outputs[own + k]);
+        kept_explained.push_back(explained[k]);
+    }
+    outputs = std::move(kept);
+    explained = std::move(kept_explained);
+}
+
 Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit) {
-    Columns columns(context.source.outputs());
+    Columns columns(context.source.rows());
     for (std::uint64_t first = 0; first < limit && columns.front().size() < enough_values;
          first += unit_trials) {
         const std::uint64_t count = std::min(unit_trials, limit - first);
@@ -125,7 +169,13 @@ Result<Pilot> run_pilot(const RunContext& context, std::uint64_t limit) {
     Pilot pilot;
     if (n >= enough_values)
         pilot.tail_fraction = tail_fraction_of(n, context.probability, context.settings.tail_margin);
-    for (auto& column : columns) pilot.outputs.push_back(look_at(column, pilot.tail_fraction));
+    pilot.own = context.source.outputs();
+    for (std::size_t k = 0; context.source.linear && k < context.source.linear->size(); ++k)
+        pilot.explained.push_back(
+            squared_correlation(columns[(*context.source.linear)[k].output], columns[pilot.own + k]));
+    for (std::size_t j = 0; j < columns.size(); ++j)
+        pilot.outputs.push_back(j < pilot.own ? look_at(columns[j], pilot.tail_fraction)
+                                              : look_at_linear_part(columns[j], pilot.tail_fraction));
     return pilot;
 }
 

@@ -40,7 +40,12 @@ double tail_fraction_of(std::size_t values, double probability, double margin);
 struct Pilot {
     std::vector<OutputPilot> outputs;
     double tail_fraction = 1.0;  ///< of the trials that lie in each tail, about
+    std::size_t own = 0;         ///< outputs of the model; those after them are linear parts
+    /// Of each linear part: squared correlation with its output.
+    std::vector<double> explained = {};
     Eigen::VectorXd shift() const;
+    /// Takes the linear parts out for which `dropped` says so.
+    void drop_linear_parts(const std::vector<bool>& dropped);
 };
 
 /// Always the first 10,000 trials (more only if fewer than 1,000 of them have a value), whatever the number

@@ -24,7 +24,7 @@ bool all_finite(const double* y, std::size_t n) {
 TrialBlockRunner::TrialBlockRunner(const TrialSource& source)
     : source_(&source),
       inputs_(source.plan->quantities()),
-      outputs_(source.outputs()),
+      outputs_(source.rows()),
       workspace_(source.plan->latent_rows()),
       flags_(block_trials) {
     for (std::size_t j = 0; j < source.outputs(); ++j)
@@ -37,6 +37,7 @@ void TrialBlockRunner::run(std::uint64_t first, std::size_t count) {
     std::fill(flags_.begin(), flags_.end(), std::uint8_t{1});
     source_->model->evaluate_block({inputs_.data(), outputs_.data(), flags_.data(), block_trials, count});
     mark_not_finite();
+    if (source_->linear) source_->linear->evaluate(inputs_, count, outputs_.row(source_->outputs()));
     valid_ = static_cast<std::size_t>(std::count_if(flags_.begin(),
                                                     flags_.begin() + static_cast<std::ptrdiff_t>(count),
                                                     [](std::uint8_t flag) { return flag != 0; }));
@@ -54,7 +55,7 @@ void TrialBlockRunner::mark_not_finite() {
 }
 
 void TrialBlockRunner::compact() {
-    for (std::size_t j = 0; j < source_->outputs(); ++j) {
+    for (std::size_t j = 0; j < source_->rows(); ++j) {
         double* y = outputs_.row(j);
         std::size_t kept = 0;
         for (std::size_t t = 0; t < trials_; ++t) {

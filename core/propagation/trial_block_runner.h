@@ -7,6 +7,7 @@
 
 #include "core/model/measurement_model.h"
 #include "core/propagation/draw_plan.h"
+#include "core/propagation/linear_rows.h"
 #include "core/propagation/trial_rows.h"
 
 namespace covaria::detail {
@@ -17,7 +18,10 @@ struct TrialSource {
     const DrawPlan* plan = nullptr;
     std::uint64_t seed = 0;
     Eigen::VectorXd estimate = {};  ///< of each output, first order: periodic outputs are unwrapped to it
+    const LinearRows* linear = nullptr;  ///< linear parts of some outputs, to be evaluated too
     std::size_t outputs() const { return static_cast<std::size_t>(estimate.size()); }
+    /// Those of the linear parts come after those of the outputs.
+    std::size_t rows() const { return outputs() + (linear ? linear->size() : 0); }
 };
 
 /// Working memory of one thread; `run` does not allocate.
@@ -30,7 +34,7 @@ public:
     void run(std::uint64_t first, std::size_t count);
     std::size_t trials() const { return trials_; }
     std::size_t valid() const { return valid_; }
-    const double* output(std::size_t j) const { return outputs_.row(j); }
+    const double* output(std::size_t j) const { return outputs_.row(j); }  ///< j < rows of the source
     const double* input(std::size_t i) const { return inputs_.row(i); }
     const std::vector<std::uint8_t>& flags() const { return flags_; }  ///< 1 for trials with a value
 

@@ -30,9 +30,9 @@ void OutsideValues::add(const OutputPilot& pilot, const double* y, std::size_t n
 }
 
 UnitStatistics::UnitStatistics(const Pilot& pilot)
-    : moments(pilot.shift()),
+    : moments(pilot.shift(), static_cast<Eigen::Index>(pilot.own)),
       outside(pilot.outputs.size()),
-      cells(pilot.outputs.size() * CellGrid::counters) {
+      cells(pilot.own * CellGrid::counters) {
     const double expected = 2.2 * pilot.tail_fraction * static_cast<double>(unit_trials) + 500;
     for (OutsideValues& o : outside) o.values.reserve(static_cast<std::size_t>(expected));
 }
@@ -49,6 +49,7 @@ void UnitStatistics::add(const Pilot& pilot, const TrialBlockRunner& runner, Tri
     moments.add(runner.output(0), runner.valid(), scratch);
     for (std::size_t j = 0; j < outside.size(); ++j) {
         outside[j].add(pilot.outputs[j], runner.output(j), runner.valid());
+        if (j >= pilot.own) continue;
         count_cells(pilot.outputs[j].grid, runner.output(j), runner.valid(),
                     cells.data() + j * CellGrid::counters);
     }

@@ -26,7 +26,7 @@ struct UnitStatistics {
 
     Moments moments;
     std::vector<OutsideValues> outside;
-    std::vector<std::uint32_t> cells;  ///< CellGrid::counters for each output
+    std::vector<std::uint32_t> cells;  ///< CellGrid::counters for each output of the model
     std::uint64_t trials = 0;
 };
 

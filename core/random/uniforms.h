@@ -8,9 +8,10 @@ namespace covaria {
 
 /// Separate streams of one seed. The values are part of the results' reproducibility: never renumber.
 enum class DrawPurpose : std::uint32_t {
-    trials = 0,             ///< the trials of a Monte Carlo run
-    observations = 1,       ///< synthetic observations
-    variance_estimates = 2  ///< how far an estimate of variance lies off; its index for the component
+    trials = 0,              ///< the trials of a Monte Carlo run
+    observations = 1,        ///< synthetic observations
+    variance_estimates = 2,  ///< how far an estimate of variance lies off; its index for the component
+    sobol_shifts = 16        ///< of batches of Sobol points; and as many after it as there are purposes
 };
 
 /// u[t] = uniform draw of trial `first_trial + t` for one component, strictly inside (0, 1):

@@ -116,6 +116,23 @@ OrderedJson output_json(const Table& results, std::size_t row) {
     return json;
 }
 
+/// Standard errors and gains of the figures; nulls with too few batches.
+OrderedJson variance_reduction_json(const ReducedVariance& reduced, const Unit& unit) {
+    const OutputFigures &e = reduced.standard_errors, &g = reduced.gains;
+    OrderedJson json = {{"standardErrors",
+                         {{"mean", json_number(unit.interval_from_si(e.mean))},
+                          {"standardUncertainty", json_number(unit.interval_from_si(e.standard_uncertainty))},
+                          {"low", json_number(unit.interval_from_si(e.low))},
+                          {"high", json_number(unit.interval_from_si(e.high))}}},
+                        {"gains",
+                         {{"mean", json_number(g.mean)},
+                          {"standardUncertainty", json_number(g.standard_uncertainty)},
+                          {"low", json_number(g.low)},
+                          {"high", json_number(g.high)}}}};
+    if (!reduced.plain_because.empty()) json["plainBecause"] = reduced.plain_because;
+    return json;
+}
+
 /// Entry (i, j) in the product of the units of outputs i and j.
 OrderedJson covariance_json(const UncertaintyResult& result) {
     OrderedJson rows = OrderedJson::array();
@@ -255,7 +272,13 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     const UncertaintyResult& result = *evaluated.result;
     OrderedJson outputs = OrderedJson::array();
     const Table results = results_table(result);
-    for (std::size_t row = 0; row < results.rows; ++row) outputs.push_back(output_json(results, row));
+    for (std::size_t row = 0; row < results.rows; ++row) {
+        outputs.push_back(output_json(results, row));
+        const OutputResult& output = result.outputs[row];
+        if (output.monte_carlo && output.monte_carlo->reduced)
+            outputs.back()["varianceReduction"] =
+                variance_reduction_json(*output.monte_carlo->reduced, output.quantity.unit);
+    }
     OrderedJson json = {{"id", evaluated.analysis->id},
                         {"model", evaluated.analysis->descriptor ? evaluated.analysis->descriptor->id : ""},
                         {"trials", result.trials},
@@ -268,6 +291,11 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     std::vector<std::string> warnings = evaluated.warnings;
     warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
     if (!warnings.empty()) json["warnings"] = warnings;
+    if (result.variance_reduction != VarianceReduction::none) {
+        const auto gain = least_gain(result);
+        json["varianceReduction"] = {{"kind", key_of(result.variance_reduction)},
+                                     {"leastGain", gain ? json_number(*gain) : OrderedJson(nullptr)}};
+    }
     if (!result.contributors.empty()) json["contributors"] = contributors_json(result);
     if (!result.sobol.empty()) json["sobol"] = sobol_json(result);
     if (!evaluated.analysis->linked.empty()) {

@@ -1,5 +1,7 @@
 // Notes (deviations from the sources, warnings of the runs) and provenance.
 #include <algorithm>
+#include <cstdio>
+#include <string>
 
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
@@ -18,6 +20,27 @@ void add_list(Blocks& blocks, const std::string& heading, std::vector<std::strin
     blocks.push_back(ListBlock{std::move(items)});
 }
 
+std::string reduction_note(const UncertaintyResult& result) {
+    const bool sobol = result.variance_reduction == VarianceReduction::sobol;
+    std::string note = sobol ? "The trials are Sobol points with a random digital shift in each batch; "
+                               "standard errors are from the "
+                               "scatter of the batches."
+                             : "Mean, standard uncertainty, symmetric interval and covariance were found "
+                               "with the linear part of each "
+                               "output as control variate: its distribution is known exactly, and the trials "
+                               "tell how the output "
+                               "differs from it. Shortest intervals, histograms and probabilities of "
+                               "conformance are those of the "
+                               "trials.";
+    if (const auto gain = least_gain(result)) {
+        char text[120];
+        std::snprintf(text, sizeof text, " At the interval ends each trial is worth %.2g plain ones or more.",
+                      *gain);
+        note += text;
+    }
+    return note;
+}
+
 std::vector<std::string> run_notes(const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     std::vector<std::string> notes = evaluated.warnings;
@@ -30,6 +53,7 @@ std::vector<std::string> run_notes(const EvaluatedAnalysis& evaluated) {
         notes.push_back(
             "Coverage intervals were read from finely divided cells, not from ordered trials: there were "
             "more trials than memory allows to order.");
+    if (result.variance_reduction != VarianceReduction::none) notes.push_back(reduction_note(result));
     return notes;
 }
 
@@ -73,10 +97,13 @@ void add_provenance(Blocks& blocks, const ReportSource& source) {
     table.text("Covaria");
     for (const EvaluatedAnalysis& evaluated : source.analyses) {
         const UncertaintyResult& result = *evaluated.result;
-        const char* method = result.trials == 0 ? "law of propagation"
+        std::string method = result.trials == 0 ? "law of propagation"
                              : result.adaptive  ? "adaptive"
                                                 : "Monte Carlo";
-        table.row({evaluated.analysis->name, evaluated.analysis->descriptor->id, std::string(method),
+        if (result.variance_reduction != VarianceReduction::none)
+            method += result.variance_reduction == VarianceReduction::sobol ? ", Sobol points"
+                                                                            : ", control variate";
+        table.row({evaluated.analysis->name, evaluated.analysis->descriptor->id, method,
                    count_text(result.trials), count_text(result.failed_trials),
                    std::to_string(result.provenance.seed), evaluated.analysis->fingerprint(),
                    result.provenance.covaria_version});

@@ -22,6 +22,23 @@ std::vector<std::string> groups_of(const std::vector<OutputQuantity>& outputs) {
     return groups;
 }
 
+std::string_view key_of(VarianceReduction reduction) {
+    static constexpr std::string_view keys[] = {"none", "control-variate", "sobol"};
+    return keys[static_cast<int>(reduction)];
+}
+
+std::optional<double> least_gain(const UncertaintyResult& result) {
+    std::optional<double> least;
+    for (const OutputResult& output : result.outputs) {
+        if (!output.monte_carlo || !output.monte_carlo->reduced) continue;
+        if (output.quantity.role != OutputRole::measurand) continue;
+        const OutputFigures& gains = output.monte_carlo->reduced->gains;
+        for (const double gain : {gains.low, gains.high})
+            if (std::isfinite(gain)) least = std::min(least.value_or(gain), gain);
+    }
+    return least;
+}
+
 std::vector<std::string> groupings_of(const UncertaintyBudget& budget) {
     std::vector<std::string> groupings;
     for (const BudgetComponent& component : budget.components)

@@ -11,6 +11,7 @@
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
 #include "core/result/trial_distribution.h"
+#include "core/result/variance_reduction.h"
 
 namespace covaria {
 
@@ -72,6 +73,7 @@ struct MonteCarloOutput {
     Histogram histogram;
     std::vector<double> quantiles;  ///< at (i - 0.5)/n, i = 1..n (n = 199): for the Q-Q chart
     TrialDistribution distribution;
+    std::optional<ReducedVariance> reduced = {};  ///< of mean, u, the symmetric interval; the rest is plain
 };
 
 struct OutputResult {
@@ -217,11 +219,16 @@ struct UncertaintyResult {
     bool adaptive = false;
     bool stabilised = true;  ///< false: adaptive run stopped at its cap
     std::uint64_t batches = 0;
+    VarianceReduction variance_reduction = VarianceReduction::none;
     bool intervals_exact = true;  ///< false: from cells (more trials than memory for exact order statistics)
     std::vector<ConvergencePoint> convergence;
     std::vector<std::string> warnings;
     Provenance provenance;
 };
+
+/// Least gain of variance reduction at the interval ends of the measurands; empty without variance reduction,
+/// or with too few batches to say.
+std::optional<double> least_gain(const UncertaintyResult& result);
 
 /// The groupings of a budget, in order of appearance: "parameter", "joint", "kind".
 std::vector<std::string> groupings_of(const UncertaintyBudget& budget);

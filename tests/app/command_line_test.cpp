@@ -73,6 +73,29 @@ TEST(CommandLine, ResultsAreTheSameBytesForAnyNumberOfThreads) {
     }
 }
 
+TEST(CommandLine, VarianceReductionIsStatedAndAnythingElseIsWrongUsage) {
+    for (const std::string kind : {"control-variate", "sobol"}) {
+        std::string first;
+        for (const char* threads : {"1", "3"}) {
+            const fs::path folder = fresh_folder(kind + threads);
+            const Outcome run =
+                run_program({"run", stewart, "--trials", "20000", "--analysis", "printed",
+                             "--variance-reduction", kind, "--threads", threads, "--out", folder.string()});
+            ASSERT_EQ(run.status, 0) << run.err;
+            const json analysis = results_of(folder)["analyses"][0];
+            EXPECT_EQ(analysis.at("varianceReduction").at("kind"), kind);
+            EXPECT_GT(analysis.at("varianceReduction").at("leastGain"), kind == "sobol" ? 0.1 : 100.0);
+            const json& output = analysis["outputs"][0]["varianceReduction"];
+            EXPECT_GT(output.at("standardErrors").at("high"), 0.0);
+            EXPECT_GT(output.at("gains").at("standardUncertainty"), kind == "sobol" ? 0.1 : 1000.0);
+            const std::string bytes = read_text(folder / "results.json");
+            if (first.empty()) first = bytes;
+            EXPECT_EQ(bytes, first);
+        }
+    }
+    EXPECT_EQ(run_program({"run", stewart, "--variance-reduction", "antithetic"}).status, 2);
+}
+
 TEST(CommandLine, SeedAndAnalysisAreHonoured) {
     const fs::path folder = fresh_folder("seed");
     const json all = json::parse(read_text(stewart));

@@ -26,6 +26,8 @@ PreparedAnalysis preview_of(const PreparedAnalysis& analysis) {
     PreparedAnalysis preview = analysis;
     preview.options.method = Method::monte_carlo;
     preview.options.trials = preview_trials;
+    if (preview.options.variance_reduction == VarianceReduction::none)
+        preview.options.variance_reduction = VarianceReduction::control_variate;
     preview.options.one_at_a_time_trials = 0;
     preview.options.contributor_trials = 0;
     preview.options.sobol_trials = 0;

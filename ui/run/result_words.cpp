@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
+#include <cmath>
 
 namespace covaria::ui {
 
@@ -15,13 +17,25 @@ QString count(std::uint64_t trials) {
     return QLocale().toString(qulonglong(trials));
 }
 
-/// "Preview with 20 000 of 30 000 000 trials"
+/// ", worth 4 000 000": how many plain trials would give such interval ends, by one digit, which is all that
+/// the few batches of a preview know.
+QString worth(const UncertaintyResult& result) {
+    constexpr double most = 1e9;  // beyond, the rest is rounding
+    const auto gain = least_gain(result);
+    if (!gain || *gain < 1.5) return {};
+    const double trials = std::min(most, *gain * static_cast<double>(result.trials));
+    const double unit = std::pow(10.0, std::floor(std::log10(trials)));
+    return tr(", worth %1").arg(count(static_cast<std::uint64_t>(std::floor(trials / unit) * unit)));
+}
+
+/// "Preview with 20 000 of 30 000 000 trials, worth 4 000 000"
 QString preview_words(const AnalysisStatus& status) {
     const EvaluationOptions& wanted = status.result_of->options;
     if (status.result->trials == 0) return tr("Preview by the law of propagation, without Monte Carlo");
+    const QString done = count(status.result->trials), value = worth(*status.result);
     if (wanted.method == Method::adaptive)
-        return tr("Preview with %1 trials, before the adaptive procedure").arg(count(status.result->trials));
-    return tr("Preview with %1 of %2 trials").arg(count(status.result->trials), count(wanted.trials));
+        return tr("Preview with %1 trials, before the adaptive procedure").arg(done) + value;
+    return tr("Preview with %1 of %2 trials").arg(done, count(wanted.trials)) + value;
 }
 
 bool is_preview(const AnalysisStatus& status) {

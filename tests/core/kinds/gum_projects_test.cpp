@@ -11,6 +11,7 @@
 #include "core/made/load_project.h"
 #include "core/project/project_file.h"
 #include "core/report/verification.h"
+#include "tests/core/made.h"
 
 namespace covaria::gum_projects_test {
 namespace {
@@ -32,31 +33,49 @@ std::vector<VerificationCase> shipped() {
 
 class GumProject : public testing::TestWithParam<VerificationCase> {};
 
-TEST_P(GumProject, ReproducesPublishedAndReferenceValues) {
-    const VerificationCase& verification = GetParam();
-    const LoadedProject loaded = load_project(data_directory() / verification.project);
+/// The figures of a case, evaluated with this option.
+CheckedCase checked(const VerificationCase& verification, VarianceReduction reduction) {
+    LoadedProject loaded = load_project(data_directory() / verification.project);
     for (const Problem& p : loaded.problems.items()) ADD_FAILURE() << p.path << " " << p.message;
     std::vector<EvaluatedAnalysis> evaluated;
     std::set<std::string> wanted;
     for (const VerificationCheck& check : verification.checks) wanted.insert(check.analysis);
-    for (const AnalysisEntry& entry : loaded.project.analyses) {
+    for (AnalysisEntry& entry : loaded.project.analyses) {
         if (!wanted.contains(entry.id)) continue;
-        const auto prepared = loaded.made->analysis(entry.id);
-        ASSERT_TRUE(prepared) << entry.id;
-        auto result = run_analysis(*prepared);
-        ASSERT_TRUE(result) << result.error().message;
+        entry.options.variance_reduction = reduction;
+        Problems problems;
+        const auto prepared = made_analysis(loaded.project, entry.id, problems);
+        auto result = prepared ? run_analysis(*prepared)
+                               : Result<UncertaintyResult>(fail(ErrorCode::bad_input, entry.id));
+        EXPECT_TRUE(result) << result.error().message;
+        if (!result) return {};
         evaluated.push_back(
             {prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}, {}});
     }
     const auto checked = check_case(verification, evaluated);
-    ASSERT_TRUE(checked) << checked.error().message;
-    EXPECT_TRUE(checked->passed());
-    for (const CheckedFigure& f : checked->figures) {
+    EXPECT_TRUE(checked) << checked.error().message;
+    return checked.value_or(CheckedCase{});
+}
+
+TEST_P(GumProject, ReproducesPublishedAndReferenceValues) {
+    const CheckedCase found = checked(GetParam(), VarianceReduction::none);
+    EXPECT_TRUE(found.passed());
+    EXPECT_FALSE(found.figures.empty());
+    for (const CheckedFigure& f : found.figures) {
         EXPECT_TRUE(f.agrees_with_reference) << f.check.what << ": " << f.value << " +- " << f.tolerance
                                              << ", reference " << f.check.reference.value_or(0);
         EXPECT_TRUE(f.reproduces_published || !f.check.because.empty())
             << f.check.what << ": " << f.value << ", published " << f.check.published.value_or(0);
     }
+}
+
+// Within four combined standard errors of the reference, as plain trials are.
+TEST_P(GumProject, AgreesWithTheReferenceWithControlVariates) {
+    const CheckedCase found = checked(GetParam(), VarianceReduction::control_variate);
+    EXPECT_FALSE(found.figures.empty());
+    for (const CheckedFigure& f : found.figures)
+        EXPECT_TRUE(f.agrees_with_reference) << f.check.what << ": " << f.value << " +- " << f.tolerance
+                                             << ", reference " << f.check.reference.value_or(0);
 }
 
 const std::vector<std::string> folders{"projects/gum", "resources/verification"};

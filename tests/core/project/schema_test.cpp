@@ -40,7 +40,7 @@ AnalysisEntry full_analysis() {
     a.inputs.push_back({"x", q, std::vector<ComponentEdit>{component}, Combination::arithmetic, true});
     a.correlations.push_back({"x.1", "y.1", 0.5});
     EvaluationOptions& o = a.options;
-    o = {Method::adaptive, 20, 2, 0.9, 2.0, true, 5, 6, 7, 3, q, 11, 1000};
+    o = {Method::adaptive, 20, 2, VarianceReduction::sobol, 0.9, 2.0, true, 5, 6, 7, 3, q, 11, 1000};
     a.requirements.push_back({"g", "y", q, q, q, 0.5, q, q});
     StudyAxis axis{"plate",        "/setup/k", StudyChange::added,       1.0, 2.0,
                    Unit::of("mm"), 5,          StudySpacing::logarithmic};
@@ -87,7 +87,7 @@ Json with_defaults(const char* definition) {
 TEST(JsonSchema, StatesTheDefaults) {
     Problems problems;
     const Json options = with_defaults("options");
-    EXPECT_EQ(options.size(), 11u);
+    EXPECT_EQ(options.size(), 12u);
     EXPECT_EQ(options_from_json(options, "", problems), EvaluationOptions{});
     Json study = with_defaults("study");
     study["id"] = "s";

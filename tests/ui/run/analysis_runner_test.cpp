@@ -1,5 +1,6 @@
 // Runs, stopping, latest wins, live mode: with a scripted backend.
 #include "ui/run/analysis_runner.h"
+#include "ui/run/result_words.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,7 @@ struct Script {
     std::atomic<int> runs = 0;
     std::atomic<int> first_orders = 0;
     std::atomic<int> runs_of_x = 0;
+    std::atomic<double> gain = 1.0;  ///< of runs with variance reduction
 
     RunBackend backend() {
         return {[this](const PreparedAnalysis&) {
@@ -69,6 +71,12 @@ struct Script {
         UncertaintyResult result;
         result.trials = analysis.options.trials;
         result.provenance.seed = analysis.options.seed;
+        result.variance_reduction = analysis.options.variance_reduction;
+        if (result.variance_reduction != VarianceReduction::none) {
+            ReducedVariance reduced;
+            reduced.gains = {gain, gain, gain, gain};
+            result.outputs.emplace_back().monte_carlo.emplace().reduced = reduced;
+        }
         return result;
     }
 };
@@ -203,6 +211,34 @@ TEST_F(AnalysisRunnerTest, LiveModeShowsFirstOrderBeforeMonteCarlo) {
     EXPECT_EQ(stages, (std::vector{ResultStage::first_order, ResultStage::preview, ResultStage::complete}));
     EXPECT_EQ(script.first_orders, 1);
     EXPECT_EQ(status().result->trials, EvaluationOptions{}.trials);
+    EXPECT_EQ(status().result->variance_reduction, VarianceReduction::none) << "the preview's only";
+}
+
+TEST_F(AnalysisRunnerTest, APreviewSaysWhatItIsWorth) {
+    script.gain = 234.0;
+    maker.request(project(1));
+    runner.set_live(true);
+    std::vector<QString> words;
+    std::vector<VarianceReduction> reductions;
+    QObject::connect(&runner, &AnalysisRunner::result_changed, &runner, [&] {
+        if (status().stage != ResultStage::preview) return;
+        words.push_back(result_words(status()));
+        reductions.push_back(status().result->variance_reduction);
+    });
+    ASSERT_TRUE(settle());
+    script.gain = 1.2;
+    maker.request(project(2));
+    ASSERT_TRUE(settle());
+    script.gain = 1e12;
+    maker.request(project(3));
+    ASSERT_TRUE(settle());
+    const auto count = [](qulonglong trials) { return QLocale().toString(trials); };
+    const QString words_of_plain =
+        QStringLiteral("Preview with %1 of %2 trials").arg(count(20'000), count(1'000'000));
+    EXPECT_EQ(words,
+              (std::vector{words_of_plain + QStringLiteral(", worth ") + count(4'000'000), words_of_plain,
+                           words_of_plain + QStringLiteral(", worth ") + count(1'000'000'000)}));
+    EXPECT_EQ(reductions, std::vector(3, VarianceReduction::control_variate));
 }
 
 TEST_F(AnalysisRunnerTest, InLiveModeTheLatestChangeWins) {

@@ -1,0 +1,61 @@
+// What variance reduction adds to a Monte Carlo run: other points, controls, estimates from batches.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/propagation/batch_estimates.h"
+#include "core/propagation/first_order.h"
+#include "core/propagation/linear_distribution.h"
+#include "core/propagation/monte_carlo.h"
+
+namespace covaria::detail {
+
+/// Trials in a batch of a run of so many: some hundred batches, but enough trials in each for its interval
+/// ends; a power of two for Sobol points.
+std::uint64_t batch_of_run(const EvaluationOptions& options);
+
+/// For one run. Used in this order: `source` for the pilot, `choose` after it, `source` for the run,
+/// `estimates` in it, `apply` after it.
+class ReducedRun {
+public:
+    /// `source`: of plain trials. All must outlive it.
+    ReducedRun(const TrialSource& source, const InputSet& inputs, const Correlations& correlations,
+               const LawOfPropagation& law, const EvaluationOptions& options);
+
+    const TrialSource& source() const { return source_; }
+    /// Keeps the controls that are worth their time, and finds what is known of them. Error: cancelled.
+    Result<void> choose(Pilot& pilot, RunMonitor& monitor);
+    BatchEstimates* estimates() { return estimates_ ? &*estimates_ : nullptr; }
+    /// Puts the better estimates in, with their standard errors.
+    void apply(const MonteCarloRun& run, std::vector<MonteCarloOutput>& outputs) const;
+    /// Of the outputs with these standard uncertainties.
+    Eigen::MatrixXd covariance(const MonteCarloRun& run, const std::vector<MonteCarloOutput>& outputs) const;
+    /// "X, Y (reason)" for each reason why outputs have no control.
+    std::vector<std::string> without_control() const;
+
+private:
+    void offer_controls();
+    /// Of the linear part of output j; NaN where it is not known.
+    std::array<double, BatchFigures::count> expectations(std::size_t output) const;
+    bool is_plain(const MonteCarloRun& run) const;
+    BatchEstimates::Estimate figure_of(std::size_t output, std::size_t figure) const;
+    double plain_gain(const MonteCarloOutput& output, const MonteCarloRun& run, std::size_t figure,
+                      double error) const;
+
+    const InputSet& inputs_;
+    const Correlations& correlations_;
+    const LawOfPropagation& law_;
+    const EvaluationOptions& options_;
+    TrialSource source_;
+    std::optional<DrawPlan> sobol_plan_;
+    std::optional<LinearRows> rows_;
+    std::vector<std::vector<LinearTerm>> terms_;  ///< of the rows
+    Eigen::MatrixXd linear_covariance_;           ///< exact, of the linear parts of all outputs
+    std::vector<std::string> plain_because_;      ///< by output; empty: controlled
+    std::optional<BatchEstimates> estimates_;
+};
+
+}  // namespace covaria::detail
