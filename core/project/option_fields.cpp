@@ -40,13 +40,14 @@ OptionField variance_reduction_field() {
     const auto kind = [](VarianceReduction reduction, const char* title) {
         return ChoiceOf<VarianceReduction>{reduction, key_of(reduction).data(), title};  // of a literal
     };
-    return choice("varianceReduction", "Variance reduction",
-                  "Makes each trial tell more; the gain is measured and stated with the result. Plain trials are "
-                  "those of JCGM 101.",
-                  &O::variance_reduction, with_trials,
-                  {kind(VarianceReduction::none, "None: plain trials"),
-                   kind(VarianceReduction::control_variate, "Control variate: the linear part"),
-                   kind(VarianceReduction::sobol, "Sobol points, scrambled")});
+    return choice(
+        "varianceReduction", "Variance reduction",
+        "Makes each trial tell more; the gain is measured and stated with the result. Plain trials are "
+        "those of JCGM 101.",
+        &O::variance_reduction, with_trials,
+        {kind(VarianceReduction::none, "None: plain trials"),
+         kind(VarianceReduction::control_variate, "Control variate: the linear part"),
+         kind(VarianceReduction::sobol, "Sobol points, scrambled")});
 }
 
 std::vector<OptionField> common_fields() {
