@@ -50,7 +50,7 @@ std::uint64_t power_of_two_below(std::uint64_t trials) {
 }  // namespace
 
 std::uint64_t batch_of_run(const EvaluationOptions& options) {
-    constexpr std::uint64_t batches = 100, batches_of_points = 32, most = 100'000;
+    constexpr std::uint64_t batches_of_points = 32, most = 100'000;
     if (options.method == Method::adaptive)
         return AdaptiveProcedure::batch_trials(options.coverage_probability);
     const double least = std::ceil(10.0 / (1.0 - options.coverage_probability) * (1.0 - 1e-12));
@@ -59,7 +59,10 @@ std::uint64_t batch_of_run(const EvaluationOptions& options) {
         return std::max(power_of_two_below(std::min(options.trials / batches_of_points, most)),
                         2 * power_of_two_below(enough - 1));
     const std::uint64_t whole_blocks = (enough + block_trials - 1) / block_trials * block_trials;
-    return std::max(round_down(std::min(options.trials / batches, most)), whole_blocks);
+    // Small batches gain more at the interval ends: the same trial is more often the end of the output and of
+    // its control. But their bias falls with their size, and the standard error with the root of all trials.
+    const auto unbiased = static_cast<std::uint64_t>(4.0 * std::sqrt(static_cast<double>(options.trials)));
+    return std::max(round_down(std::min(unbiased, most)), whole_blocks);
 }
 
 ReducedRun::ReducedRun(const TrialSource& source, const InputSet& inputs, const Correlations& correlations,

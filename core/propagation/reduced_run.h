@@ -13,8 +13,8 @@
 
 namespace covaria::detail {
 
-/// Trials in a batch of a run of so many: some hundred batches, but enough trials in each for its interval
-/// ends; a power of two for Sobol points.
+/// Trials in a batch of a run of so many: some hundred batches or more, but enough trials in each for its
+/// interval ends; a power of two for Sobol points.
 std::uint64_t batch_of_run(const EvaluationOptions& options);
 
 /// For one run. Used in this order: `source` for the pilot, `choose` after it, `source` for the run,

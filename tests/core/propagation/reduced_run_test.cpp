@@ -135,7 +135,7 @@ TEST(ControlVariate, GainsWhatTheLinearPartExplains) {
     const UncertaintyResult result =
         evaluated(bent_model(), options_with(VarianceReduction::control_variate, 200'000));
     const OutputFigures& gains = output_of(result).reduced->gains;
-    constexpr double batches = 100.0;
+    constexpr double batches = 200'000 / 1024;
     // The mean is left with the variance of 0.1 x2^2, 0.02 of 1.02.
     expect_gain(gains.mean, 1.02 / 0.02, batches, 2.0);
     expect_gain(gains.low, bent_gain_of_quantile(0.025), batches, 3.0);
