@@ -131,8 +131,8 @@ TypesetComboBox::TypesetComboBox(QWidget* parent) : QComboBox(parent) {
     setItemDelegate(new TypesetDelegate(this));
 }
 
-void TypesetComboBox::add_item(const Text& text, const QVariant& data) {
-    addItem(to_qt(to_unicode(text)), data);
+void TypesetComboBox::add_item(const Text& text, const QVariant& own) {
+    addItem(to_qt(to_unicode(text)), own);
     setItemData(count() - 1, QVariant::fromValue(text), typeset_role);
 }
 

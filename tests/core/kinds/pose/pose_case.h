@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "tests/core/made.h"
+
 namespace covaria::pose_case {
 
 inline Project project(const std::string& name) {
