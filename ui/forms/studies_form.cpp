@@ -10,6 +10,7 @@
 #include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {

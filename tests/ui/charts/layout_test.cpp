@@ -1,6 +1,8 @@
 // No text is cut or covers another, whatever the chart and its size.
 #include "ui/charts/chart_layout.h"
 
+#include <QFontMetricsF>
+
 #include "core/text/symbol.h"
 #include "tests/ui/charts/chart_test.h"
 #include "ui/charts/mark_labels.h"
