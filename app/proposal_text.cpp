@@ -81,9 +81,12 @@ std::string text_of(const Reader& reader, const Proposals& proposals, bool with_
     if (with_tables) write_tables(out, proposals);
     if (proposals.left_out.empty()) return out.str();
     out << "\nnot taken over\n";
-    const std::size_t shown = std::min(proposals.left_out.size(), shown_left_out);
+    std::vector<LeftOut> all = proposals.left_out;
+    std::stable_sort(all.begin(), all.end(),
+                     [](const LeftOut& a, const LeftOut& b) { return a.line < b.line; });
+    const std::size_t shown = std::min(all.size(), shown_left_out);
     for (std::size_t i = 0; i < shown; ++i) {
-        const LeftOut& left = proposals.left_out[i];
+        const LeftOut& left = all[i];
         out << "  " << (left.line > 0 ? "line " + std::to_string(left.line) + ": " : "") << left.what << "\n";
     }
     const std::size_t more = proposals.left_out.size() - shown + proposals.left_out_beyond;

@@ -7,5 +7,6 @@ namespace covaria {
 
 Reader spatial_analyzer_reader();
 Reader point_table_reader();
+Reader dcc_reader();
 
 }  // namespace covaria

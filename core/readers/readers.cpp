@@ -51,7 +51,7 @@ std::string names_of(const std::vector<const Reader*>& readers) {
 }  // namespace
 
 const std::vector<Reader>& reader_registry() {
-    static const std::vector<Reader> readers{spatial_analyzer_reader(), point_table_reader()};
+    static const std::vector<Reader> readers{spatial_analyzer_reader(), point_table_reader(), dcc_reader()};
     return readers;
 }
 

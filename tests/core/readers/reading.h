@@ -30,8 +30,8 @@ inline std::string errors_of(Proposals proposals) {
     Project project;
     add_to_project(project, std::move(proposals));
     std::string errors;
-    const auto made = MadeProject::make(project);
-    for (const Problem& problem : made->problems().items())
+    const Problems problems = MadeProject::make(project)->problems();
+    for (const Problem& problem : problems.items())
         if (problem.severity == Severity::error) errors += problem.path + ": " + problem.message + "\n";
     return errors;
 }
