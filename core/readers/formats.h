@@ -8,5 +8,8 @@ namespace covaria {
 Reader spatial_analyzer_reader();
 Reader point_table_reader();
 Reader dcc_reader();
+Reader gsi_reader();
+Reader gama_reader();
+Reader comp3d_reader();
 
 }  // namespace covaria

@@ -51,7 +51,12 @@ std::string names_of(const std::vector<const Reader*>& readers) {
 }  // namespace
 
 const std::vector<Reader>& reader_registry() {
-    static const std::vector<Reader> readers{spatial_analyzer_reader(), point_table_reader(), dcc_reader()};
+    static const std::vector<Reader> readers{spatial_analyzer_reader(),
+                                             point_table_reader(),
+                                             dcc_reader(),
+                                             gsi_reader(),
+                                             gama_reader(),
+                                             comp3d_reader()};
     return readers;
 }
 
