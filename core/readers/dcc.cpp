@@ -88,13 +88,10 @@ private:
     Result<void> take(const pugi::xml_node& node, const std::string& result) {
         if (const pugi::xml_node inner = child_called(node, "measurementMetaData"))
             proposals_.leave_out(xml_.line(inner), in_quotes(dcc_name(node)) + ": <measurementMetaData>");
+        if (quantities_.size() == most_stated_quantities) return leave_out_beyond(node);
         auto read = read_dcc_quantity(xml_, node, proposals_);
         if (!read) return fail(read.error());
-        if (quantities_.size() + read->values.size() > most_stated_quantities) {
-            proposals_.leave_out(read->line, in_quotes(read->name) + ": more than " +
-                                                 std::to_string(most_stated_quantities) + " values");
-            return {};
-        }
+        if (quantities_.size() + read->values.size() > most_stated_quantities) return leave_out_beyond(node);
         const std::size_t first = quantities_.size();
         for (StatedQuantity& q : read->values) {
             q.symbol = "q_" + std::to_string(quantities_.size() + 1);
@@ -108,6 +105,12 @@ private:
         }
         for (const StatedCorrelation& c : read->correlations)
             correlations_.push_back({first + c.first, first + c.second, c.coefficient});
+        return {};
+    }
+
+    Result<void> leave_out_beyond(const pugi::xml_node& node) {
+        proposals_.leave_out(xml_.line(node),
+                             "a quantity: more than " + std::to_string(most_stated_quantities) + " values");
         return {};
     }
 

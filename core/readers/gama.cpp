@@ -1,11 +1,12 @@
 // GNU Gama networks (.gkf): points and observed coordinates with their covariance.
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <map>
 #include <sstream>
 
 #include "core/base/in_quotes.h"
+#include "core/readers/covariance.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/listed_points.h"
@@ -167,27 +168,12 @@ private:
                                                   " is no number");
                 covariance(i, j) = covariance(j, i) = *value;
             }
-        return take_covariance(node, covariance, places);
-    }
-
-    Result<void> take_covariance(const pugi::xml_node& node, const Eigen::MatrixXd& covariance,
-                                 const std::vector<std::size_t>& places) {
-        const Eigen::VectorXd u = covariance.diagonal().cwiseSqrt();
-        if (!(u.minCoeff() > 0.0) || !u.allFinite())
-            return xml_.refused(node, "a variance of its covariance matrix is not positive");
-        const Eigen::VectorXd inverse = u.cwiseInverse();
-        const Eigen::MatrixXd r = inverse.asDiagonal() * covariance * inverse.asDiagonal();
-        if (!r.allFinite() ||
-            Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(r).eigenvalues().minCoeff() < -1e-9)
-            return xml_.refused(
-                node, "its matrix is no covariance matrix: a variance of some combination is negative");
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const auto row = static_cast<Eigen::Index>(i);
-            list_.points[places[i] / 3].u[places[i] % 3] = u[row] * 1e-3;
-            for (std::size_t j = 0; j < i; ++j)
-                if (const double c = r(row, static_cast<Eigen::Index>(j)); c != 0.0)
-                    list_.correlations.push_back({places[j], places[i], std::clamp(c, -1.0, 1.0)});
-        }
+        const auto taken = take_covariance(covariance);
+        if (!taken) return xml_.refused(node, taken.error().message);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            list_.points[places[i] / 3].u[places[i] % 3] = taken->u[static_cast<Eigen::Index>(i)] * 1e-3;
+        for (const StatedCorrelation& c : taken->correlations)
+            list_.correlations.push_back({places[c.first], places[c.second], c.coefficient});
         return {};
     }
 

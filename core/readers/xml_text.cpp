@@ -5,6 +5,9 @@
 namespace covaria {
 
 Result<XmlText> XmlText::parse(const std::string& text) {
+    if (text.size() > largest_xml)
+        return refused_at(1,
+                          "XML of more than " + std::to_string(largest_xml / 1'000'000) + " MB is not read");
     XmlText xml(text);
     const pugi::xml_parse_result parsed =
         xml.document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);

@@ -11,9 +11,13 @@
 
 namespace covaria {
 
+/// Bytes; what is made of short elements takes twenty times as much.
+inline constexpr std::size_t largest_xml = 40'000'000;
+
 class XmlText {
 public:
-    /// Error with line and column: no XML; a document type declaration, whose entities are never expanded.
+    /// Error with line and column: no XML; too large; a document type declaration, whose entities are never
+    /// expanded.
     static Result<XmlText> parse(const std::string& text);
 
     pugi::xml_node root() const { return document_.document_element(); }

@@ -60,7 +60,8 @@ TEST(Import, AsksForWhatTheFileDoesNotSay) {
 TEST(Import, ListsItsReaders) {
     const Outcome list = run_program({"import", "--list"});
     EXPECT_EQ(list.status, 0);
-    for (const char* reader : {"spatialanalyzer", "points"}) EXPECT_TRUE(has(list.out, reader)) << list.out;
+    for (const char* reader : {"spatialanalyzer", "points", "dcc", "gsi", "gama", "comp3d"})
+        EXPECT_TRUE(has(list.out, reader)) << list.out;
 }
 
 TEST(Import, NamesFileLineAndColumn) {

@@ -56,7 +56,7 @@ TEST(ReadGama, WhatIsWrongHasAPlace) {
           Case{replaced(file, "band=\"2\"", "band=\"6\""), 13, "its dim must be"},
           Case{replaced(file, "9 0 0", "9 x 0"), 13, "element 3, 4: 'x' is no number"},
           Case{replaced(file, "4 1 0\n", "4 9 0\n"), 13, "no covariance matrix"},
-          Case{replaced(file, "9 0 0", "-9 0 0"), 13, "is not positive"},
+          Case{replaced(file, "9 0 0", "-9 0 0"), 13, "is negative"},
           Case{replaced(file, "x=\"10.5\"", "x=\"10,5\""), 7, "x = '10,5' is no number"},
           Case{replaced(file, "<gama-local", "<!DOCTYPE gama-local>\n<gama-local"), 2, "document type"},
           Case{"<other/>", 1, "no network"}}) {
