@@ -20,8 +20,8 @@ json results_of(const fs::path& folder) {
 TEST(CommandLine, HelpNamesEverySubcommand) {
     const Outcome help = run_program({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* word :
-         {"run", "report", "render", "validate", "describe", "convert", "import-urdf", "Exit status"})
+    for (const char* word : {"run", "report", "render", "validate", "describe", "convert", "import ",
+                             "import-urdf", "Exit status"})
         EXPECT_NE(help.out.find(word), std::string::npos) << word;
 }
 

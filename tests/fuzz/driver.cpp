@@ -72,6 +72,7 @@ std::unique_ptr<Kind> kind_named(const std::string& name) {
     if (name == "equations") return equation_kind();
     if (name == "csv") return csv_kind();
     if (name == "urdf") return urdf_kind();
+    if (name == "readers") return reader_kind();
     return nullptr;
 }
 
@@ -102,7 +103,8 @@ void run_one(Kind& kind, const std::string& input, Count& count) {
 int main(int argc, char** argv) {
     const auto kind = argc >= 3 ? kind_named(argv[1]) : nullptr;
     if (!kind)
-        return std::fputs("covaria_fuzz projects|equations|csv|urdf COUNT SEED [FOLDER [FIRST]]\n", stderr),
+        return std::fputs("covaria_fuzz projects|equations|csv|urdf|readers COUNT SEED [FOLDER [FIRST]]\n",
+                          stderr),
                2;
     watch_signals();
     Count count;

@@ -1,0 +1,177 @@
+// covaria import FILE: what a file of others becomes in a project, shown or written.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/commands.h"
+#include "app/exit_status.h"
+#include "app/proposal_text.h"
+#include "app/terminal.h"
+#include "core/base/guarded.h"
+#include "core/base/in_quotes.h"
+#include "core/made/load_project.h"
+#include "core/readers/readers.h"
+#include "core/setup/message_text.h"
+
+namespace covaria {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FileImport {
+    std::string file, reader, unit, output;
+    std::vector<std::string> columns;
+    bool list = false, add = false;
+};
+
+constexpr const char* import_footer =
+    "Examples:\n"
+    "  covaria import --list\n"
+    "  covaria import certificate.xml                        what would be taken over\n"
+    "  covaria import jig.txt --as spatialanalyzer -o jig.covaria\n"
+    "  covaria import points.csv --unit m --columns name,x,y,z,u,- -o jig.covaria --add\n"
+    "\n"
+    "What a file does not say is asked for, and what is not taken over is listed.";
+
+tl::unexpected<Error> with_file(Error error, const std::string& file) {
+    if (error.file.empty()) error.file = file;
+    return fail(std::move(error));
+}
+
+std::vector<std::string> reader_names() {
+    std::vector<std::string> names;
+    for (const Reader& reader : reader_registry()) names.push_back(reader.name);
+    return names;
+}
+
+Result<const Reader*> chosen_reader(const FileImport& request, const std::string& text) {
+    // Stated columns mean a table, whatever else the bytes may be.
+    const std::string name = request.reader.empty() && !request.columns.empty() ? "points" : request.reader;
+    if (!name.empty()) {
+        if (const Reader* reader = find_reader(name)) return reader;
+        return fail(ErrorCode::usage, "there is no reader " + in_quotes(name) +
+                                          did_you_mean(name, reader_names()) +
+                                          "; \"covaria import --list\" lists them");
+    }
+    const std::string file_name = fs::path(request.file).filename().string();
+    auto found = reader_for(text, file_name);
+    if (!found)
+        return fail(found.error().code,
+                    request.file + ": " + found.error().message + " (--as READER; --list lists them)");
+    return *found;
+}
+
+Result<ReadChoice> choice_of(const FileImport& request) {
+    ReadChoice choice{.file_name = fs::path(request.file).filename().string(),
+                      .length_unit = {},
+                      .columns = request.columns,
+                      .chosen = !request.reader.empty()};
+    if (request.unit.empty()) return choice;
+    const auto unit = Unit::parse(request.unit);
+    if (!unit || unit->dimension() != Unit::of("m").dimension())
+        return fail(ErrorCode::usage, "--unit " + request.unit + ": it must be a length: mm, m, in");
+    choice.length_unit = *unit;
+    return choice;
+}
+
+Result<Project> project_to_write(const FileImport& request, const std::string& title) {
+    Project project;
+    project.title = title;
+    std::error_code ignored;
+    if (!fs::exists(request.output, ignored)) return project;
+    LoadedProject loaded = load_project(request.output);
+    print_problems(loaded.problems);
+    if (loaded.problems.has_errors())
+        return fail(ErrorCode::bad_input,
+                    request.output + ": the project has errors; nothing was added to it");
+    return std::move(loaded.project);
+}
+
+/// Checked as `covaria validate` would, before anything is written.
+Result<void> write_project(const FileImport& request, Proposals proposals) {
+    auto project = project_to_write(request, proposals.title);
+    if (!project) return fail(project.error());
+    const std::size_t assets = project->assets.size(), analyses = project->analyses.size();
+    add_to_project(*project, std::move(proposals));
+    const LoadedProject made =
+        parse_project(project_text(*project), project_folder(request.output), request.output);
+    print_problems(made.problems);
+    if (made.problems.has_errors())
+        return fail(ErrorCode::bad_input,
+                    request.file + ": what it says contradicts itself (above); nothing was written");
+    auto saved = save_project(*project, request.output);
+    if (!saved) return saved;
+    std::printf("\n%s:", request.output.c_str());
+    for (std::size_t i = assets; i < project->assets.size(); ++i)
+        std::printf(" asset \"%s\"", project->assets[i].id.c_str());
+    for (std::size_t i = analyses; i < project->analyses.size(); ++i)
+        std::printf(" analysis \"%s\"", project->analyses[i].id.c_str());
+    std::printf("\n");
+    return {};
+}
+
+Result<void> import_file(const FileImport& request) {
+    std::error_code ignored;
+    if (!request.output.empty() && !request.add && fs::exists(request.output, ignored))
+        return fail(ErrorCode::bad_input,
+                    request.output + " exists already: --add adds to it, nothing is overwritten");
+    const auto choice = choice_of(request);
+    if (!choice) return fail(choice.error());
+    const auto text = read_file(request.file);
+    if (!text) return fail(text.error());
+    const auto reader = chosen_reader(request, *text);
+    if (!reader) return fail(reader.error());
+    auto guarded_read = guarded([&] { return (*reader)->read(*text, *choice); });
+    if (!guarded_read) return with_file(guarded_read.error(), request.file);
+    auto proposals = std::move(*guarded_read);
+    if (!proposals && proposals.error().code == ErrorCode::usage)
+        proposals.error().message += " (--columns NAME,NAME,... or --as READER)";
+    if (!proposals) return with_file(proposals.error(), request.file);
+    std::fputs(text_of(**reader, *proposals, request.output.empty()).c_str(), stdout);
+    if (request.output.empty()) {
+        std::printf("\nNothing was written; -o PROJECT writes it.\n");
+        return {};
+    }
+    return write_project(request, std::move(*proposals));
+}
+
+}  // namespace
+
+Command import_command(CLI::App& app) {
+    auto request = std::make_shared<FileImport>();
+    CLI::App* command = app.add_subcommand(
+        "import", "Read points, certificates and measurements from files of other programs");
+    command->footer(import_footer);
+    command->add_option("FILE", request->file, "file to read");
+    command->add_flag("--list", request->list, "list the readers");
+    command->add_option("--as", request->reader, "read it with this reader; found without it")
+        ->type_name("READER");
+    command->add_option("--output,-o", request->output, "project to write; without it the content is shown")
+        ->type_name("PROJECT");
+    command->add_flag("--add", request->add, "add to the project if it is there already");
+    command->add_option("--unit", request->unit, "unit of lengths that bear none (mm)")->type_name("UNIT");
+    command
+        ->add_option("--columns", request->columns,
+                     "what stands in each column of a table of points: name,x,y,z,u_x,u_y,u_z,-")
+        ->type_name("NAMES")
+        ->delimiter(',')
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    return {command, [request](const std::stop_token&) -> int {
+                if (request->list) {
+                    std::fputs(list_of_readers().c_str(), stdout);
+                    return exit_success;
+                }
+                if (request->file.empty()) {
+                    print_message("FILE is required (or --list)");
+                    return exit_wrong_usage;
+                }
+                const auto done = import_file(*request);
+                if (done) return exit_success;
+                print_error(done.error());
+                return exit_status_of(done.error());
+            }};
+}
+
+}  // namespace covaria

@@ -1,0 +1,14 @@
+// What a reader proposes, as text for the terminal.
+#pragma once
+
+#include <string>
+
+#include "core/readers/reader.h"
+
+namespace covaria {
+
+/// What was found, with the first rows of its tables if `with_tables`, and what is not taken over.
+std::string text_of(const Reader& reader, const Proposals& proposals, bool with_tables);
+std::string list_of_readers();
+
+}  // namespace covaria

@@ -1,0 +1,15 @@
+// The readers, one file each. To add one: its file, a line here, one in readers.cpp, and its test.
+#pragma once
+
+#include "core/readers/reader.h"
+
+namespace covaria {
+
+Reader spatial_analyzer_reader();
+Reader point_table_reader();
+Reader dcc_reader();
+Reader gsi_reader();
+Reader gama_reader();
+Reader comp3d_reader();
+
+}  // namespace covaria

@@ -1,0 +1,213 @@
+// GNU Gama networks (.gkf): points and observed coordinates with their covariance.
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <sstream>
+
+#include "core/base/in_quotes.h"
+#include "core/readers/covariance.h"
+#include "core/readers/entry_texts.h"
+#include "core/readers/formats.h"
+#include "core/readers/listed_points.h"
+#include "core/readers/xml_text.h"
+
+namespace covaria {
+
+namespace {
+
+constexpr std::array<const char*, 3> axis_attributes{"x", "y", "z"};
+
+class GamaReader {
+public:
+    GamaReader(const XmlText& xml, const ReadChoice& choice) : xml_(xml), choice_(choice) {
+        list_.title = without_ending(choice.file_name);
+        if (list_.title.empty()) list_.title = "Network";
+        list_.unit = Unit::of("m");
+        list_.source = "GNU Gama, " + plain_name(choice.file_name);
+    }
+
+    Result<Proposals> read() {
+        const pugi::xml_node root = xml_.root(), network = child_called(root, "network");
+        if (local_name(root) != "gama-local" || !network)
+            return xml_.refused(root, "no network of GNU Gama: <gama-local> with a <network> is expected");
+        proposals_.title = list_.title;
+        if (choice_.length_unit)
+            proposals_.leave_out(0, "the stated unit of lengths: coordinates of Gama are in metres");
+        say_axes(network);
+        const pugi::xml_node data = child_called(network, "points-observations");
+        for (const pugi::xml_node& node : data.children())
+            if (auto done = read_part(node); !done) return fail(done.error());
+        if (const pugi::xml_node parameters = child_called(network, "parameters"))
+            proposals_.leave_out(xml_.line(parameters), "<parameters>");
+        for (const auto& [name, lines] : others_)
+            proposals_.leave_out(lines.first,
+                                 std::to_string(lines.second) + " <" + name + "> with observations");
+        if (unplaced_ > 0)
+            proposals_.leave_out(unplaced_line_, std::to_string(unplaced_) + " points without x and y");
+        if (planar_ > 0)
+            proposals_.found.push_back(std::to_string(planar_) + " points have no z: it is taken as 0");
+        if (list_.points.empty())
+            return xml_.refused(data ? data : network, "the network has no points with coordinates x and y");
+        auto proposed = propose_points(std::move(list_), proposals_);
+        if (!proposed) return fail(proposed.error());
+        return std::move(proposals_);
+    }
+
+private:
+    void say_axes(const pugi::xml_node& network) {
+        std::string axes = plain_name(network.attribute("axes-xy").value());
+        if (axes.empty()) axes = "ne";
+        // Of the eight orientations four are right-handed with z upwards.
+        const bool right = axes == "en" || axes == "nw" || axes == "se" || axes == "ws";
+        proposals_.found.push_back("coordinates in metres, axes-xy = " + axes +
+                                   (right ? "" : ": a left-handed frame; x and y are taken as they stand"));
+    }
+
+    Result<void> read_part(const pugi::xml_node& node) {
+        const std::string_view name = local_name(node);
+        if (name == "point") return read_point(node);
+        if (name == "coordinates") return read_coordinates(node);
+        if (node.type() == pugi::node_element) {
+            auto& lines = others_.try_emplace(plain_name(std::string(name)), std::pair{xml_.line(node), 0})
+                              .first->second;
+            ++lines.second;
+        }
+        return {};
+    }
+
+    /// Coordinates 0 to 2 that the element has.
+    Result<std::array<std::optional<double>, 3>> coordinates_of(const pugi::xml_node& node) const {
+        std::array<std::optional<double>, 3> p;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const pugi::xml_attribute attribute = node.attribute(axis_attributes[i]);
+            if (!attribute) continue;
+            std::istringstream words(attribute.value());
+            std::string word;
+            words >> word;
+            p[i] = number_in_text(word);
+            if (!p[i] || words >> word)
+                return xml_.refused(node, std::string(axis_attributes[i]) + " = " +
+                                              in_quotes(plain_name(attribute.value())) + " is no number");
+        }
+        return p;
+    }
+
+    Result<void> read_point(const pugi::xml_node& node) {
+        const auto p = coordinates_of(node);
+        if (!p) return fail(p.error());
+        if (!(*p)[0] || !(*p)[1]) {
+            if (unplaced_++ == 0) unplaced_line_ = xml_.line(node);
+            return {};
+        }
+        planar_ += !(*p)[2];
+        const std::string id = plain_name(node.attribute("id").value());
+        if (list_.points.size() == most_listed_points)
+            return xml_.refused(node, "too many points: divide the file");
+        index_.try_emplace(id, list_.points.size());
+        list_.points.push_back(
+            {.line = xml_.line(node), .name = id, .p = {*(*p)[0], *(*p)[1], (*p)[2].value_or(0.0)}});
+        return {};
+    }
+
+    /// Observed coordinates and their covariance: the points get them in place of approximate ones.
+    Result<void> read_coordinates(const pugi::xml_node& node) {
+        std::vector<std::size_t> places;  // 3 * point + coordinate, in the order of the matrix
+        for (const pugi::xml_node& point : node.children()) {
+            if (local_name(point) != "point") continue;
+            const auto p = coordinates_of(point);
+            if (!p) return fail(p.error());
+            const std::string id = plain_name(point.attribute("id").value());
+            const auto known = index_.find(id);
+            const bool whole = (*p)[0] && (*p)[1];
+            if (known == index_.end() && !whole) {
+                proposals_.leave_out(xml_.line(node),
+                                     "<coordinates>: point " + in_quotes(id) + " has no x and y");
+                return {};
+            }
+            if (known == index_.end()) {
+                index_[id] = list_.points.size();
+                list_.points.push_back({.line = xml_.line(point), .name = id, .p = {}});
+            }
+            const std::size_t at = index_[id];
+            for (std::size_t i = 0; i < 3; ++i)
+                if ((*p)[i]) {
+                    list_.points[at].p[i] = *(*p)[i];
+                    places.push_back(3 * at + i);
+                }
+        }
+        const pugi::xml_node matrix = child_called(node, "cov-mat");
+        return matrix ? read_covariance(matrix, places) : Result<void>();
+    }
+
+    /// Rows of the band above the diagonal, in mm².
+    Result<void> read_covariance(const pugi::xml_node& node, const std::vector<std::size_t>& places) {
+        const auto n = static_cast<Eigen::Index>(places.size());
+        const auto dim = number_in_text(node.attribute("dim").value()),
+                   band = number_in_text(node.attribute("band").value());
+        if (!dim || !band || *dim != static_cast<double>(n) || !(*band >= 0.0) || !(*band < *dim))
+            return xml_.refused(node, "its dim must be the " + std::to_string(n) +
+                                          " observed coordinates, its band less than that");
+        if (places.size() > most_stated_quantities) {
+            proposals_.leave_out(xml_.line(node), "a covariance matrix of more than " +
+                                                      std::to_string(most_stated_quantities) +
+                                                      " coordinates");
+            return {};
+        }
+        Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
+        std::istringstream words(node.child_value());
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = i; j < std::min<Eigen::Index>(n, i + static_cast<Eigen::Index>(*band) + 1);
+                 ++j) {
+                std::string word;
+                words >> word;
+                const auto value = number_in_text(word);
+                if (!value)
+                    return xml_.refused(node, "element " + std::to_string(i + 1) + ", " +
+                                                  std::to_string(j + 1) + ": " + in_quotes(plain_name(word)) +
+                                                  " is no number");
+                covariance(i, j) = covariance(j, i) = *value;
+            }
+        const auto taken = take_covariance(covariance);
+        if (!taken) return xml_.refused(node, taken.error().message);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            list_.points[places[i] / 3].u[places[i] % 3] = taken->u[static_cast<Eigen::Index>(i)] * 1e-3;
+        for (const StatedCorrelation& c : taken->correlations)
+            list_.correlations.push_back({places[c.first], places[c.second], c.coefficient});
+        return {};
+    }
+
+    const XmlText& xml_;
+    const ReadChoice& choice_;
+    Proposals proposals_;
+    PointList list_;
+    std::map<std::string, std::size_t> index_;
+    std::map<std::string, std::pair<int, int>> others_;  ///< element -> first line, how many
+    std::size_t unplaced_ = 0, planar_ = 0;
+    int unplaced_line_ = 0;
+};
+
+Recognition recognise_gama(std::string_view beginning, const std::string&) {
+    return beginning.find("<gama-local") != std::string_view::npos ? Recognition::certain : Recognition::no;
+}
+
+Result<Proposals> read_gama(const std::string& text, const ReadChoice& choice) {
+    const auto xml = XmlText::parse(text);
+    if (!xml) return fail(xml.error());
+    return GamaReader(*xml, choice).read();
+}
+
+}  // namespace
+
+Reader gama_reader() {
+    return {.name = "gama",
+            .title = "GNU Gama network",
+            .pattern = "*.gkf",
+            .takes =
+                "points, and observed coordinates with their covariance -> an artefact and its correlated "
+                "figures",
+            .recognise = recognise_gama,
+            .read = read_gama};
+}
+
+}  // namespace covaria

@@ -1,0 +1,155 @@
+#include "core/readers/point_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "core/base/in_quotes.h"
+#include "core/project/csv_reader.h"
+#include "core/setup/message_text.h"
+
+namespace covaria {
+
+namespace {
+
+using Meaning = std::pair<PointColumnKind, int>;
+
+struct ColumnWord {
+    const char* word;
+    PointColumnKind kind;
+    int axis;
+};
+
+constexpr std::array<ColumnWord, 15> column_words{{{"name", PointColumnKind::name, 0},
+                                                   {"group", PointColumnKind::group, 0},
+                                                   {"collection", PointColumnKind::collection, 0},
+                                                   {"x", PointColumnKind::coordinate, 0},
+                                                   {"y", PointColumnKind::coordinate, 1},
+                                                   {"z", PointColumnKind::coordinate, 2},
+                                                   {"u", PointColumnKind::standard, -1},
+                                                   {"u_x", PointColumnKind::standard, 0},
+                                                   {"u_y", PointColumnKind::standard, 1},
+                                                   {"u_z", PointColumnKind::standard, 2},
+                                                   {"U", PointColumnKind::expanded, -1},
+                                                   {"U_x", PointColumnKind::expanded, 0},
+                                                   {"U_y", PointColumnKind::expanded, 1},
+                                                   {"U_z", PointColumnKind::expanded, 2},
+                                                   {"-", PointColumnKind::unread, 0}}};
+
+/// "X [mm]" or "X (mm)" -> "X" and its unit; brackets around anything else stay in the word.
+PointColumn split_unit(const std::string& text) {
+    PointColumn column{.word = text};
+    const std::size_t open = text.find_first_of("[(");
+    if (open == std::string::npos || text.empty() || (text.back() != ']' && text.back() != ')'))
+        return column;
+    const auto unit = Unit::parse(text.substr(open + 1, text.size() - open - 2));
+    if (!unit || unit->dimension() != Unit::of("m").dimension()) return column;
+    column.unit = *unit;
+    column.word = text.substr(0, open);
+    while (!column.word.empty() && column.word.back() == ' ') column.word.pop_back();
+    return column;
+}
+
+std::string letters_of(const std::string& word) {
+    std::string letters;
+    for (const char c : word)
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return letters;
+}
+
+bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+Meaning meaning_of_header(const std::string& word) {
+    const std::string letters = letters_of(word);
+    if (is_one_of(letters, {"name", "point", "pointname", "pt", "ptname", "id", "target", "pointid"}))
+        return {PointColumnKind::name, 0};
+    if (is_one_of(letters, {"group", "groupname", "pointgroup"})) return {PointColumnKind::group, 0};
+    if (is_one_of(letters, {"collection", "collectionname"})) return {PointColumnKind::collection, 0};
+    if (letters.empty() || letters.back() < 'x' || letters.back() > 'z') return {PointColumnKind::unread, 0};
+    const int axis = letters.back() - 'x';
+    const std::string before = letters.substr(0, letters.size() - 1);
+    if (before.empty()) return {PointColumnKind::coordinate, axis};
+    if (is_one_of(before, {"u", "s", "sigma", "std", "stddev"})) return {PointColumnKind::standard, axis};
+    return {PointColumnKind::unread, 0};
+}
+
+/// GUM: U_x is an expanded uncertainty; SpatialAnalyzer writes Ux for one standard uncertainty.
+bool means_two_things(const std::string& word) {
+    return word.size() > 2 && word.front() == 'U' && !std::isalnum(static_cast<unsigned char>(word[1]));
+}
+
+tl::unexpected<Error> column_choice(const std::string& what) {
+    return fail(ErrorCode::usage, what + "; state the columns: " + point_column_words());
+}
+
+Result<void> check(const PointColumns& columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (columns[i].kind != PointColumnKind::unread && columns[i].kind == columns[j].kind &&
+                (columns[i].axis == columns[j].axis || columns[i].axis < 0 || columns[j].axis < 0))
+                return column_choice("columns " + std::to_string(j + 1) + " (" + columns[j].word + ") and " +
+                                     std::to_string(i + 1) + " (" + columns[i].word + ") are the same");
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::none_of(columns.begin(), columns.end(), [&](const PointColumn& column) {
+                return column.kind == PointColumnKind::coordinate && column.axis == axis;
+            }))
+            return column_choice(std::string("no column is ") + "xyz"[axis]);
+    return {};
+}
+
+}  // namespace
+
+std::string point_column_words() {
+    return "name, group, collection, x, y, z, u_x, u_y, u_z or u (standard uncertainties), U_x, U_y, U_z or "
+           "U "
+           "(expanded, k = 2), - (not read)";
+}
+
+Result<PointColumns> stated_point_columns(const std::vector<std::string>& words) {
+    PointColumns columns;
+    for (const std::string& word : words) {
+        PointColumn column = split_unit(word);
+        const auto known = std::find_if(column_words.begin(), column_words.end(),
+                                        [&](const ColumnWord& w) { return column.word == w.word; });
+        if (known == column_words.end()) {
+            std::vector<std::string> names;
+            for (const ColumnWord& w : column_words) names.emplace_back(w.word);
+            return column_choice("there is no column " + in_quotes(word) + did_you_mean(word, names));
+        }
+        column.kind = known->kind;
+        column.axis = known->axis;
+        columns.push_back(std::move(column));
+    }
+    if (auto checked = check(columns); !checked) return fail(checked.error());
+    return columns;
+}
+
+Result<PointColumns> point_columns_of_headers(const std::vector<std::string>& headers) {
+    PointColumns columns;
+    for (const std::string& header : headers) {
+        PointColumn column = split_unit(header);
+        if (means_two_things(column.word))
+            return column_choice("the header " + in_quotes(header) +
+                                 " may mean an expanded or a standard uncertainty");
+        std::tie(column.kind, column.axis) = meaning_of_header(column.word);
+        columns.push_back(std::move(column));
+    }
+    if (auto checked = check(columns); !checked) return fail(checked.error());
+    return columns;
+}
+
+bool are_point_headers(const std::vector<std::string>& cells) {
+    std::array<bool, 3> has{};
+    for (const std::string& cell : cells) {
+        if (csv_number(cell, true)) return false;
+        const auto [kind, axis] = meaning_of_header(split_unit(cell).word);
+        if (kind == PointColumnKind::coordinate) has[static_cast<std::size_t>(axis)] = true;
+    }
+    return has[0] && has[1] && has[2];
+}
+
+}  // namespace covaria

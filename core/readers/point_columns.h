@@ -1,0 +1,41 @@
+// What the columns of a table of points mean: stated by people, or by a line of headers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/unit.h"
+
+namespace covaria {
+
+enum class PointColumnKind {
+    unread,
+    name,
+    group,
+    collection,
+    coordinate,
+    standard,  ///< standard uncertainty of a coordinate
+    expanded   ///< expanded uncertainty, k = 2
+};
+
+struct PointColumn {
+    PointColumnKind kind = PointColumnKind::unread;
+    int axis = 0;                   ///< 0, 1, 2; -1: of all three coordinates
+    std::string word;               ///< as it was written
+    std::optional<Unit> unit = {};  ///< as it was written behind it
+};
+using PointColumns = std::vector<PointColumn>;
+
+/// The words that state columns, for messages: "name, group, collection, x, y, z, u_x ...".
+std::string point_column_words();
+/// As typed: "name,x,y,z,u_x [um],-". Error{usage}: a word that is none, a column stated twice, no x, y or z.
+Result<PointColumns> stated_point_columns(const std::vector<std::string>& words);
+/// From headers as people write them ("Point Name", "X [mm]", "Ux", "sigma_x"); other headers are not read.
+/// Error{usage}: two headers mean the same, a header may mean two things, no x, y or z.
+Result<PointColumns> point_columns_of_headers(const std::vector<std::string>& headers);
+/// Whether the line has headers for x, y and z and no numbers.
+bool are_point_headers(const std::vector<std::string>& cells);
+
+}  // namespace covaria

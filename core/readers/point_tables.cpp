@@ -1,0 +1,263 @@
+// Tables of points: with headers or stated columns, and SpatialAnalyzer's ASCII formats, which have none.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/in_quotes.h"
+#include "core/readers/entry_texts.h"
+#include "core/readers/formats.h"
+#include "core/readers/listed_points.h"
+#include "core/readers/point_columns.h"
+#include "core/readers/table_text.h"
+#include "core/readers/text_places.h"
+#include "core/setup/message_text.h"
+
+namespace covaria {
+
+namespace {
+
+/// Rows with known columns to points of a list.
+class PointRows {
+public:
+    PointRows(PointColumns columns, const TableText& format, PointList& list, Proposals& proposals)
+        : columns_(std::move(columns)), format_(format), list_(list), proposals_(proposals) {}
+
+    Result<void> add(const CsvRow& row) {
+        if (list_.points.size() == most_listed_points)
+            return refused_at(row.line,
+                              "more than " + std::to_string(most_listed_points) + " points: divide the file");
+        ListedPoint point{.line = row.line};
+        std::string collection;
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const std::string cell = i < row.cells.size() ? row.cells[i] : std::string();
+            switch (columns_[i].kind) {
+                case PointColumnKind::unread:
+                    break;
+                case PointColumnKind::name:
+                    point.name = cell;
+                    break;
+                case PointColumnKind::group:
+                    point.group = cell;
+                    break;
+                case PointColumnKind::collection:
+                    collection = cell;
+                    break;
+                default:
+                    if (auto read = read_figure(i, cell, point); !read) return read;
+            }
+        }
+        if (!collection.empty()) point.group = collection + (point.group.empty() ? "" : "/" + point.group);
+        if (auto fits = check_width(row); !fits) return fits;
+        list_.points.push_back(std::move(point));
+        return {};
+    }
+
+private:
+    Result<void> read_figure(std::size_t i, const std::string& cell, ListedPoint& point) {
+        const PointColumn& column = columns_[i];
+        const bool coordinate = column.kind == PointColumnKind::coordinate;
+        if (cell.empty() && !coordinate) return {};
+        const auto number = csv_number(cell, format_.decimal_comma);
+        const auto refused = [&](const std::string& what) {
+            return refused_at(point.line, static_cast<int>(i) + 1,
+                              "(" + column.word + ") " + in_quotes(plain_name(cell)) + what);
+        };
+        if (!number) return refused(cell.empty() ? " is empty" : " is not a number");
+        if (!coordinate && *number < 0.0) return refused(": an uncertainty must not be negative");
+        const double value = in_unit_of_list(*number, column);
+        if (!std::isfinite(value)) return refused(" is too large");
+        if (coordinate)
+            point.p[static_cast<std::size_t>(column.axis)] = value;
+        else
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                if (column.axis < 0 || column.axis == static_cast<int>(axis))
+                    point.u[axis] = column.kind == PointColumnKind::expanded ? value / 2.0 : value;
+        return {};
+    }
+
+    double in_unit_of_list(double value, const PointColumn& column) const {
+        if (!column.unit || *column.unit == list_.unit) return value;
+        return list_.unit.from_si(column.unit->to_si(value));
+    }
+
+    /// More cells than columns: between blanks a name may have some, and all behind it is another column.
+    Result<void> check_width(const CsvRow& row) {
+        std::size_t width = row.cells.size();
+        while (width > columns_.size() && row.cells[width - 1].empty()) --width;
+        if (width <= columns_.size()) return {};
+        if (format_.separator == ' ')
+            return refused_at(row.line, static_cast<int>(columns_.size()) + 1,
+                              "the line has " + std::to_string(width) + " columns instead of " +
+                                  std::to_string(columns_.size()) +
+                                  "; put names that contain blanks into quotes");
+        proposals_.leave_out(row.line, "what stands behind column " + std::to_string(columns_.size()));
+        return {};
+    }
+
+    PointColumns columns_;
+    TableText format_;
+    PointList& list_;
+    Proposals& proposals_;
+};
+
+/// The unit of coordinates: as stated, else as the header of x says, else mm.
+Unit unit_of_list(const PointColumns& columns, const ReadChoice& choice, Proposals& proposals) {
+    for (const PointColumn& column : columns)
+        if (column.kind == PointColumnKind::coordinate && column.axis == 0 && column.unit)
+            return *column.unit;
+    if (choice.length_unit) return *choice.length_unit;
+    proposals.found.push_back("lengths are taken as mm: the file does not say its unit");
+    return Unit::of("mm");
+}
+
+void say_columns(const PointColumns& columns, const TableText& format, Proposals& proposals) {
+    std::string words;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const PointColumn& column = columns[i];
+        if (column.kind == PointColumnKind::unread)
+            proposals.leave_out(0, "column " + std::to_string(i + 1) +
+                                       (column.word == "-" ? "" : " " + in_quotes(plain_name(column.word))));
+        words += (i > 0 ? ", " : "") +
+                 (column.kind == PointColumnKind::unread ? std::string("-") : plain_name(column.word));
+        if (column.kind == PointColumnKind::standard) words += " (standard uncertainty)";
+        if (column.kind == PointColumnKind::expanded) words += " (expanded uncertainty, k = 2)";
+    }
+    proposals.found.push_back(format.words() + ": " + words);
+}
+
+Result<Proposals> read_points(const std::string& text, const ReadChoice& choice, const TableText& format,
+                              PointColumns columns, bool skip_first, const std::string& what) {
+    Proposals proposals{.title = without_ending(choice.file_name)};
+    say_columns(columns, format, proposals);
+    PointList list{.title = proposals.title.empty() ? "Points" : proposals.title,
+                   .unit = unit_of_list(columns, choice, proposals),
+                   .source = what + (choice.file_name.empty() ? "" : ", " + plain_name(choice.file_name))};
+    PointRows rows(std::move(columns), format, list, proposals);
+    Result<void> added;
+    std::size_t comments = 0;
+    const auto scanned = scan_table(text, format, comments, [&](CsvRow&& row) {
+        if (std::exchange(skip_first, false)) return true;
+        added = rows.add(row);
+        return added.has_value();
+    });
+    if (!scanned) return fail(scanned.error());
+    if (!added) return fail(added.error());
+    if (comments > 0) proposals.leave_out(0, std::to_string(comments) + " lines of comment");
+    auto proposed = propose_points(std::move(list), proposals);
+    if (!proposed) return fail(proposed.error());
+    return proposals;
+}
+
+Recognition recognise_table(std::string_view beginning, const std::string&) {
+    return are_point_headers(first_cells(beginning, table_text_of(beginning))) ? Recognition::possible
+                                                                               : Recognition::no;
+}
+
+Result<Proposals> read_table(const std::string& text, const ReadChoice& choice) {
+    const TableText format = table_text_of(text);
+    const std::vector<std::string> first = first_cells(text, format);
+    const bool numbers = std::any_of(first.begin(), first.end(), [&](const std::string& cell) {
+        return csv_number(cell, format.decimal_comma).has_value();
+    });
+    if (choice.columns.empty() && numbers)
+        return fail(ErrorCode::usage,
+                    "the table has no line of headers; state the columns: " + point_column_words());
+    auto columns =
+        choice.columns.empty() ? point_columns_of_headers(first) : stated_point_columns(choice.columns);
+    if (!columns) return fail(columns.error());
+    return read_points(text, choice, format, std::move(*columns), !numbers, "table of points");
+}
+
+/// How many words stand before the numbers, and how many numbers.
+struct RowShape {
+    std::size_t words = 0, numbers = 0, behind = 0;
+};
+
+RowShape shape_of(const std::vector<std::string>& cells, const TableText& format) {
+    const auto is_number = [&](const std::string& cell) {
+        return csv_number(cell, format.decimal_comma).has_value();
+    };
+    RowShape shape;
+    std::size_t at = 0;
+    for (; at < cells.size() && !is_number(cells[at]); ++at) ++shape.words;
+    for (; at < cells.size() && is_number(cells[at]); ++at) ++shape.numbers;
+    for (; at < cells.size(); ++at) shape.behind += !cells[at].empty();
+    return shape;
+}
+
+Recognition recognise_spatial_analyzer(std::string_view beginning, const std::string&) {
+    const TableText format = table_text_of(beginning);
+    const RowShape shape = shape_of(first_cells(beginning, format), format);
+    return shape.words <= 3 && shape.numbers >= 3 && shape.numbers <= 8 ? Recognition::possible
+                                                                        : Recognition::no;
+}
+
+/// "[collection] [group] point X Y Z [Ux Uy Uz]". Only a reader that was named settles what looks alike.
+Result<PointColumns> spatial_analyzer_columns(RowShape shape, bool chosen) {
+    const std::string numbers = std::to_string(shape.numbers);
+    // Names may be numbers.
+    if (chosen && shape.words == 0 && (shape.numbers == 4 || shape.numbers == 7))
+        shape = {1, shape.numbers - 1};
+    if (chosen && shape.words == 0 && (shape.numbers == 5 || shape.numbers == 8))
+        shape = {2, shape.numbers - 2};
+    if (chosen && shape.words == 1 && (shape.numbers == 4 || shape.numbers == 7))
+        shape = {2, shape.numbers - 1};
+    const bool coordinates = shape.numbers == 3, uncertainties = shape.numbers == 6;
+    if (shape.behind > 0 || shape.words > 3 || (!coordinates && !uncertainties))
+        return fail(ErrorCode::usage,
+                    "its columns may mean several things (names that are numbers, offsets, weights, "
+                    "tolerances, notes); "
+                    "state the columns: " +
+                        point_column_words());
+    if (uncertainties && !chosen)
+        return fail(
+            ErrorCode::usage,
+            "six numbers may be X Y Z Ux Uy Uz, but also X Y Z with weights, a vector or the angles of a "
+            "frame: name the reader if they are uncertainties, or state the columns: " +
+                point_column_words());
+    std::vector<std::string> words{"collection", "group", "name"};
+    words.erase(words.begin(), words.end() - static_cast<std::ptrdiff_t>(shape.words));
+    for (const char* axis : {"x", "y", "z"}) words.emplace_back(axis);
+    if (uncertainties)
+        for (const char* u : {"u_x", "u_y", "u_z"}) words.emplace_back(u);
+    return stated_point_columns(words);
+}
+
+Result<Proposals> read_spatial_analyzer(const std::string& text, const ReadChoice& choice) {
+    const TableText format = table_text_of(text);
+    const std::vector<std::string> first = first_cells(text, format);
+    if (first.empty()) return fail(ErrorCode::bad_input, "the file has no points");
+    auto columns = choice.columns.empty() ? spatial_analyzer_columns(shape_of(first, format), choice.chosen)
+                                          : stated_point_columns(choice.columns);
+    if (!columns) return fail(columns.error());
+    return read_points(text, choice, format, std::move(*columns), false, "SpatialAnalyzer points")
+        .map([](Proposals proposals) {
+            proposals.found.insert(proposals.found.begin() + 1,
+                                   "coordinates are read as Cartesian: cylindric and polar ones look alike");
+            return proposals;
+        });
+}
+
+}  // namespace
+
+Reader spatial_analyzer_reader() {
+    return {
+        .name = "spatialanalyzer",
+        .title = "SpatialAnalyzer points (ASCII)",
+        .pattern = "*.txt *.asc *.csv",
+        .takes = "[collection] [group] point X Y Z [Ux Uy Uz], without headers -> an artefact for each group",
+        .recognise = recognise_spatial_analyzer,
+        .read = read_spatial_analyzer};
+}
+
+Reader point_table_reader() {
+    return {.name = "points",
+            .title = "Table of points",
+            .pattern = "*.csv *.txt *.xyz",
+            .takes =
+                "columns with headers (name, group, x, y, z, u_x ...) or stated ones -> an artefact for each "
+                "group",
+            .recognise = recognise_table,
+            .read = read_table};
+}
+
+}  // namespace covaria

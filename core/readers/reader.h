@@ -1,0 +1,65 @@
+// A reader: by what a file of others is recognised, and what is proposed of its content.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/unit.h"
+#include "core/project/project.h"
+
+namespace covaria {
+
+enum class Recognition {
+    no,
+    possible,  ///< the bytes can be read so, and as something else
+    certain    ///< a signature that nothing else has
+};
+
+/// What people say about a file, because its bytes do not.
+struct ReadChoice {
+    std::string file_name = {};             ///< without folders
+    std::optional<Unit> length_unit = {};   ///< of coordinates that bear none; empty: mm
+    std::vector<std::string> columns = {};  ///< what stands in each column of a table; empty: found
+    bool chosen = false;                    ///< the reader was named: what it stands for is stated
+};
+
+/// Something of the file that is not taken over.
+struct LeftOut {
+    int line = 0;  ///< 1-based; 0: all of the file
+    std::string what;
+};
+
+/// What a file may become in a project. Ids are unique among the proposals only.
+struct Proposals {
+    std::string title = {};
+    std::vector<AssetEntry> assets = {};
+    std::vector<AnalysisEntry> analyses = {};
+    std::vector<std::string> found = {};  ///< lines: what was found, and how it is understood
+    std::vector<LeftOut> left_out = {};   ///< at most `most_left_out`
+    std::size_t left_out_beyond = 0;      ///< how many more
+
+    static constexpr std::size_t most_left_out = 1000;
+    void leave_out(int line, std::string what) {
+        if (left_out.size() < most_left_out)
+            left_out.push_back({line, std::move(what)});
+        else
+            ++left_out_beyond;
+    }
+};
+
+struct Reader {
+    std::string name;     ///< as typed: "dcc"
+    std::string title;    ///< "Digital Calibration Certificate"
+    std::string pattern;  ///< of file names: "*.xml"
+    std::string takes;    ///< what becomes what, in a sentence
+    Recognition (*recognise)(std::string_view beginning, const std::string& file_name);
+    /// Error with `line` ("column 7: " at the front of its message where it is known); Error{usage}: people
+    /// have to state something first, the message says what.
+    Result<Proposals> (*read)(const std::string& text, const ReadChoice& choice);
+};
+
+}  // namespace covaria

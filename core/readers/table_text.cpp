@@ -1,0 +1,126 @@
+#include "core/readers/table_text.h"
+
+#include <algorithm>
+
+#include "core/base/utf8.h"
+#include "core/readers/text_places.h"
+
+namespace covaria {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\v\f";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+std::string_view without_mark(std::string_view text) {
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    return text;
+}
+
+bool is_comment(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(blanks);
+    return first != std::string_view::npos && (line[first] == '#' || line.substr(first).starts_with("//"));
+}
+
+std::string_view next_line(std::string_view& rest) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    return line;
+}
+
+std::string_view first_line(std::string_view text) {
+    while (!text.empty()) {
+        const std::string_view line = next_line(text);
+        if (line.find_first_not_of(blanks) != std::string_view::npos && !is_comment(line)) return line;
+    }
+    return {};
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Whether all commas stand between digits, in at least three words.
+bool has_decimal_commas(std::string_view line) {
+    for (std::size_t at = line.find(','); at != std::string_view::npos; at = line.find(',', at + 1))
+        if (at == 0 || at + 1 >= line.size() || !is_digit(line[at - 1]) || !is_digit(line[at + 1]))
+            return false;
+    return blank_separated(line).size() >= 3;
+}
+
+/// A tab between words, not behind blanks that align them.
+bool has_tabs(std::string_view line) {
+    const std::size_t tab = line.find('\t', std::min(line.find_first_not_of(blanks), line.size()));
+    return tab != std::string_view::npos && line.find(' ') == std::string_view::npos;
+}
+
+Result<void> scan_blank_separated(std::string_view text, const TakeCsvRow& take) {
+    int number = 0;
+    while (!text.empty()) {
+        const std::string_view line = next_line(text);
+        ++number;
+        if (is_comment(line)) continue;
+        if (valid_utf8(line) < line.size())
+            return refused_at(number, static_cast<int>(valid_utf8(line)) + 1,
+                              "the text is not encoded as UTF-8; save it as UTF-8");
+        std::vector<std::string> cells = blank_separated(line);
+        if (!cells.empty() && !take({number, std::move(cells)})) break;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string TableText::words() const {
+    const std::string between = separator == '\t'  ? "tabs"
+                                : separator == ';' ? "semicolons"
+                                : separator == ',' ? "commas"
+                                                   : "blanks";
+    return "columns between " + between + (separator == ' ' && decimal_comma ? ", decimal commas" : "");
+}
+
+std::vector<std::string> blank_separated(std::string_view line) {
+    std::vector<std::string> cells;
+    std::size_t at = 0;
+    while ((at = std::min(line.find_first_not_of(blanks, at), line.size())) < line.size()) {
+        const bool quoted = line[at] == '"' && line.find('"', at + 1) != std::string_view::npos;
+        const std::size_t begin = quoted ? at + 1 : at;
+        const std::size_t end =
+            std::min(quoted ? line.find('"', begin) : line.find_first_of(blanks, begin), line.size());
+        cells.emplace_back(line.substr(begin, end - begin));
+        at = quoted ? end + 1 : end;
+    }
+    return cells;
+}
+
+TableText table_text_of(std::string_view text) {
+    const std::string_view line = first_line(without_mark(text));
+    if (has_tabs(line)) return {'\t', true};
+    if (line.find(';') != std::string_view::npos) return {';', true};
+    if (line.find(',') == std::string_view::npos) return {' ', false};
+    return has_decimal_commas(line) ? TableText{' ', true} : TableText{',', false};
+}
+
+Result<void> scan_table(std::string_view text, const TableText& format, std::size_t& comments,
+                        const TakeCsvRow& take) {
+    text = without_mark(text);
+    for (std::string_view rest = text; !rest.empty();) comments += is_comment(next_line(rest));
+    if (format.separator == ' ') return scan_blank_separated(text, take);
+    return scan_csv(text, format.separator, [&](CsvRow&& row) {
+        return row.cells.front().starts_with("//") || take(std::move(row));
+    });
+}
+
+std::vector<std::string> first_cells(std::string_view text, const TableText& format) {
+    std::vector<std::string> cells;
+    std::size_t comments = 0;
+    // What cannot be read is said when the whole file is.
+    static_cast<void>(scan_table(text, format, comments, [&](CsvRow&& row) {
+        cells = std::move(row.cells);
+        return false;
+    }));
+    return cells;
+}
+
+}  // namespace covaria

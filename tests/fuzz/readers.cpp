@@ -1,0 +1,110 @@
+// Files of others, changed at random, read by each reader that they may be meant for.
+#include "core/readers/readers.h"
+
+#include <algorithm>
+
+#include "core/base/guarded.h"
+#include "core/made/made_project.h"
+#include "tests/fuzz/fuzz.h"
+
+namespace covaria::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReaderFiles : public Kind {
+public:
+    ReaderFiles() {
+        for (const auto& entry : fs::directory_iterator(fs::path(COVARIA_SOURCE_DIR) / "tests/data/readers"))
+            names_.push_back(entry.path().string());
+        std::sort(names_.begin(), names_.end());
+        for (const std::string& name : names_) texts_.push_back(file_text(name));
+    }
+
+    std::string make(Noise& noise) override {
+        const std::size_t file = noise.below(texts_.size());
+        std::string text = damaged_text(texts_[file], words_, noise);
+        if (noise.chance(4)) text = damaged_text(text, words_, noise);
+        return std::string(1, static_cast<char>(noise.below(200))) +
+               text;  // the first byte chooses the reader
+    }
+
+    Outcome run(const std::string& input) override {
+        if (input.empty()) return {};
+        const std::string text = input.substr(1);
+        const auto number = static_cast<unsigned char>(input[0]);
+        const auto& readers = reader_registry();
+        const auto found = reader_for(text, "file.cor");
+        const Reader& reader =
+            found && number % 4 != 0 ? **found : readers[static_cast<std::size_t>(number) % readers.size()];
+        ReadChoice choice{.file_name = "file.cor"};
+        choice.chosen = number % 2 == 0;
+        if (number % 5 == 0) choice.columns = {"group", "name", "x", "y", "z", "u"};
+        const auto read = guarded([&] { return reader.read(text, choice); });
+        if (!read) return {false, false, "thrown: " + read.error().message};
+        if (!*read) return refused((*read).error());
+        return accepted(**read);
+    }
+
+private:
+    static Outcome refused(const Error& error) {
+        if (error.message.empty()) return {false, false, "an error without words"};
+        // What has to be stated first, and what nothing is in, has no line.
+        const bool whole = error.code == ErrorCode::usage || error.message.starts_with("the file has ");
+        return {false, false, whole || error.line > 0 ? "" : "an error without a line: " + error.message};
+    }
+
+    /// What was proposed may contradict itself, which has its place then; it is never a defect.
+    static Outcome accepted(const Proposals& proposals) {
+        Project project;
+        add_to_project(project, proposals);
+        const Problems problems = MadeProject::make(project)->problems();
+        for (const Problem& problem : problems.items())
+            if (problem.path.empty() || problem.message.find("a defect of the program") != std::string::npos)
+                return {true, false, problem.path + ": " + problem.message};
+        return {true, !problems.has_errors(), {}};
+    }
+
+    std::vector<std::string> names_, texts_;
+    const std::vector<std::string> words_{"<",
+                                          ">",
+                                          "/>",
+                                          "\"",
+                                          ",",
+                                          ";",
+                                          " ",
+                                          "\t",
+                                          "\n",
+                                          "\r",
+                                          "-",
+                                          "1e99",
+                                          "nan",
+                                          "1e999",
+                                          "#",
+                                          "//",
+                                          "*",
+                                          "@",
+                                          "&lt;",
+                                          "&a;",
+                                          "\\",
+                                          "{2}",
+                                          "\\per",
+                                          "<!--",
+                                          "[m]",
+                                          "<!DOCTYPE a>",
+                                          "0 0 0",
+                                          "9 9 9 9",
+                                          "11",
+                                          "\xFF",
+                                          "\xEF\xBB\xBF",
+                                          std::string(1, '\0')};
+};
+
+}  // namespace
+
+std::unique_ptr<Kind> reader_kind() {
+    return std::make_unique<ReaderFiles>();
+}
+
+}  // namespace covaria::fuzz
