@@ -46,7 +46,10 @@ std::string in_one_line(const std::string& text) {
 /// What was typed; the gap where it is required and not there; empty where it need not be.
 std::string stated(const Certificate& certificate, std::string Certificate::*member) {
     if (is_missing(certificate_field(member), certificate)) return not_stated;
-    return is_blank(certificate.*member) ? "" : in_one_line(certificate.*member);
+    const std::string words = in_one_line(certificate.*member);
+    const std::size_t slash = words.find('/');
+    if (certificate_field(member).kind != CertificateText::dates || slash == std::string::npos) return words;
+    return words.substr(0, slash) + " to " + words.substr(slash + 1);
 }
 
 void add_facts(Blocks& blocks, const Certificate& certificate,
@@ -113,10 +116,6 @@ void add_results_of(Blocks& blocks, const ReportSource& source, const std::vecto
 void add_closing(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown) {
     const Certificate& certificate = source.made.project().certificate;
     add_facts(blocks, certificate, {&Certificate::remarks});
-    blocks.push_back(
-        ParagraphBlock{"The results relate only to the item described above, in the state in which it was "
-                       "calibrated. This certificate may be reproduced in full only, unless the laboratory "
-                       "permits otherwise."});
     std::string ids;
     for (const EvaluatedAnalysis& one : shown) ids += (ids.empty() ? "" : ", ") + one.analysis->id;
     blocks.push_back(ParagraphBlock{"Evaluated with Covaria " + std::string(version()) +
@@ -126,6 +125,8 @@ void add_closing(Blocks& blocks, const ReportSource& source, const std::vector<E
     const std::string number = is_blank(certificate.number) ? "" : " " + certificate.number;
     const auto issued = stated(certificate, &Certificate::issued);
     blocks.push_back(SignatureBlock{
+        "The results relate only to the item described above, in the state in which it was calibrated. This "
+        "certificate may be reproduced in full only, unless the laboratory permits otherwise.",
         std::string("Date of issue: ") + issued, stated(certificate, &Certificate::authorised_by),
         stated(certificate, &Certificate::function), "End of certificate" + number});
 }

@@ -53,6 +53,13 @@ void add_lines(Blocks& blocks, const UncertaintyResult& result, const std::vecto
     blocks.push_back(std::move(lines));
 }
 
+/// The same k for all: said once.
+bool has_one_k(const UncertaintyResult& result, const std::vector<std::size_t>& outputs) {
+    return std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
+        return k_text(result.outputs[i], result) == k_text(result.outputs[outputs.front()], result);
+    });
+}
+
 /// p of the results of a table, and intervals that y ± U does not say.
 void add_coverage_notes(TableBuilder& table, const UncertaintyResult& result,
                         const std::vector<std::size_t>& outputs) {
@@ -67,7 +74,11 @@ void add_coverage_notes(TableBuilder& table, const UncertaintyResult& result,
             intervals.push_back(output_label(result.outputs[i].quantity) + " in " + interval);
     }
     const std::string from = probability_text(least), to = probability_text(most);
-    table.note("p = " + (from == to ? to : from + " to " + to) + ".");
+    const std::string k =
+        has_one_k(result, outputs)
+            ? k_head(result) + " = " + k_text(result.outputs[outputs.front()], result) + ", "
+            : "";
+    table.note(k + "p = " + (from == to ? to : from + " to " + to) + ".");
     if (intervals.empty()) return;
     const std::size_t shown = std::min(intervals.size(), most_interval_notes);
     std::string words = "Coverage intervals that are not symmetric about the estimate: ";
@@ -101,21 +112,23 @@ void add_table(Blocks& blocks, const UncertaintyResult& result, const std::vecto
 /// Some symbols of the groups side by side, a row a group.
 void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& groups,
                 const std::vector<std::size_t>& columns, const std::string& id) {
+    std::vector<std::size_t> shown;
+    for (const std::string& group : groups)
+        for (const std::size_t c : columns) shown.push_back(measurands_of(result, group)[c]);
+    const bool one_k = has_one_k(result, shown);
     TableBuilder table("certified-" + id, "");
     table.text("Group");
-    for (const std::size_t c : columns) {
-        const OutputQuantity& quantity = result.outputs[measurands_of(result, groups.front())[c]].quantity;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        const OutputQuantity& quantity = result.outputs[shown[c]].quantity;
         table.text(symbol_to_unicode(quantity.symbol) + " in " + unit_text(quantity.unit));
-        table.text(k_head(result));
+        if (!one_k) table.text(k_head(result));
     }
-    std::vector<std::size_t> shown;
-    for (const std::string& group : groups) {
-        std::vector<TableCell> row = {group};
-        const std::vector<std::size_t> outputs = measurands_of(result, group);
-        for (const std::size_t c : columns) {
-            row.emplace_back(value_statement(result.outputs[outputs[c]], false));
-            row.emplace_back(k_text(result.outputs[outputs[c]], result));
-            shown.push_back(outputs[c]);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        std::vector<TableCell> row = {groups[g]};
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            const OutputResult& output = result.outputs[shown[g * columns.size() + c]];
+            row.emplace_back(value_statement(output, false));
+            if (!one_k) row.emplace_back(k_text(output, result));
         }
         table.row(std::move(row));
     }

@@ -132,16 +132,12 @@ struct HtmlWriter {
         out += "</div>\n";
     }
     void operator()(const SignatureBlock& signature) {
-        out +=
-            element(
-                "div",
-                element("p", escape_html(signature.date)) +
-                    element("p",
-                            escape_html(signature.name) +
-                                (signature.function.empty() ? "" : "<br>" + escape_html(signature.function)),
-                            "line"),
-                "signature") +
-            "\n" + element("p", escape_html(signature.end_mark), "end") + "\n";
+        const std::string function =
+            signature.function.empty() ? "" : "<br>" + escape_html(signature.function);
+        const std::string line = element("p", escape_html(signature.name) + function, "line");
+        out += element("p", escape_html(signature.statement)) + "\n" +
+               element("div", element("p", escape_html(signature.date)) + line, "signature") + "\n" +
+               element("p", escape_html(signature.end_mark), "end") + "\n";
     }
     void operator()(const PlotBlock& plot) { figure(plot.plot.id + ".svg", plot.caption); }
     void operator()(const SceneBlock& scene) { figure(scene.id + ".png", scene.caption); }

@@ -99,7 +99,8 @@ struct MarkdownWriter {
         for (const std::string& note : table.notes) out += escaped_block(note) + "\n\n";
     }
     void operator()(const SignatureBlock& signature) {
-        out += escaped(signature.date) + "\n\n" + std::string(40, '.') + "\n\n" + escaped(signature.name);
+        out += escaped_block(signature.statement) + "\n\n" + escaped(signature.date) + "\n\n" +
+               std::string(40, '.') + "\n\n" + escaped(signature.name);
         if (!signature.function.empty()) out += ", " + escaped(signature.function);
         out += "\n\n---\n\n" + escaped(signature.end_mark) + "\n\n";
     }

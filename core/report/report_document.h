@@ -28,8 +28,9 @@ struct FactsBlock {
     std::vector<std::pair<std::string, std::string>> facts;
     bool literal = false;  ///< values are what was typed ("A_7" of a serial number), not symbols
 };
-/// Who signs a certificate, room to do so, and its end; they never part.
+/// What a certificate says last, who signs it, room to do so, and its end; they never part.
 struct SignatureBlock {
+    std::string statement;
     std::string date, name, function;
     std::string end_mark;
 };

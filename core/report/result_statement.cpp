@@ -63,7 +63,9 @@ std::string value_statement(const OutputResult& output, bool with_unit) {
 double stated_probability(const OutputResult& output, const UncertaintyResult& result) {
     if (expanded_by(result) != ExpandedBy::fixed_factor) return result.coverage_probability;
     const double y = output.estimate, U = output.expanded_uncertainty;
-    if (output.monte_carlo) return output.monte_carlo->distribution.inside(y - U, y + U);
+    // More decimals than trials tell would be noise.
+    if (output.monte_carlo)
+        return 1e-3 * std::round(1e3 * output.monte_carlo->distribution.inside(y - U, y + U));
     return 1.0 - 2.0 * t_distribution_function(-output.coverage_factor,
                                                output.first_order.effective_degrees_of_freedom);
 }
@@ -79,7 +81,9 @@ double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyRe
 
 std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result) {
     const double nu = stated_degrees_of_freedom(output, result);
-    std::string words = "k = " + typeset_number(format_decimals(output.coverage_factor, 2));
+    std::string words = std::isfinite(output.coverage_factor)
+                            ? "k = " + typeset_number(format_decimals(output.coverage_factor, 2))
+                            : "without k, because u is not finite";
     if (std::isfinite(nu)) words += ", nu_eff = " + typeset_number(format_degrees_of_freedom(nu));
     words += ", p = " + probability_text(stated_probability(output, result));
     const std::string interval = skewed_interval(output, result);

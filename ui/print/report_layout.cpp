@@ -118,7 +118,9 @@ public:
     }
 
     void operator()(const SignatureBlock& signature) {
-        const double x = 0.45 * width_, room = style_.mm(16.0), gap = style_.mm(1.2);
+        RichText statement(style_, TextRole::body, escaped(signature.statement));
+        statement.set_width(width_);
+        const double x = 0.45 * width_, room = statement.height() + style_.mm(20.0), gap = style_.mm(1.2);
         RichText date(style_, TextRole::body, escaped(signature.date));
         date.set_width(x - style_.mm(5.0));
         const QString function = signature.function.empty() ? "" : "<br>" + escaped(signature.function);
@@ -129,9 +131,10 @@ public:
         const double end_y = room + gap + std::max(date.height(), name.height()) + style_.mm(8.0);
         const double line = style_.points(0.6);
         items.push_back({end_y + style_.mm(2.0) + end.height(),
-                         style_.mm(8.0),
+                         style_.mm(1.8),
                          false,
                          [=, width = width_](QPainter& p, QPointF at) {
+                             statement.paint(p, at);
                              date.paint(p, at + QPointF(0.0, room + gap));
                              p.fillRect(QRectF(at.x() + x, at.y() + room, width - x, line), PageStyle::ink());
                              name.paint(p, at + QPointF(x, room + gap));
