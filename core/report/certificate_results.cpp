@@ -36,9 +36,14 @@ std::string k_head(const UncertaintyResult& result) {
     return any_degrees(result) ? "k (nu_eff)" : "k";
 }
 
+/// As running text sets it: with its subscripts, a Greek letter alone as such.
+std::string symbol_in_text(const std::string& symbol) {
+    return symbol.find_first_of("_^") == std::string::npos ? symbol_to_unicode(symbol) : symbol;
+}
+
 /// "Length of the gauge block (pose 7)", or the symbol alone.
 std::string name_of_result(const OutputQuantity& quantity) {
-    const std::string name = quantity.name.empty() ? symbol_to_unicode(quantity.symbol) : quantity.name;
+    const std::string name = quantity.name.empty() ? symbol_in_text(quantity.symbol) : quantity.name;
     return quantity.group.empty() ? name : name + " (" + quantity.group + ")";
 }
 
@@ -46,7 +51,7 @@ void add_lines(Blocks& blocks, const UncertaintyResult& result, const std::vecto
     FactsBlock lines;
     for (const std::size_t i : outputs) {
         const OutputResult& output = result.outputs[i];
-        lines.facts.emplace_back(name_of_result(output.quantity), symbol_to_unicode(output.quantity.symbol) +
+        lines.facts.emplace_back(name_of_result(output.quantity), symbol_in_text(output.quantity.symbol) +
                                                                       " = " + value_statement(output) + ", " +
                                                                       coverage_statement(output, result));
     }
@@ -95,7 +100,7 @@ void add_table(Blocks& blocks, const UncertaintyResult& result, const std::vecto
     if (groups) table.text("Group");
     table.text("Quantity", true);
     table.text("Result");
-    table.text(k_head(result));
+    table.symbol(k_head(result));
     for (const std::size_t i : outputs) {
         const OutputResult& output = result.outputs[i];
         std::vector<TableCell> row;
@@ -118,10 +123,11 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
     const bool one_k = has_one_k(result, shown);
     TableBuilder table("certified-" + id, "");
     table.text("Group");
+    std::vector<std::pair<int, Unit>> heads;
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const OutputQuantity& quantity = result.outputs[shown[c]].quantity;
-        table.text(symbol_to_unicode(quantity.symbol) + " in " + unit_text(quantity.unit));
-        if (!one_k) table.text(k_head(result));
+        heads.emplace_back(table.symbol(quantity.symbol), quantity.unit);
+        if (!one_k) table.symbol(k_head(result));
     }
     for (std::size_t g = 0; g < groups.size(); ++g) {
         std::vector<TableCell> row = {groups[g]};
@@ -133,7 +139,10 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
         table.row(std::move(row));
     }
     add_coverage_notes(table, result, shown);
-    blocks.push_back(table.take());
+    TableBlock block = table.take();
+    for (const auto& [column, unit] : heads)
+        block.table.columns[static_cast<std::size_t>(column)].unit = unit;
+    blocks.push_back(std::move(block));
 }
 
 /// Symbols of one unit, three at a time.
