@@ -142,26 +142,22 @@ private:
     std::stop_token stop_;
 };
 
-Result<std::vector<ValueAt>> places_of(const std::vector<std::string>& values) {
-    std::vector<ValueAt> places;
-    for (const std::string& value : values) {
-        auto place = value_at(value);
-        if (!place) return fail(place.error());
-        places.push_back(std::move(*place));
-    }
-    return places;
-}
-
 }  // namespace
 
 Result<MadeProject::Pointer> open_project(const std::string& file, const std::vector<std::string>& values) {
-    const auto places = places_of(values);
+    const auto places = values_at(values);
     if (!places) return fail(places.error());
     LoadedProject loaded = load_project(file, *places);
     print_problems(loaded.problems);
     if (loaded.problems.has_errors())
         return fail(ErrorCode::bad_input, file + ": the project has errors; nothing was computed");
     return loaded.made;
+}
+
+void say_what_is_missing(const Project& project) {
+    Problems missing = missing_in(project.certificate);
+    for (Problem& problem : missing.items()) problem.severity = Severity::warning;
+    print_problems(missing);
 }
 
 Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,

@@ -31,6 +31,9 @@ struct RunRequest {
 Result<MadeProject::Pointer> open_project(const std::string& file,
                                           const std::vector<std::string>& values = {});
 
+/// Warns of what a certificate must say and the project does not.
+void say_what_is_missing(const Project& project);
+
 /// What was evaluated, and what has no results.
 struct Evaluation {
     std::vector<EvaluatedAnalysis> analyses;

@@ -20,6 +20,7 @@ struct Definition {
 };
 const std::vector<Definition>& definitions() {
     static const std::vector<Definition> all{
+        {{"certificate", "what a calibration certificate says beside its results"}, "certificate"},
         {{"links", "input quantities taken from other analyses"}, "link"},
         {{"inputs", "edits of input quantities"}, "inputEdit"},
         {{"components", "components of uncertainty, in inputs"}, "component"},
@@ -52,7 +53,11 @@ std::string kind_of(const SchemaJson& field) {
     const std::string name = type.is_array() ? text_of(type[0]) : text_of(type);
     if (name == "array" && field["items"].contains("$ref")) return referred(field["items"]["$ref"], true);
     if (name == "array") return "list";
-    return name == "string" ? "text" : name == "boolean" ? "flag" : name == "integer" ? "whole number" : name;
+    return name == "string"    ? "text"
+           : name == "boolean" ? "flag"
+           : name == "object"  ? "group"
+           : name == "integer" ? "whole number"
+                               : name;
 }
 
 std::string limits(const SchemaJson& field) {
@@ -81,6 +86,7 @@ void write_object(std::ostringstream& out, const SchemaJson& object, const std::
                 out << indent << "      " << text_of(choice) << '\n';
         if (field.contains("items") && field["items"].contains("properties"))
             write_object(out, field["items"], indent + "      ");
+        if (field.contains("properties")) write_object(out, field, indent + "      ");
     }
 }
 

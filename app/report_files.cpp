@@ -1,5 +1,7 @@
 #include "app/report_files.h"
 
+#include <filesystem>
+
 #include "app/application.h"
 #include "ui/export/report_export.h"
 #include "ui/export/report_maker.h"
@@ -17,21 +19,43 @@ std::vector<ui::ReportFormat> formats_of(const std::vector<std::string>& names) 
     return formats;
 }
 
-}  // namespace
-
-Result<void> write_reports(const ReportSource& source, const ReportFiles& files,
-                           const std::stop_token& stop) {
+Result<void> write_document(const ReportDocument& document, const ReportSource& source,
+                            const ReportFiles& files, const std::stop_token& stop) {
     const auto application = make_application(Platform::offscreen);
     ui::ScenePictures scenes(source.analyses);
     const ui::FigurePainters painters = ui::report_painters(scenes);
     ui::ReportTarget target;
     target.folder = files.folder;
+    target.name = files.name;
     target.formats = formats_of(files.formats);
     target.paper = files.paper == "letter" ? ui::PaperSize::letter : ui::PaperSize::a4;
-    auto written =
-        ui::export_report(build_report(source.made, source.analyses, source.failed), target, painters, stop);
+    auto written = ui::export_report(document, target, painters, stop);
     if (!written && !scenes.problem().empty()) written.error().message += ": " + scenes.problem();
     return written;
+}
+
+}  // namespace
+
+Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
+    const std::filesystem::path path(file);
+    const std::string ending = path.extension().string();
+    if (path.stem().empty() || (ending != ".pdf" && ending != ".html" && ending != ".md"))
+        return fail(ErrorCode::usage, "the name '" + file + "' must end in .pdf, .html or .md");
+    files.folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    files.name = path.stem().string();
+    files.formats = {ending == ".md" ? "markdown" : ending.substr(1)};
+    return {};
+}
+
+Result<void> write_certificate(const ReportSource& source, CertifiedResults which, const ReportFiles& files,
+                               const std::stop_token& stop) {
+    return write_document(build_certificate(source.made, source.analyses, source.failed, which), source,
+                          files, stop);
+}
+
+Result<void> write_reports(const ReportSource& source, const ReportFiles& files,
+                           const std::stop_token& stop) {
+    return write_document(build_report(source.made, source.analyses, source.failed), source, files, stop);
 }
 
 }  // namespace covaria

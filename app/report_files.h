@@ -13,6 +13,7 @@ struct ReportFiles {
     std::string folder = "out";
     std::vector<std::string> formats = {};  ///< "pdf", "html", "markdown"; empty = all
     std::string paper = "a4";
+    std::string name = "report";  ///< of the files, without ending
 };
 
 struct ReportSource {
@@ -21,6 +22,12 @@ struct ReportSource {
     const std::vector<FailedAnalysis>& failed;
 };
 
+/// The folder, name and format of one file: "out/cert.pdf". Error{usage}: its ending names no format.
+Result<void> write_into_one_file(const std::string& file, ReportFiles& files);
+
+/// A certificate of analyses that were chosen, or of those whose results fit.
+Result<void> write_certificate(const ReportSource& source, CertifiedResults which, const ReportFiles& files,
+                               const std::stop_token& stop);
 Result<void> write_reports(const ReportSource& source, const ReportFiles& files, const std::stop_token& stop);
 
 }  // namespace covaria

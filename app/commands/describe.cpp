@@ -21,7 +21,7 @@ void list_everything() {
     std::printf("\nAssets\n");
     for (const AssetDescriptor& asset : asset_registry())
         std::printf("  %-24s %s\n", asset.kind.c_str(), asset.title.c_str());
-    std::printf("\nParts of every analysis\n");
+    std::printf("\nParts of the project and of every analysis\n");
     for (const ProjectPart& part : project_parts())
         std::printf("  %-24s %s\n", part.name.c_str(), part.title.c_str());
     std::printf("\n\"covaria describe NAME\" shows the fields of one of them.\n");

@@ -16,18 +16,36 @@ namespace {
 struct ReportArguments {
     RunRequest request;
     ReportFiles files;
+    std::string output;  ///< one file instead
+    bool certificate = false;
 };
 
+ReportFiles files_of(const ReportArguments& arguments) {
+    ReportFiles files = arguments.files;
+    if (arguments.certificate) files.name = "certificate";
+    return files;
+}
+
+Result<void> write(const ReportArguments& arguments, const ReportSource& source, const ReportFiles& files,
+                   const std::stop_token& stop) {
+    if (!arguments.certificate) return write_reports(source, files, stop);
+    say_what_is_missing(source.made.project());
+    const auto which =
+        arguments.request.analyses.empty() ? CertifiedResults::that_fit : CertifiedResults::all;
+    return write_certificate(source, which, files, stop);
+}
+
 Result<void> report(const ReportArguments& arguments, const std::stop_token& stop) {
-    if (auto made = make_output_folder(arguments.files.folder); !made) return made;
+    ReportFiles files = files_of(arguments);
+    if (!arguments.output.empty())
+        if (auto named = write_into_one_file(arguments.output, files); !named) return named;
+    if (auto made = make_output_folder(files.folder); !made) return made;
     auto opened = open_project(arguments.request.file, arguments.request.values);
     if (!opened) return fail(opened.error());
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
-    if (auto written =
-            write_reports({**opened, evaluation->analyses, evaluation->failed}, arguments.files, stop);
-        !written)
-        return written;
+    const ReportSource source{**opened, evaluation->analyses, evaluation->failed};
+    if (auto written = write(arguments, source, files, stop); !written) return written;
     return check_complete(*evaluation);
 }
 
@@ -38,14 +56,23 @@ Command report_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("report", "Evaluate a project; write its report as PDF, HTML and Markdown");
     add_run_options(*command, arguments->request);
-    command->add_option("--out", arguments->files.folder, "folder for the report")
-        ->type_name("DIR")
-        ->capture_default_str();
+    auto* folder = command->add_option("--out", arguments->files.folder, "folder for the report")
+                       ->type_name("DIR")
+                       ->capture_default_str();
+    auto* formats = command
+                        ->add_option("--format", arguments->files.formats,
+                                     "pdf, html or markdown (may be repeated; all without it)")
+                        ->type_name("FORMAT")
+                        ->check(CLI::IsMember({"pdf", "html", "markdown"}));
     command
-        ->add_option("--format", arguments->files.formats,
-                     "pdf, html or markdown (may be repeated; all without it)")
-        ->type_name("FORMAT")
-        ->check(CLI::IsMember({"pdf", "html", "markdown"}));
+        ->add_option("-o,--output", arguments->output,
+                     "one file instead, in the format of its ending: .pdf, .html or .md")
+        ->type_name("FILE")
+        ->excludes(folder)
+        ->excludes(formats);
+    command->add_flag("--certificate", arguments->certificate,
+                      "a calibration certificate of one to three pages instead of the report: the project's "
+                      "section \"certificate\" and the results (of the analyses chosen by --analysis)");
     command->add_option("--paper", arguments->files.paper, "a4 or letter")
         ->type_name("SIZE")
         ->check(CLI::IsMember({"a4", "letter"}))
@@ -56,7 +83,9 @@ Command report_command(CLI::App& app) {
                     print_error(done.error());
                     return exit_status_of(done.error());
                 }
-                std::printf("the report is in %s\n", arguments->files.folder.c_str());
+                std::printf(
+                    "the %s is in %s\n", arguments->certificate ? "certificate" : "report",
+                    arguments->output.empty() ? arguments->files.folder.c_str() : arguments->output.c_str());
                 return int(exit_success);
             }};
 }

@@ -26,6 +26,7 @@ struct RunArguments {
     std::string out = "out";
     std::string set_from;
     bool report = false;
+    bool certificate = false;
     bool pictures = false;
 };
 
@@ -37,6 +38,18 @@ void say_what_does_not_represent(const Project& project, const std::vector<Evalu
         print_message("the result of " + one.analysis->id + " " + does_not_represent +
                       (required ? "; its requirements are not judged" : ""));
     }
+}
+
+/// If it was asked for.
+Result<void> write_certificate_of(const RunArguments& arguments, const ReportSource& source,
+                                  const std::stop_token& stop) {
+    if (!arguments.certificate) return {};
+    say_what_is_missing(source.made.project());
+    const bool chosen = !arguments.request.analyses.empty();
+    ReportFiles files{arguments.out};
+    files.name = "certificate";
+    return write_certificate(source, chosen ? CertifiedResults::all : CertifiedResults::that_fit, files,
+                             stop);
 }
 
 /// Evaluates one project and writes everything that was asked for. `lines`: its result lines are added, under
@@ -61,6 +74,9 @@ Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop,
         if (auto written = write_reports({**opened, analyses, evaluation->failed}, {arguments.out}, stop);
             !written)
             return written;
+    if (auto written = write_certificate_of(arguments, {**opened, analyses, evaluation->failed}, stop);
+        !written)
+        return written;
     lines += result_lines(name, (*opened)->project(), analyses);
     return check_complete(*evaluation);
 }
@@ -110,6 +126,9 @@ Command run_command(CLI::App& app) {
                      "them; results in DIR/NAME, all result lines in DIR/results.csv")
         ->type_name("CSV");
     command->add_flag("--report", arguments->report, "write the report too (PDF, HTML, Markdown)");
+    command->add_flag("--certificate", arguments->certificate,
+                      "write a calibration certificate too (PDF, HTML, Markdown): the project's section "
+                      "\"certificate\" and the results");
     command->add_flag("--pictures", arguments->pictures, "write pictures of every analysis too (PNG)");
     return {command, [arguments](const std::stop_token& stop) {
                 const auto done = run(*arguments, stop);

@@ -59,6 +59,7 @@ Problems MadeProject::problems() const {
     Problems all;
     check_ids(project_->assets, "/assets", all);
     check_ids(project_->analyses, "/analyses", all);
+    check_certificate(project_->certificate, all);
     for (const std::size_t entry : graph_.order())  // causes before what follows from them
         if (graph_.is_asset(entry)) all.take(entries_[entry]->problems, "/assets/" + std::to_string(entry));
     for (std::size_t i = 0; i < project_->analyses.size(); ++i) {

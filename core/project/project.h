@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/project/certificate.h"
 #include "core/project/study.h"
 #include "core/propagation/options.h"
 #include "core/quantity/distribution.h"
@@ -89,6 +90,7 @@ struct AnalysisEntry {
 struct Project {
     std::string title = {};
     std::string notes = {};
+    Certificate certificate = {};
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};
     std::filesystem::path directory = {};  ///< where CSV files are looked for; not saved, not compared
@@ -96,8 +98,8 @@ struct Project {
     const AssetEntry* find_asset(const std::string& id) const;
     const AnalysisEntry* find_analysis(const std::string& id) const;
     bool operator==(const Project& other) const {
-        return title == other.title && notes == other.notes && assets == other.assets &&
-               analyses == other.analyses;
+        return title == other.title && notes == other.notes && certificate == other.certificate &&
+               assets == other.assets && analyses == other.analyses;
     }
 };
 

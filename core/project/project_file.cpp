@@ -7,6 +7,7 @@
 
 #include "core/base/file_io.h"
 #include "core/project/analysis_json.h"
+#include "core/project/certificate_json.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/migration.h"
@@ -47,6 +48,9 @@ public:
         reader.find("schemaVersion");
         project.title = reader.text("title", true);
         project.notes = reader.text("notes");
+        if (const Json* certificate = reader.find("certificate"))
+            project.certificate =
+                certificate_from_json(*certificate, reader.path_of("certificate"), context_.problems);
         read_entries(reader, "assets", project.assets);
         read_entries(reader, "analyses", project.analyses);
         reader.refuse_unknown_keys();

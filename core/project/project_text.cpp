@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/project/analysis_json.h"
+#include "core/project/certificate_json.h"
 #include "core/project/json_writer.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/project_file.h"
@@ -58,6 +59,7 @@ void keep_numbers(Setup& setup) {
 Project numbers_only(Project project) {
     project.title.clear();
     project.notes.clear();
+    project.certificate = {};
     std::ranges::sort(project.assets, {}, &AssetEntry::id);
     for (AssetEntry& asset : project.assets) {
         asset.name.clear();
@@ -95,6 +97,10 @@ WrittenProject write_project(const Project& project) {
     out.integer(project_schema_version);
     out.member("title", project.title);
     member_if_given(out, "notes", project.notes);
+    if (!project.certificate.empty()) {
+        out.key("certificate");
+        write_certificate(out, project.certificate);
+    }
     out.key("assets");
     out.begin_list();
     for (const AssetEntry& asset : project.assets) write_asset(out, asset);

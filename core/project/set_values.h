@@ -20,10 +20,12 @@ struct ValueAt {
 
 /// From "POINTER=VALUE". Error{usage}.
 Result<ValueAt> value_at(const std::string& text);
+/// Likewise, of the first that is wrong.
+Result<std::vector<ValueAt>> values_at(const std::vector<std::string>& texts);
 
 /// The JSON text of a project with the values in their places. Error{bad_input} with the pointer as path:
 /// there is no such place, or it holds a list or an object. A key that the file leaves out may be set where
-/// its object is there.
+/// its object is there; the certificate's are made, and its values are texts whatever they look like.
 Result<std::string> with_values(const std::string& json, const std::vector<ValueAt>& values);
 
 }  // namespace covaria

@@ -6,6 +6,7 @@
 #include "core/base/in_quotes.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
+#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -76,6 +77,13 @@ private:
 };
 
 }  // namespace
+
+std::string decision_rule(double guard_factor) {
+    if (guard_factor == 0.0) return "simple acceptance (w = 0)";
+    const double size = std::abs(guard_factor);
+    const std::string width = size == 1.0 ? "U" : format_trimmed(size, 6) + " U";
+    return guard_factor > 0.0 ? "guard band w = " + width : "guarded rejection (w = −" + width + ")";
+}
 
 std::vector<RequirementResult> judge(const UncertaintyResult& result, const AnalysisEntry& entry) {
     std::vector<OutputQuantity> outputs;

@@ -1,6 +1,7 @@
 // Requirements of an analysis as typed, checked and in SI.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/model/output_quantity.h"
@@ -8,6 +9,10 @@
 #include "core/propagation/requirements.h"
 
 namespace covaria {
+
+/// The decision rule of a guard factor by its name in ILAC-G8:09/2019: "simple acceptance (w = 0)", "guard
+/// band w = U", "guard band w = 0.83 U"; a negative factor widens the tolerance.
+std::string decision_rule(double guard_factor);
 
 /// The verdicts on a result of the analysis by its requirements as they are now. What cannot be read is left
 /// out: it is a problem of the project.

@@ -79,6 +79,7 @@ ConformanceBy distribution_of(const OutputResult& output) {
 
 void judge_conformity(RequirementResult& made, const OutputRequirement& r, const OutputResult& output) {
     const double y = output.estimate, u = output.standard_uncertainty;
+    made.guard_factor = r.guard_factor;
     made.guard_band = r.guard_factor * output.expanded_uncertainty;
     const ToleranceLimits stated = limits_of(r, made.guard_band), limits = at_branch_of(output, stated);
     made.decision =
@@ -87,6 +88,8 @@ void judge_conformity(RequirementResult& made, const OutputRequirement& r, const
     made.conformance_by = distribution_of(output);
     if (r.lower_limit && r.upper_limit && u > 0.0)
         made.capability_index = (*r.upper_limit - *r.lower_limit) / (4.0 * u);
+    if (r.lower_limit && r.upper_limit && output.expanded_uncertainty > 0.0)
+        made.uncertainty_ratio = (*r.upper_limit - *r.lower_limit) / (2.0 * output.expanded_uncertainty);
     if (r.prior_mean && r.prior_standard_deviation && std::isfinite(u))
         made.global_risks = global_risks(stated, *r.prior_mean, *r.prior_standard_deviation, u);
 }

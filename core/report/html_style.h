@@ -31,6 +31,9 @@ tbody tr:last-child td { border-bottom: .8pt solid var(--ink); }
 td.number, th.number { text-align: right; padding: .7mm 0 .7mm 3mm; white-space: nowrap; }
 td.number + td:not(.number), th.number + th:not(.number) { padding-left: 4mm; }
 td.subhead { font-weight: 600; padding-top: 1.6mm; border-bottom: .4pt solid var(--rule); }
+.signature { display: flex; justify-content: space-between; margin-top: 10mm; break-inside: avoid; }
+.signature .line { border-top: .6pt solid var(--ink); width: 75mm; margin-top: 16mm; padding-top: 1mm; }
+.end { text-align: center; color: var(--quiet); border-top: .6pt solid var(--rule); padding-top: 2mm; }
 sub { font-size: 75%; line-height: 0; }
 figure { margin: 0 0 5mm; break-inside: avoid; } figure img { max-width: 100%; height: auto; }
 figcaption { font-size: 8.5pt; color: var(--quiet); }

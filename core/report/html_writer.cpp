@@ -102,7 +102,8 @@ struct HtmlWriter {
     void operator()(const FactsBlock& facts) {
         out += "<dl>\n";
         for (const auto& [key, value] : facts.facts)
-            out += element("dt", rich(key)) + element("dd", rich(value)) + "\n";
+            out += element("dt", rich(key)) +
+                   element("dd", facts.literal ? escape_html(value) : rich(value)) + "\n";
         out += "</dl>\n";
     }
     void operator()(const EquationBlock& equation) {
@@ -129,6 +130,14 @@ struct HtmlWriter {
         out += "</tbody></table>\n";
         for (const std::string& note : table.notes) out += element("p", rich(note), "note") + "\n";
         out += "</div>\n";
+    }
+    void operator()(const SignatureBlock& signature) {
+        const std::string function =
+            signature.function.empty() ? "" : "<br>" + escape_html(signature.function);
+        const std::string line = element("p", escape_html(signature.name) + function, "line");
+        out += element("p", escape_html(signature.statement)) + "\n" +
+               element("div", element("p", escape_html(signature.date)) + line, "signature") + "\n" +
+               element("p", escape_html(signature.end_mark), "end") + "\n";
     }
     void operator()(const PlotBlock& plot) { figure(plot.plot.id + ".svg", plot.caption); }
     void operator()(const SceneBlock& scene) { figure(scene.id + ".png", scene.caption); }
@@ -157,11 +166,34 @@ struct HtmlWriter {
 
 }  // namespace
 
+namespace {
+
+/// A text of a style sheet in its quotes.
+std::string css_text(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text)
+        out += c == '"' || c == '\\' || c == '<' || c == '\n'
+                   ? std::string("\\") + "0123456789abcdef"[c / 16] + "0123456789abcdef"[c % 16] + " "
+                   : std::string(1, c);
+    return out + "\"";
+}
+
+/// What stands in the margin of every printed page.
+std::string page_heads(const ReportDocument& document) {
+    if (!document.head_on_every_page) return {};
+    return "@page { @top-left { content: " + css_text(document.running_head) +
+           "; font-size: 8pt; } @top-right { content: \"Page \" counter(page) \" of \" counter(pages); "
+           "font-size: 8pt; } }\n";
+}
+
+}  // namespace
+
 std::string to_html(const ReportDocument& document) {
     HtmlWriter writer;
     writer.out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                  escape_html(document.title) + "</title>\n<style>" + std::string(html_style) +
-                 "</style>\n</head>\n<body>\n<h1>" + escape_html(document.title) + "</h1>\n";
+                 page_heads(document) + "</style>\n</head>\n<body>\n<h1>" + escape_html(document.title) +
+                 "</h1>\n";
     for (const ReportBlock& block : document.blocks) std::visit(writer, block);
     writer.out += "</body>\n</html>\n";
     return writer.out;

@@ -98,6 +98,12 @@ struct MarkdownWriter {
         out += "\n";
         for (const std::string& note : table.notes) out += escaped_block(note) + "\n\n";
     }
+    void operator()(const SignatureBlock& signature) {
+        out += escaped_block(signature.statement) + "\n\n" + escaped(signature.date) + "\n\n" +
+               std::string(40, '.') + "\n\n" + escaped(signature.name);
+        if (!signature.function.empty()) out += ", " + escaped(signature.function);
+        out += "\n\n---\n\n" + escaped(signature.end_mark) + "\n\n";
+    }
     void operator()(const PlotBlock& plot) { figure(plot.plot.id + ".svg", plot.caption); }
     void operator()(const SceneBlock& scene) { figure(scene.id + ".png", scene.caption); }
 

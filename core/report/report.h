@@ -41,6 +41,17 @@ struct ResultListing {
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                             const std::vector<FailedAnalysis>& failed = {});
 
+/// Which of the evaluated analyses' results a certificate states.
+enum class CertifiedResults {
+    all,      ///< those analyses were chosen
+    that_fit  ///< of a project with more than 60 results only analyses whose results fit; it says which not
+};
+/// A calibration certificate: the project's certificate section, result lines, conformity with its decision
+/// rule, place for a signature. What is required and missing is a visible gap.
+ReportDocument build_certificate(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
+                                 const std::vector<FailedAnalysis>& failed = {},
+                                 CertifiedResults which = CertifiedResults::that_fit);
+
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
 /// `project`: whose requirements are judged.

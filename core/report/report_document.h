@@ -26,6 +26,13 @@ struct ListBlock {
 /// Key and value pairs: the title block, provenance.
 struct FactsBlock {
     std::vector<std::pair<std::string, std::string>> facts;
+    bool literal = false;  ///< values are what was typed ("A_7" of a serial number), not symbols
+};
+/// What a certificate says last, who signs it, room to do so, and its end; they never part.
+struct SignatureBlock {
+    std::string statement;
+    std::string date, name, function;
+    std::string end_mark;
 };
 struct EquationBlock {
     std::string text;
@@ -59,12 +66,14 @@ struct SceneBlock {
 };
 
 using ReportBlock = std::variant<HeadingBlock, ParagraphBlock, ListBlock, FactsBlock, EquationBlock,
-                                 TableBlock, PlotBlock, SceneBlock>;
+                                 TableBlock, PlotBlock, SceneBlock, SignatureBlock>;
 
 struct ReportDocument {
     std::string title;
     std::string running_head;
     std::vector<ReportBlock> blocks;
+    std::string over = "Report of an uncertainty evaluation";  ///< above the title, in print
+    bool head_on_every_page = false;  ///< the running head stands on the first page too
 };
 
 }  // namespace covaria

@@ -4,7 +4,7 @@
 
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
-#include "core/report/report_parts.h"
+#include "core/report/certificate_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
 
@@ -116,42 +116,69 @@ ParagraphBlock risks_of(const RequirementResult& r, const OutputQuantity& quanti
     return ParagraphBlock{words + "."};
 }
 
-void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
-    const UncertaintyResult& result = *evaluated.result;
+std::string conformity_note() {
+    return "JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the "
+           "result: its trials, or by the law of propagation Student's t for the effective degrees of "
+           "freedom. "
+           "The acceptance interval is the tolerance less guard bands w. Decision rules are named as in "
+           "ILAC-G8:09/2019. TUR: half of the tolerance over U. C_m: T/(2U) for U = 2u, T/(4u).";
+}
+
+bool has_tolerance(const RequirementResult& r) {
+    return r.lower_limit || r.upper_limit;
+}
+
+void add_conformity_row(TableBuilder& table, const RequirementResult& r, const OutputResult& output) {
+    const bool judged = r.not_judged.empty();
+    const OutputQuantity& quantity = output.quantity;
+    const auto number = [](const std::optional<double>& x) { return x ? TableCell(*x) : TableCell{}; };
+    table.row({output_label(quantity), unit_text(quantity.unit), limits_text(r, output, 0.0),
+               judged ? limits_text(r, output, r.guard_band) : "",
+               judged ? decision_rule(r.guard_factor) : "", decision_words(r),
+               judged ? percent(r.conformance) : "", judged ? by_words(r.conformance_by) : "",
+               number(r.uncertainty_ratio), number(r.capability_index)});
+}
+
+/// Nothing without tolerances.
+std::optional<TableBlock> conformity_table(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
+    if (std::none_of(verdicts.begin(), verdicts.end(), has_tolerance)) return std::nullopt;
     TableBuilder table("conformity-" + evaluated.analysis->id, "Conformity with tolerances");
-    table.text("Quantity");
-    table.text("Unit");
-    table.text("Tolerance");
-    table.text("Acceptance");
-    table.text("Decision");
-    table.text("Conforming");
-    table.text("by");
+    for (const char* head :
+         {"Quantity", "Unit", "Tolerance", "Acceptance", "Decision rule", "Decision", "Conforming", "by"})
+        table.text(head);
+    table.number("TUR", 3);
     table.symbol("C_m", 3);
-    bool any = false;
-    Blocks risks;
-    for (const RequirementResult& r : verdicts) {
-        if (!r.lower_limit && !r.upper_limit) continue;
-        any = true;
-        const bool judged = r.not_judged.empty();
-        const OutputQuantity& quantity = result.outputs[r.output].quantity;
-        table.row({output_label(quantity), unit_text(quantity.unit),
-                   limits_text(r, result.outputs[r.output], 0.0),
-                   judged ? limits_text(r, result.outputs[r.output], r.guard_band) : "", decision_words(r),
-                   judged ? percent(r.conformance) : "", judged ? by_words(r.conformance_by) : "",
-                   r.capability_index ? TableCell(*r.capability_index) : TableCell{}});
-        if (judged) risks.push_back(risks_of(r, quantity));
-    }
-    if (!any) return;
-    table.note(
-        "JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the "
-        "result: its trials, or by the law of propagation Student's t for the effective degrees of freedom. "
-        "The acceptance interval is the tolerance less guard bands of the guard factor times U (ISO "
-        "14253-1).");
-    blocks.push_back(table.take());
-    blocks.insert(blocks.end(), risks.begin(), risks.end());
+    for (const RequirementResult& r : verdicts)
+        if (has_tolerance(r)) add_conformity_row(table, r, evaluated.result->outputs[r.output]);
+    table.note(conformity_note());
+    return table.take();
+}
+
+void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
+    auto table = conformity_table(verdicts, evaluated);
+    if (!table) return;
+    blocks.push_back(std::move(*table));
+    for (const RequirementResult& r : verdicts)
+        if (has_tolerance(r) && r.not_judged.empty())
+            blocks.push_back(risks_of(r, evaluated.result->outputs[r.output].quantity));
 }
 
 }  // namespace
+
+void add_certified_conformity(Blocks& blocks, const ReportSource& source,
+                              const std::vector<EvaluatedAnalysis>& analyses) {
+    bool headed = false;
+    for (const EvaluatedAnalysis& evaluated : analyses) {
+        const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
+        if (!entry) continue;
+        auto table = conformity_table(judge(*evaluated.result, *entry), evaluated);
+        if (!table) continue;
+        if (!headed) blocks.push_back(HeadingBlock{2, "Statement of conformity"});
+        headed = true;
+        table->table.title = analyses.size() > 1 ? evaluated.analysis->name : "";
+        blocks.push_back(std::move(*table));
+    }
+}
 
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
     const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);

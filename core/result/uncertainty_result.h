@@ -159,14 +159,16 @@ struct RequirementResult {
     bool meets_target = true;
 
     std::optional<double> lower_limit = {}, upper_limit = {};
-    double guard_band = 0.0;  ///< w = guard factor * U
+    double guard_factor = 1.0;  ///< r of the decision rule w = r U
+    double guard_band = 0.0;    ///< w
     /// Of the value that the result line states.
     enum class Decision { none, accept, reject } decision = Decision::none;
     /// Probability of conformance p_c (JCGM 106 7), by the distribution that the result line states: the
     /// trials, or Student's t with nu_eff about y with scale u, which is normal for infinite nu_eff.
     double conformance = 0.0;
     enum class Distribution { trials, student_t, normal } conformance_by = Distribution::normal;
-    std::optional<double> capability_index = {};  ///< C_m = T/(4u) (JCGM 106 7.6)
+    std::optional<double> capability_index = {};   ///< C_m = T/(4u), T/(2U) for U = 2u (JCGM 106 7.6)
+    std::optional<double> uncertainty_ratio = {};  ///< TUR: half of the tolerance over the U that is stated
     struct GlobalRisks {
         double consumer = 0.0;  ///< accepted and not conforming
         double producer = 0.0;  ///< rejected and conforming

@@ -199,6 +199,19 @@ std::string grouped_number(double value, int decimals, const NumberLocale& local
            (end < plain.size() ? locale.decimal + plain.substr(end + 1) : std::string());
 }
 
+std::string grouped_digits(const std::string& plain, const NumberLocale& locale) {
+    if (plain.find_first_not_of("-.0123456789") != std::string::npos) return typeset_number(plain, locale);
+    const std::size_t first = plain.starts_with('-') ? 1 : 0, point = std::min(plain.find('.'), plain.size());
+    std::string whole = plain.substr(first, point - first);
+    if (whole.size() > 4)
+        for (std::size_t i = whole.size(); i > 3;) whole.insert(i -= 3, locale.group);
+    if (point == plain.size()) return (first ? "−" : "") + whole;
+    std::string parts = plain.substr(point + 1);
+    if (parts.size() > 4)
+        for (std::size_t i = (parts.size() - 1) / 3 * 3; i > 0; i -= 3) parts.insert(i, locale.group);
+    return (first ? "−" : "") + whole + locale.decimal + parts;
+}
+
 std::string count_text(std::uint64_t count) {
     return grouped_number(static_cast<double>(count), 0);
 }

@@ -51,6 +51,9 @@ struct NumberLocale {
 std::string typeset_number(std::string plain, const NumberLocale& locale = {});
 /// Likewise, rounded to `decimals`, digits in groups of three from 10 000 on.
 std::string grouped_number(double value, int decimals, const NumberLocale& locale = {});
+/// The digits of a plain number in groups of three on both sides of its point, where there are more than
+/// four: "50.000 78".
+std::string grouped_digits(const std::string& plain, const NumberLocale& locale = {});
 std::string count_text(std::uint64_t count);   ///< "1 000 000"
 std::string percent_text(double probability);  ///< "95 %", "95.45 %"
 /// 10 to that power: "10⁻⁵".

@@ -93,5 +93,70 @@ TEST(Automation, RequirementsAreTestCases) {
     EXPECT_GE(xml.child("testsuites").child("testsuite").attribute("failures").as_int(), 1);
 }
 
+/// All that is required of a certificate, for the command line.
+std::vector<std::string> with_certificate(std::vector<std::string> arguments) {
+    for (const char* value :
+         {"number=2026-0417", "laboratory/name=Length laboratory", "laboratory/address=Road 1, Town",
+          "customer/name=Works", "customer/address=Road 2, Town", "item/description=Gauge block",
+          "item/serialNumber=0815", "dates/calibrated=2026-04-17", "dates/issued=2026-04-20",
+          "method=Comparison, MP-12", "environment=(20.0 ± 0.1) °C", "traceability=Certificate 55-2026",
+          "authorised/name=E. Muster"}) {
+        arguments.emplace_back("--set");
+        arguments.push_back(std::string("/certificate/") + value);
+    }
+    return arguments;
+}
+
+TEST(Certificate, ValidateListsWhatIsMissing) {
+    const Outcome without = run_program({"validate", gauge, "--certificate"});
+    EXPECT_EQ(without.status, 1);
+    EXPECT_NE(without.err.find("/certificate/laboratory/address: "), std::string::npos) << without.err;
+    EXPECT_NE(without.err.find("ISO/IEC 17025 7.8.4.1 c requires it"), std::string::npos) << without.err;
+    EXPECT_EQ(run_program({"validate", gauge}).status, 0) << "nobody asked for a certificate";
+    const Outcome with = run_program(with_certificate({"validate", gauge, "--certificate"}));
+    EXPECT_EQ(with.status, 0) << with.err;
+    EXPECT_EQ(with.err, "");
+    const Outcome wrong = run_program({"validate", gauge, "--set", "/certificate/dates/issued=17.4.2026"});
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_NE(wrong.err.find("must be a date of the form 2026-04-17"), std::string::npos) << wrong.err;
+}
+
+TEST(Certificate, IsOneFileOfTheFormatThatItsNameAsksFor) {
+    const fs::path folder = fresh_folder("certificate");
+    for (const std::string name : {"c.pdf", "c.html", "c.md"}) {
+        const std::string file = (folder / "new" / name).string();
+        const Outcome run = run_program(
+            with_certificate({"report", gauge, "--certificate", "--analysis", "table", "-o", file}));
+        ASSERT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(run.err, "");
+        EXPECT_TRUE(fs::exists(file)) << name;
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder / "new"), fs::directory_iterator()), 3);
+    EXPECT_EQ(read_text(folder / "new" / "c.pdf").substr(0, 5), "%PDF-");
+    const std::string html = read_text(folder / "new" / "c.html");
+    for (const char* part : {"Calibration certificate 2026-0417", "0815", "End of certificate 2026-0417",
+                             "l = (50 000 838 ± 92) nm, k = 2.91", "p = 99 %"})
+        EXPECT_NE(html.find(part), std::string::npos) << part << "\n" << html;
+    const Outcome wrong = run_program({"report", gauge, "-o", (folder / "c.docx").string()});
+    EXPECT_EQ(wrong.status, 2) << wrong.err;
+}
+
+TEST(Certificate, ThereIsOneForEachSerialNumber) {
+    const fs::path folder = fresh_folder("certificates");
+    write_text(folder / "blocks.csv",
+               "serial,/certificate/number,/certificate/item/serialNumber,"
+               "/analyses/table/setup/quantities/rows/l_S/value\n"
+               "17,2026-1,17,50000623\n18,2026-2,18,50000723\n");
+    const Outcome run =
+        run_program(with_certificate({"run", gauge, "--analysis", "table", "--certificate", "--set-from",
+                                      (folder / "blocks.csv").string(), "--out", (folder / "out").string()}));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(read_text(folder / "out/17/certificate.html").find("certificate 2026-1<"), std::string::npos);
+    const std::string second = read_text(folder / "out/18/certificate.md");
+    EXPECT_NE(second.find("2026-2"), std::string::npos);
+    EXPECT_NE(second.find("50 000 938"), std::string::npos) << second;
+    EXPECT_TRUE(fs::exists(folder / "out/18/certificate.pdf"));
+}
+
 }  // namespace
 }  // namespace covaria::automation_test

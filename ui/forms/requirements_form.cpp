@@ -83,11 +83,16 @@ QString not_judged_words(const RequirementResult& r) {
 QString conformity_words(const UncertaintyResult& result, const RequirementResult& r) {
     const Unit& unit = result.outputs[r.output].quantity.unit;
     const bool accepted = r.decision == RequirementResult::Decision::accept;
-    QString text =
-        RequirementsForm::tr("Guard band %1: the result is <b>%2</b>. Probability of conformance %3 %4.")
-            .arg(number(unit, r.guard_band),
-                 accepted ? RequirementsForm::tr("accepted") : RequirementsForm::tr("rejected"),
-                 percent(r.conformance), distribution_words(r.conformance_by));
+    QString text = RequirementsForm::tr(
+                       "By %5, guard band %1: the result is <b>%2</b>. Probability of conformance %3 %4.")
+                       .arg(number(unit, r.guard_band),
+                            accepted ? RequirementsForm::tr("accepted") : RequirementsForm::tr("rejected"),
+                            percent(r.conformance), distribution_words(r.conformance_by),
+                            to_qt(decision_rule(r.guard_factor)));
+    if (r.uncertainty_ratio && r.capability_index)
+        text += RequirementsForm::tr("<br>TUR %1, C<sub>m</sub> %2.")
+                    .arg(to_qt(format_significant(*r.uncertainty_ratio, 3)),
+                         to_qt(format_significant(*r.capability_index, 3)));
     if (r.global_risks)
         text += RequirementsForm::tr("<br>Global risks of the rule: consumer's %1, producer's %2.")
                     .arg(percent(r.global_risks->consumer), percent(r.global_risks->producer));

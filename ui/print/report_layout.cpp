@@ -25,8 +25,8 @@ public:
     ReportLayout(const PageStyle& style, const FigurePainters& figures)
         : style_(style), figures_(figures), width_(style.text_area().width()) {}
 
-    void title(const std::string& text) {
-        RichText over(style_, TextRole::body, "Report of an uncertainty evaluation");
+    void title(const std::string& text, const std::string& above) {
+        RichText over(style_, TextRole::body, escaped(above));
         over.set_width(width_);
         items.push_back({over.height() + style_.mm(1.0),
                          0.0,
@@ -92,7 +92,8 @@ public:
     void operator()(const FactsBlock& facts) {
         bool first = true;
         for (const auto& fact : facts.facts) {
-            add_fact(fact.first, fact.second, first ? style_.mm(1.6) : style_.mm(0.9));
+            const QString value = facts.literal ? escaped(fact.second) : rich(fact.second);
+            add_fact(fact.first, value, first ? style_.mm(1.6) : style_.mm(0.9));
             first = false;
         }
     }
@@ -112,6 +113,33 @@ public:
                          [text, source, indent, drop, x = width_ - source_width](QPainter& p, QPointF at) {
                              text.paint(p, at + QPointF(indent, 0.0));
                              source.paint(p, at + QPointF(x, drop), PageStyle::quiet());
+                         },
+                         {}});
+    }
+
+    void operator()(const SignatureBlock& signature) {
+        RichText statement(style_, TextRole::body, escaped(signature.statement));
+        statement.set_width(width_);
+        const double x = 0.45 * width_, room = statement.height() + style_.mm(20.0), gap = style_.mm(1.2);
+        RichText date(style_, TextRole::body, escaped(signature.date));
+        date.set_width(x - style_.mm(5.0));
+        const QString function = signature.function.empty() ? "" : "<br>" + escaped(signature.function);
+        RichText name(style_, TextRole::body, escaped(signature.name) + function);
+        name.set_width(width_ - x);
+        RichText end(style_, TextRole::note, escaped(signature.end_mark), Qt::AlignHCenter);
+        end.set_width(width_);
+        const double end_y = room + gap + std::max(date.height(), name.height()) + style_.mm(8.0);
+        const double line = style_.points(0.6);
+        items.push_back({end_y + style_.mm(2.0) + end.height(),
+                         style_.mm(1.8),
+                         false,
+                         [=, width = width_](QPainter& p, QPointF at) {
+                             statement.paint(p, at);
+                             date.paint(p, at + QPointF(0.0, room + gap));
+                             p.fillRect(QRectF(at.x() + x, at.y() + room, width - x, line), PageStyle::ink());
+                             name.paint(p, at + QPointF(x, room + gap));
+                             p.fillRect(QRectF(at.x(), at.y() + end_y, width, line), PageStyle::rule());
+                             end.paint(p, at + QPointF(0.0, end_y + line + gap), PageStyle::quiet());
                          },
                          {}});
     }
@@ -157,12 +185,12 @@ private:
                          {}});
     }
 
-    void add_fact(const std::string& name, const std::string& value, double space_before) {
+    void add_fact(const std::string& name, const QString& value, double space_before) {
         const double key_width = 0.34 * width_;
         RichText key(style_, TextRole::body, rich(name));
         key.set_width(key_width);
         const double x = key_width + style_.mm(5.0);
-        RichText text(style_, TextRole::body, rich(value));
+        RichText text(style_, TextRole::body, value);
         text.set_width(width_ - x);
         items.push_back({std::max(key.height(), text.height()),
                          space_before,
@@ -184,7 +212,7 @@ private:
 std::vector<FlowItem> lay_out(const ReportDocument& document, const PageStyle& style,
                               const FigurePainters& figures) {
     ReportLayout layout(style, figures);
-    layout.title(document.title);
+    layout.title(document.title, document.over);
     for (std::size_t i = 0; i < document.blocks.size();) {
         std::vector<const PlotBlock*> run;
         while (i < document.blocks.size() && std::holds_alternative<PlotBlock>(document.blocks[i]))

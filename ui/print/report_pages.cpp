@@ -23,7 +23,7 @@ public:
         const double top = style_.mm(13.0);
         const QString number = QString("Page %1 of %2").arg(page + 1).arg(pages);
         put(painter, number, QRectF(area.left(), top, area.width(), 0.0), Qt::AlignRight);
-        if (page > 0) {
+        if (page > 0 || document_.head_on_every_page) {
             const auto head = QString::fromStdString(escape_html(document_.running_head));
             put(painter, head, QRectF(area.left(), top, area.width() - style_.mm(30.0), 0.0), Qt::AlignLeft);
             painter.fillRect(QRectF(area.left(), top + style_.mm(5.0), area.width(), style_.points(0.4)),

@@ -39,7 +39,8 @@ public:
     void append(std::vector<FlowItem>& items) {
         append_caption(items);
         const auto head = std::make_shared<RepeatedHead>(make_head());
-        items.push_back({head->height, 0.0, true, head->paint, {}});
+        const double before = block_.table.title.empty() ? style_.mm(2.5) : 0.0;
+        items.push_back({head->height, before, true, head->paint, {}});
         for (std::size_t r = 0; r < cells_.size(); ++r) items.push_back(row_item(r, head));
         append_notes(items);
     }

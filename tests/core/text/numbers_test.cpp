@@ -149,6 +149,15 @@ TEST(GroupedNumber, FromTenThousandOn) {
     EXPECT_EQ(count_text(1'000'000), "1\u202f000\u202f000");
 }
 
+TEST(GroupedDigits, OnBothSidesOfThePoint) {
+    EXPECT_EQ(grouped_digits("50.00078"), "50.000\u202f78");
+    EXPECT_EQ(grouped_digits("-1234567.891234"), "−1\u202f234\u202f567.891\u202f234");
+    EXPECT_EQ(grouped_digits("1234.5678"), "1234.5678");
+    EXPECT_EQ(grouped_digits("12345.12345", {",", " "}), "12 345,123 45");
+    EXPECT_EQ(grouped_digits("2.3e-05"), "2.3×10⁻⁵");
+    EXPECT_EQ(grouped_digits("∞"), "∞");
+}
+
 TEST(PercentText, HasTheDecimalsThatItNeeds) {
     EXPECT_EQ(percent_text(0.95), "95\u00a0%");
     EXPECT_EQ(percent_text(0.9973), "99.73\u00a0%");

@@ -101,6 +101,26 @@ TEST_F(PdfReport, EveryPageSaysWhichOfHowManyItIs) {
     }
 }
 
+TEST_F(PdfReport, ACertificateHasItsNumberOnEveryPageAndAnEnd) {
+    Project project = test::sample_project();
+    project.certificate.number = "2026-0417";
+    project.certificate.serial_number = "A_7";
+    project.certificate.authorised_by = "E. Muster";
+    const auto result = test::sample_result({40, 3, 3, false, "pose"});
+    const ReportDocument document =
+        build_certificate(*MadeProject::make(project), {test::sample_analysis(result)});
+    const std::vector<std::string> pages = pages_of(text_of(document, options()));
+    ASSERT_EQ(pages.size(), 3U) << "240 results";
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        EXPECT_TRUE(contains(pages[i], "Calibration certificate 2026-0417")) << i;
+        EXPECT_TRUE(contains(pages[i], "Page " + std::to_string(i + 1) + " of 3")) << i;
+    }
+    EXPECT_TRUE(contains(pages.front(), "A_7")) << "as it was typed";
+    EXPECT_TRUE(contains(pages.front(), "not stated"));
+    EXPECT_TRUE(contains(pages.back(), "E. Muster"));
+    EXPECT_TRUE(contains(pages.back(), "End of certificate 2026-0417"));
+}
+
 TEST_F(PdfReport, LongTablesRepeatTheirHeadsOnEveryPage) {
     ReportDocument document;
     document.title = document.running_head = "Long table";

@@ -1,0 +1,177 @@
+#include "core/project/certificate.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <optional>
+
+namespace covaria {
+
+namespace {
+
+using C = Certificate;
+using Days = std::chrono::sys_days;
+
+constexpr auto lines = CertificateText::lines;
+constexpr auto line_of_text = CertificateText::line;
+
+std::vector<CertificateField> fields_of_parties() {
+    return {{"", "number", "Certificate number", "Unique; it stands on every page.", &C::number, line_of_text,
+             "7.8.2.1 d", true},
+            {"laboratory", "name", "Laboratory", "That issues the certificate.", &C::laboratory, line_of_text,
+             "7.8.2.1 b", true},
+            {"laboratory", "address", "Address of the laboratory", "Street, town, country.",
+             &C::laboratory_address, lines, "7.8.2.1 b", true},
+            {"laboratory", "accreditation", "Accreditation number", "Absent: not accredited for this.",
+             &C::accreditation},
+            {"", "place", "Place of calibration",
+             "Where it was done if not in the laboratory: at the customer, in the field.", &C::place, lines,
+             "7.8.2.1 c"},
+            {"customer", "name", "Customer", "For whom it was done.", &C::customer, line_of_text, "7.8.2.1 e",
+             true},
+            {"customer", "address", "Address of the customer", "Street, town, country.", &C::customer_address,
+             lines, "7.8.2.1 e", true}};
+}
+
+std::vector<CertificateField> fields_of_item() {
+    return {
+        {"item", "description", "Item", "What was calibrated.", &C::item, line_of_text, "7.8.2.1 g", true},
+        {"item", "manufacturer", "Manufacturer", "Of the item.", &C::manufacturer},
+        {"item", "type", "Type", "The manufacturer's name for it: model, size, class.", &C::type},
+        {"item", "serialNumber", "Serial number",
+         "By which the item is recognised, unless it has an identification.", &C::serial_number, line_of_text,
+         "7.8.2.1 g", true, &C::identification},
+        {"item", "identification", "Identification", "The customer's mark, an inventory number.",
+         &C::identification, line_of_text, "7.8.2.1 g"},
+        {"item", "condition", "Condition of the item", "As it was received, where that matters.",
+         &C::condition, lines, "7.8.2.1 g"},
+        {"dates", "received", "Received", "ISO 8601: 2026-04-17.", &C::received, CertificateText::date,
+         "7.8.2.1 h"},
+        {"dates", "calibrated", "Calibrated", "A date, or two of an interval: 2026-04-17/2026-04-18.",
+         &C::calibrated, CertificateText::dates, "7.8.2.1 i", true},
+        {"dates", "issued", "Issued", "ISO 8601: 2026-04-20.", &C::issued, CertificateText::date, "7.8.2.1 j",
+         true}};
+}
+
+std::vector<CertificateField> fields_of_calibration() {
+    return {{"", "method", "Method", "Procedure by which it was calibrated, with its edition.", &C::method,
+             lines, "7.8.2.1 f", true},
+            {"", "deviations", "Deviations from the method", "Additions, exclusions.", &C::deviations, lines,
+             "7.8.2.1 n"},
+            {"", "environment", "Environmental conditions", "Those that influence the results.",
+             &C::environment, lines, "7.8.4.1 b", true},
+            {"", "traceability", "Metrological traceability",
+             "To which references, by which certificates the results are traceable.", &C::traceability, lines,
+             "7.8.4.1 c", true},
+            {"", "adjustment", "Adjustment or repair", "Results before and after it.", &C::adjustment, lines,
+             "7.8.4.1 d"},
+            {"", "remarks", "Remarks", "Opinions and interpretations are marked as such (7.8.7).",
+             &C::remarks, lines},
+            {"authorised", "name", "Authorised by", "The person who authorises the certificate.",
+             &C::authorised_by, line_of_text, "7.8.2.1 o", true},
+            {"authorised", "function", "Function", "Of that person in the laboratory.", &C::function}};
+}
+
+std::optional<int> figures(std::string_view text) {
+    int number = 0;
+    const bool all = std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return all ? std::optional(number) : std::nullopt;
+}
+
+std::optional<Days> date_of(std::string_view text) {
+    if (text.size() != 10 || text[4] != '-' || text[7] != '-') return std::nullopt;
+    const auto year = figures(text.substr(0, 4)), month = figures(text.substr(5, 2)),
+               day = figures(text.substr(8, 2));
+    if (!year || !month || !day) return std::nullopt;
+    const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(unsigned(*month)),
+                                           std::chrono::day(unsigned(*day))};
+    return date.ok() ? std::optional(Days(date)) : std::nullopt;
+}
+
+/// First and last day.
+struct Period {
+    Days first, last;
+};
+std::optional<Period> period_of(const std::string& text, CertificateText kind) {
+    const std::size_t slash = kind == CertificateText::dates ? text.find('/') : std::string::npos;
+    const auto first = date_of(std::string_view(text).substr(0, slash));
+    const auto last = slash == std::string::npos ? first : date_of(std::string_view(text).substr(slash + 1));
+    if (!first || !last || *last < *first) return std::nullopt;
+    return Period{*first, *last};
+}
+
+/// Of a date that is given and is one.
+std::optional<Period> period_in(const Certificate& certificate, std::string Certificate::*member) {
+    return period_of(certificate.*member, certificate_field(member).kind);
+}
+
+void check_order(const Certificate& certificate, std::string Certificate::*before,
+                 std::string Certificate::*after, const std::string& message, Problems& problems) {
+    const auto first = period_in(certificate, before), then = period_in(certificate, after);
+    if (first && then && then->first < first->first)
+        problems.error(pointer_of(certificate_field(after)), message);
+}
+
+}  // namespace
+
+const std::vector<CertificateField>& certificate_fields() {
+    static const std::vector<CertificateField> fields = [] {
+        std::vector<CertificateField> all = fields_of_parties();
+        for (const auto& some : {fields_of_item(), fields_of_calibration()})
+            all.insert(all.end(), some.begin(), some.end());
+        return all;
+    }();
+    return fields;
+}
+
+const CertificateField& certificate_field(std::string Certificate::*member) {
+    const auto& all = certificate_fields();
+    return *std::find_if(all.begin(), all.end(),
+                         [&](const CertificateField& field) { return field.member == member; });
+}
+
+std::string pointer_of(const CertificateField& field) {
+    const std::string group = field.group;
+    return "/certificate/" + (group.empty() ? "" : group + "/") + field.key;
+}
+
+bool is_blank(const std::string& text) {
+    return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+bool is_missing(const CertificateField& field, const Certificate& certificate) {
+    return field.required && is_blank(certificate.*field.member) &&
+           (!field.or_else || is_blank(certificate.*field.or_else));
+}
+
+void check_certificate(const Certificate& certificate, Problems& problems) {
+    for (const CertificateField& field : certificate_fields()) {
+        const std::string& text = certificate.*field.member;
+        const bool interval = field.kind == CertificateText::dates;
+        if ((!interval && field.kind != CertificateText::date) || text.empty()) continue;
+        if (!period_of(text, field.kind))
+            problems.error(pointer_of(field), "'" + std::string(field.key) +
+                                                  "' must be a date of the form 2026-04-17" +
+                                                  (interval ? " or an interval 2026-04-17/2026-04-18" : "") +
+                                                  "; it is '" + text + "'");
+    }
+    check_order(certificate, &C::received, &C::calibrated,
+                "the item cannot have been calibrated before it was received", problems);
+    check_order(certificate, &C::calibrated, &C::issued,
+                "the certificate cannot have been issued before the calibration", problems);
+}
+
+Problems missing_in(const Certificate& certificate) {
+    Problems missing;
+    for (const CertificateField& field : certificate_fields()) {
+        if (!is_missing(field, certificate)) continue;
+        const std::string other =
+            field.or_else ? std::string(" (or ") + certificate_field(field.or_else).key + ")" : "";
+        missing.error(pointer_of(field), std::string(field.title) + other + " is missing; ISO/IEC 17025 " +
+                                             field.clause + " requires it");
+    }
+    return missing;
+}
+
+}  // namespace covaria

@@ -1,0 +1,64 @@
+// What a calibration certificate says beside its results (ISO/IEC 17025 7.8.2, 7.8.4). Each text is declared
+// once and bound to its member: project file, its JSON schema, `--set`, form, certificate and
+// `covaria validate --certificate` follow.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace covaria {
+
+/// All texts as typed; a project whose texts are all empty has no certificate.
+struct Certificate {
+    std::string number = {};
+    std::string laboratory = {}, laboratory_address = {}, accreditation = {};
+    std::string place = {};
+    std::string customer = {}, customer_address = {};
+    std::string item = {}, manufacturer = {}, type = {}, serial_number = {}, identification = {},
+                condition = {};
+    std::string received = {}, calibrated = {}, issued = {};
+    std::string method = {}, deviations = {}, environment = {}, traceability = {}, adjustment = {},
+                remarks = {};
+    std::string authorised_by = {}, function = {};
+
+    bool empty() const { return *this == Certificate{}; }
+    bool operator==(const Certificate&) const = default;
+};
+
+enum class CertificateText {
+    line,
+    lines,  ///< may have several
+    date,   ///< ISO 8601: 2026-04-17
+    dates   ///< a date, or an interval of two: 2026-04-17/2026-04-18
+};
+
+struct CertificateField {
+    const char* group;  ///< key of the object that it is in; empty: of the certificate itself
+    const char* key;
+    const char* title;  ///< for people
+    const char* help;
+    std::string Certificate::*member;
+    CertificateText kind = CertificateText::line;
+    const char* clause = "";                      ///< of ISO/IEC 17025:2017, where one asks for it
+    bool required = false;                        ///< by that clause, of every certificate
+    std::string Certificate::*or_else = nullptr;  ///< what does instead of a required one
+};
+
+/// In the order of files and forms; those of a group follow one another.
+const std::vector<CertificateField>& certificate_fields();
+const CertificateField& certificate_field(std::string Certificate::*member);
+/// Place in the project file: "/certificate/item/serialNumber".
+std::string pointer_of(const CertificateField& field);
+/// Nothing but blanks.
+bool is_blank(const std::string& text);
+/// Required, and neither it nor what does instead is there.
+bool is_missing(const CertificateField& field, const Certificate& certificate);
+
+/// Dates that are none, or in the wrong order; paths from the root of the project.
+void check_certificate(const Certificate& certificate, Problems& problems);
+/// An error for all that the clauses require and that is missing.
+Problems missing_in(const Certificate& certificate);
+
+}  // namespace covaria

@@ -1,0 +1,14 @@
+// The certificate section of project files: only texts that are there are written.
+#pragma once
+
+#include "core/project/certificate.h"
+#include "core/project/json_writer.h"
+#include "core/project/object_reader.h"
+
+namespace covaria {
+
+Certificate certificate_from_json(const Json& value, const std::string& path, Problems& problems);
+/// An object on its own lines; the certificate is not empty.
+void write_certificate(JsonWriter& out, const Certificate& certificate);
+
+}  // namespace covaria

@@ -1,0 +1,18 @@
+// The sections of a certificate; internal to core/report.
+#pragma once
+
+#include "core/report/report_parts.h"
+
+namespace covaria::report_parts {
+
+inline constexpr const char* not_stated = "— not stated —";
+
+/// Results of the analyses as result lines or, where there are many, as compact tables.
+void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+/// What U, k and p are in these analyses.
+void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses);
+/// Conformity with the tolerances of the requirements; nothing without any.
+void add_certified_conformity(Blocks& blocks, const ReportSource& source,
+                              const std::vector<EvaluatedAnalysis>& analyses);
+
+}  // namespace covaria::report_parts

@@ -1,0 +1,104 @@
+#include "core/report/result_statement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/special_quantiles.h"
+#include "core/report/report_parts.h"
+#include "core/result/result_line.h"
+#include "core/text/numbers.h"
+
+namespace covaria {
+namespace {
+
+constexpr double smallest_plain = 1e-3, largest_plain = 1e9;
+constexpr double skewed_from = 0.05;  // of U
+
+/// How the numbers of one result are written: all of them multiplied by a power of ten, to one place.
+struct Place {
+    int exponent = 0, decimals = 0;
+
+    std::string operator()(double value) const {
+        return grouped_digits(format_decimals(value * std::pow(10.0, -exponent), decimals));
+    }
+};
+
+/// Two digits of U cannot lose 5 % of it by rounding: nothing is rounded up (ILAC-P14 5.4).
+Place place_for(double estimate, double uncertainty) {
+    const int decimals = decimals_for(uncertainty);
+    const double largest = std::max(std::abs(estimate), uncertainty);
+    if (decimals >= 0 && largest >= smallest_plain && largest < largest_plain) return {0, decimals};
+    const int exponent = -decimals_for(largest, 1);
+    return {exponent, decimals + exponent};
+}
+
+bool has_interval(double estimate, double uncertainty) {
+    return std::isfinite(estimate) && std::isfinite(uncertainty) && uncertainty > 0.0;
+}
+
+std::string power_words(int exponent) {
+    return exponent == 0 ? "" : "×" + power_of_ten(exponent);
+}
+
+/// With the blank before it, which a degree has none of.
+std::string unit_words(const Unit& unit) {
+    const std::string text = unit.text() == "1" ? "" : unit.display();
+    const bool raised = text.starts_with("°") && text.size() == std::string("°").size();
+    return text.empty() || raised ? text : "\u00a0" + text;
+}
+
+}  // namespace
+
+std::string value_statement(const OutputResult& output, bool with_unit) {
+    const Unit& unit = output.quantity.unit;
+    const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
+    const std::string in_unit = with_unit ? unit_words(unit) : "";
+    if (!has_interval(y, U))
+        return typeset_number(format_typed(y)) + in_unit + (U == 0.0 ? " (exact)" : " (U not finite)");
+    const Place place = place_for(y, U);
+    const std::string pair = place(y) + " ± " + place(U), power = power_words(place.exponent);
+    return in_unit.empty() && power.empty() ? pair : "(" + pair + ")" + power + in_unit;
+}
+
+double stated_probability(const OutputResult& output, const UncertaintyResult& result) {
+    if (expanded_by(result) != ExpandedBy::fixed_factor) return result.coverage_probability;
+    const double y = output.estimate, U = output.expanded_uncertainty;
+    // More decimals than trials tell would be noise.
+    if (output.monte_carlo)
+        return 1e-3 * std::round(1e3 * output.monte_carlo->distribution.inside(y - U, y + U));
+    return 1.0 - 2.0 * t_distribution_function(-output.coverage_factor,
+                                               output.first_order.effective_degrees_of_freedom);
+}
+
+std::string probability_text(double probability) {
+    return typeset_number(format_trimmed(100.0 * probability, 4)) + "\u00a0%";
+}
+
+double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyResult& result) {
+    if (expanded_by(result) != ExpandedBy::degrees_of_freedom) return infinity;
+    return shown_degrees_of_freedom(output.first_order.effective_degrees_of_freedom);
+}
+
+std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result) {
+    const double nu = stated_degrees_of_freedom(output, result);
+    std::string words = std::isfinite(output.coverage_factor)
+                            ? "k = " + typeset_number(format_decimals(output.coverage_factor, 2))
+                            : "without k, because u is not finite";
+    if (std::isfinite(nu)) words += ", nu_eff = " + typeset_number(format_degrees_of_freedom(nu));
+    words += ", p = " + probability_text(stated_probability(output, result));
+    const std::string interval = skewed_interval(output, result);
+    return interval.empty() ? words : words + ", coverage interval " + interval;
+}
+
+std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result) {
+    const Unit& unit = output.quantity.unit;
+    const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
+    const CoverageInterval interval = coverage_interval_of(output, result);
+    const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);
+    if (!output.monte_carlo || !has_interval(y, U) || std::abs(0.5 * (low + high) - y) <= skewed_from * U)
+        return {};
+    const Place place = place_for(y, U);
+    return "[" + place(low) + ", " + place(high) + "]" + power_words(place.exponent) + unit_words(unit);
+}
+
+}  // namespace covaria

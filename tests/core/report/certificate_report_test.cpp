@@ -1,0 +1,216 @@
+// The certificate: result lines of JCGM 100 7.2, what is missing, conformity by its rule, signature and end.
+#include <gtest/gtest.h>
+
+#include "core/project/stated_requirements.h"
+#include "core/report/report.h"
+#include "core/report/result_statement.h"
+#include "core/report/table_text.h"
+#include "core/result/result_line.h"
+#include "tests/core/report/sample_report.h"
+
+namespace covaria::certificate_report_test {
+namespace {
+
+const std::string space = "\u202f", hard = "\u00a0";
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// In millimetres, by the law of propagation.
+OutputResult output_of(double estimate_mm, double U_mm, double nu = infinity, double k = 2.0) {
+    OutputResult output;
+    output.quantity = {"L", "length of the gauge", test::mm(), "", OutputRole::measurand, false};
+    output.estimate = 1e-3 * estimate_mm;
+    output.expanded_uncertainty = 1e-3 * U_mm;
+    output.standard_uncertainty = output.expanded_uncertainty / k;
+    output.coverage_factor = k;
+    output.first_order = {
+        output.estimate, output.standard_uncertainty, nu, k, output.expanded_uncertainty, {}, {}, {}};
+    return output;
+}
+
+std::string said(double estimate_mm, double U_mm) {
+    return value_statement(output_of(estimate_mm, U_mm));
+}
+
+TEST(ResultStatement, HasTwoDigitsOfUAndTheEstimateToMatch) {
+    EXPECT_EQ(said(50.000777, 0.000414), "(50.000" + space + "78 ± 0.000" + space + "41)" + hard + "mm");
+    EXPECT_EQ(said(-119.0049, 0.73), "(−119.00 ± 0.73)" + hard + "mm");
+    EXPECT_EQ(said(1234.4, 9.96), "(1234 ± 10)" + hard + "mm") << "9.96 is 10";
+    EXPECT_EQ(said(123456.7, 1.04), "(123" + space + "456.7 ± 1.0)" + hard + "mm");
+    EXPECT_EQ(said(0.0, 0.12), "(0.00 ± 0.12)" + hard + "mm");
+}
+
+TEST(ResultStatement, PowersOfTenStandOutside) {
+    EXPECT_EQ(said(12346.0, 678.0), "(1.235 ± 0.068)×10⁴" + hard + "mm");
+    EXPECT_EQ(said(1.5e-6, 2e-8), "(1.500 ± 0.020)×10⁻⁶" + hard + "mm");
+    OutputResult pure = output_of(0.0, 0.0);
+    pure.quantity.unit = Unit{};
+    pure.estimate = 0.5;
+    pure.expanded_uncertainty = 0.01;
+    EXPECT_EQ(value_statement(pure), "0.500 ± 0.010");
+    pure.quantity.unit = test::deg();
+    pure.estimate = 5.0 * std::acos(-1.0) / 180.0;
+    pure.expanded_uncertainty = 0.1 * std::acos(-1.0) / 180.0;
+    EXPECT_EQ(value_statement(pure), "(5.00 ± 0.10)°");
+}
+
+TEST(ResultStatement, WithoutUncertaintyItSaysSo) {
+    EXPECT_EQ(said(50.0, 0.0), "50" + hard + "mm (exact)");
+    EXPECT_TRUE(contains(said(50.0, infinity), "U not finite"));
+}
+
+TEST(ResultStatement, CoverageIsStated) {
+    UncertaintyResult result;
+    EXPECT_EQ(coverage_statement(output_of(50, 0.1), result), "k = 2.00, p = 95" + hard + "%");
+    EXPECT_EQ(coverage_statement(output_of(50, 0.1, 17.8, 2.11), result),
+              "k = 2.11, nu_eff = 17, p = 95" + hard + "%");
+    result.fixed_coverage_factor = 2.0;
+    EXPECT_EQ(coverage_statement(output_of(50, 0.1), result), "k = 2.00, p = 95.45" + hard + "%");
+    EXPECT_EQ(coverage_statement(output_of(50, 0.1, 10.0), result), "k = 2.00, p = 92.66" + hard + "%")
+        << "of y ± U, for a t distribution";
+}
+
+TEST(ResultStatement, AnIntervalThatIsNotSymmetricIsStatedToo) {
+    UncertaintyResult result;
+    result.trials = 1000;
+    OutputResult output = output_of(10.0, 1.0);
+    output.monte_carlo = test::sample_monte_carlo(output.estimate, output.standard_uncertainty);
+    output.monte_carlo->symmetric = {9.02e-3, 11.02e-3};
+    EXPECT_EQ(skewed_interval(output, result), "");
+    output.monte_carlo->symmetric = {9.4e-3, 11.4e-3};
+    EXPECT_EQ(skewed_interval(output, result), "[9.4, 11.4]" + hard + "mm");
+    EXPECT_TRUE(contains(coverage_statement(output, result), "coverage interval [9.4, 11.4]"));
+}
+
+TEST(DecisionRule, HasItsName) {
+    EXPECT_EQ(decision_rule(0.0), "simple acceptance (w = 0)");
+    EXPECT_EQ(decision_rule(1.0), "guard band w = U");
+    EXPECT_EQ(decision_rule(0.83), "guard band w = 0.83 U");
+    EXPECT_EQ(decision_rule(-1.0), "guarded rejection (w = −U)");
+}
+
+/// The sample with a certificate, a tolerance, some poses.
+struct Made {
+    Project project = test::sample_project();
+    std::vector<EvaluatedAnalysis> analyses;
+
+    explicit Made(int poses, bool filled = true) {
+        if (filled)
+            for (const CertificateField& field : certificate_fields())
+                project.certificate.*field.member =
+                    field.kind == CertificateText::line || field.kind == CertificateText::lines
+                        ? std::string("given A_7 <") + field.key + ">"
+                        : "2026-04-17";
+        project.analyses[0].requirements = {
+            {"pose 1", "x", {}, Quantity{-121.0, test::mm()}, Quantity{-117.0, test::mm()}, 0.83}};
+        analyses = {test::sample_analysis(test::sample_result({poses, 3, 3, false, "pose"}))};
+    }
+    ReportDocument document(CertifiedResults which = CertifiedResults::that_fit) const {
+        return build_certificate(*MadeProject::make(project), analyses, {}, which);
+    }
+};
+
+template <class Block>
+std::vector<const Block*> blocks_of(const ReportDocument& document) {
+    std::vector<const Block*> found;
+    for (const ReportBlock& block : document.blocks)
+        if (const auto* one = std::get_if<Block>(&block)) found.push_back(one);
+    return found;
+}
+
+TEST(CertificateReport, SaysEverythingThatIsGivenAsItWasTyped) {
+    const Made made(1);
+    const ReportDocument document = made.document();
+    const std::string text = to_html(document);
+    for (const CertificateField& field : certificate_fields())
+        EXPECT_TRUE(contains(text, field.kind == CertificateText::line || field.kind == CertificateText::lines
+                                       ? std::string("given A_7 &lt;") + field.key + "&gt;"
+                                       : "2026-04-17"))
+            << field.key;
+    EXPECT_FALSE(contains(text, "not stated"));
+    EXPECT_TRUE(document.head_on_every_page);
+    EXPECT_TRUE(contains(document.running_head, made.project.certificate.number));
+    EXPECT_TRUE(contains(text, "counter(pages)"));
+    const auto& last = std::get<SignatureBlock>(document.blocks.back());
+    EXPECT_EQ(last.end_mark, "End of certificate " + made.project.certificate.number);
+    EXPECT_TRUE(contains(to_markdown(document), "End of certificate"));
+}
+
+TEST(CertificateReport, WhatIsRequiredAndMissingIsAGap) {
+    const ReportDocument document = Made(1, false).document();
+    const std::string text = to_html(document);
+    for (const CertificateField& field : certificate_fields()) {
+        const std::string gap = std::string("<dt>") + field.title + "</dt><dd>— not stated —</dd>";
+        const bool elsewhere =
+            field.member == &Certificate::number || field.member == &Certificate::authorised_by;
+        EXPECT_EQ(contains(text, gap), field.required && !elsewhere) << field.title;
+    }
+    EXPECT_TRUE(contains(document.title, "not stated"));
+    EXPECT_EQ(std::get<SignatureBlock>(document.blocks.back()).name, "— not stated —");
+}
+
+TEST(CertificateReport, FewResultsAreLinesAndManyACompactTable) {
+    const ReportDocument few = Made(1).document();
+    const auto lines = blocks_of<FactsBlock>(few);
+    const auto with_x = std::find_if(lines.begin(), lines.end(), [](const FactsBlock* facts) {
+        return facts->facts.front().first == "x of the platform (pose 1)";
+    });
+    ASSERT_NE(with_x, lines.end());
+    EXPECT_EQ((*with_x)->facts[0].second,
+              "x = (−119.00 ± 0.74)" + hard + "mm, k = 2.00, p = 95" + hard + "%");
+    const auto tables = blocks_of<TableBlock>(few);
+    ASSERT_EQ(tables.size(), 1u) << "conformity";
+
+    const ReportDocument many = Made(10).document();
+    std::size_t cells = 0;
+    for (const TableBlock* table : blocks_of<TableBlock>(many)) {
+        if (!table->table.id.starts_with("certified-")) continue;
+        EXPECT_EQ(table->table.rows.size(), 10u);
+        EXPECT_EQ(table->table.columns.size(), 4u) << "three symbols; k is the same";
+        EXPECT_EQ(table->table.notes.front(), "k = 2.00, p = 95" + hard + "%.");
+        for (const auto& row : table->table.rows)
+            for (const auto& cell : row) cells += contains(std::get<std::string>(cell), " ± ");
+    }
+    EXPECT_EQ(cells, 60u) << "every result is stated";
+    EXPECT_FALSE(contains(to_markdown(many), "Not stated:"));
+}
+
+TEST(CertificateReport, OfManyResultsItSaysWhichAreThere) {
+    Made made(9);
+    for (const int poses : {9, 2}) {
+        EvaluatedAnalysis more = test::sample_analysis(test::sample_result({poses, 3, 3, false, "pose"}));
+        auto renamed = std::make_shared<PreparedAnalysis>(*more.analysis);
+        renamed->id += std::to_string(poses);
+        more.analysis = renamed;
+        made.analyses.push_back(more);
+    }
+    const std::string fitting = to_html(made.document());
+    EXPECT_TRUE(contains(fitting, "states 54 of 120 results")) << "the first is there, the last too many";
+    EXPECT_FALSE(contains(to_html(made.document(CertifiedResults::all)), "results. Not stated"));
+}
+
+TEST(CertificateReport, WhatDoesNotRepresentTheMeasurandIsNoResult) {
+    Made made(1);
+    auto result = test::sample_result({1, 3, 3, true, "pose"});
+    result.failed_trials = result.trials / 2;
+    made.analyses = {test::sample_analysis(std::move(result))};
+    const std::string text = to_html(made.document());
+    EXPECT_TRUE(contains(text, "No result is stated"));
+    EXPECT_FALSE(contains(text, " ± 0.74"));
+}
+
+TEST(CertificateReport, ConformityNamesItsRuleAndRatios) {
+    const ReportDocument document = Made(1).document();
+    const TableBlock* table = blocks_of<TableBlock>(document).back();
+    ASSERT_EQ(table->table.rows.size(), 1u);
+    std::string row;
+    for (std::size_t c = 0; c < table->table.columns.size(); ++c) row += cell_text(*table, 0, c) + "|";
+    EXPECT_TRUE(contains(row, "guard band w = 0.83 U|accepted|")) << row;
+    EXPECT_TRUE(contains(row, "|2.70|2.70|")) << row << ": U = 2u, 2 mm over 0.741 mm";
+    EXPECT_TRUE(contains(to_html(document), "ILAC-G8:09/2019"));
+}
+
+}  // namespace
+}  // namespace covaria::certificate_report_test
