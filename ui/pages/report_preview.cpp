@@ -12,6 +12,7 @@
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
 #include "ui/print/report_pages.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
