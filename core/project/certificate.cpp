@@ -168,8 +168,8 @@ Problems missing_in(const Certificate& certificate) {
         if (!is_missing(field, certificate)) continue;
         const std::string other =
             field.or_else ? std::string(" (or ") + certificate_field(field.or_else).key + ")" : "";
-        missing.error(pointer_of(field), std::string(field.title) + other + " is missing; ISO/IEC 17025 " +
-                                             field.clause + " requires it");
+        missing.error(pointer_of(field), "'" + std::string(field.title) + "'" + other +
+                                             " must be stated (ISO/IEC 17025 " + field.clause + ")");
     }
     return missing;
 }

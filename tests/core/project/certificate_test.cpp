@@ -119,13 +119,15 @@ TEST(Certificate, WhatTheStandardRequiresIsMissed) {
     for (const CertificateField& field : certificate_fields())
         EXPECT_EQ(all.find(pointer_of(field) + ": ") != std::string::npos, field.required)
             << pointer_of(field);
-    EXPECT_NE(all.find("ISO/IEC 17025 7.8.4.1 c requires it"), std::string::npos) << all;
+    EXPECT_NE(all.find("'Metrological traceability' must be stated (ISO/IEC 17025 7.8.4.1 c)"),
+              std::string::npos)
+        << all;
     Certificate marked = full_certificate();
     marked.serial_number = " \n";
     EXPECT_EQ(messages(missing_in(marked)), "") << "the identification does";
     marked.identification.clear();
     EXPECT_NE(messages(missing_in(marked))
-                  .find("/certificate/item/serialNumber: Serial number (or identification)"),
+                  .find("/certificate/item/serialNumber: 'Serial number' (or identification) must be stated"),
               std::string::npos);
 }
 
