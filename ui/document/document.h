@@ -104,7 +104,7 @@ private:
     bool unsaved_ = false;  ///< recovered, or the file differs
     int merge_window_ = 2000;
     int merge_series_ = 0;
-    LatestJob open_job_{this, Execution::threads};  ///< last member: its thread ends first
+    LatestJob open_job_{Execution::threads};  ///< last member: its thread ends first
 };
 
 }  // namespace covaria::ui

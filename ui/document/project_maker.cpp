@@ -19,7 +19,7 @@ ProjectMaker::ProjectMaker(Execution execution, QObject* parent)
 
 // Live results follow a drag step by step: what has been overtaken is delivered too.
 ProjectMaker::ProjectMaker(Check check, Execution execution, QObject* parent)
-    : QObject(parent), check_(std::move(check)), job_(this, execution, LatestJob::Overtaken::delivered) {}
+    : QObject(parent), check_(std::move(check)), job_(execution, LatestJob::Overtaken::delivered) {}
 
 void ProjectMaker::request(ProjectSnapshot project) {
     if (project == requested_) return;

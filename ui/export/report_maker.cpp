@@ -41,7 +41,7 @@ FigurePainters report_painters(ScenePictures& scenes) {
             [&scenes](const SceneBlock& block, QSize size) { return scenes.render(block, size); }};
 }
 
-ReportMaker::ReportMaker(QObject* parent) : QObject(parent), job_(this, Execution::threads) {}
+ReportMaker::ReportMaker(QObject* parent) : QObject(parent), job_(Execution::threads) {}
 
 void ReportMaker::make(MadeProject::Pointer made, std::vector<EvaluatedAnalysis> analyses, Use use,
                        JobQueue::Failure failure) {

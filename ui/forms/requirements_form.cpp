@@ -110,7 +110,7 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
       layout_(new QFormLayout(this)),
       outputs_(new TypesetComboBox(this)),
       verdict_(new QLabel(this)),
-      jobs_(this, Execution::threads) {
+      jobs_(Execution::threads) {
     outputs_->setAccessibleName(tr("Result"));
     outputs_->setObjectName("requirement_of");
     layout_->addRow(tr("Result"), outputs_);

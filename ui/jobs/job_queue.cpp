@@ -2,6 +2,7 @@
 #include "ui/jobs/job_queue.h"
 
 #include <QMetaObject>
+#include <utility>
 
 #include "core/base/guarded.h"
 
@@ -18,7 +19,25 @@ JobQueue::Delivery delivery_of(const JobQueue::Job& job, const JobQueue::Failure
 
 }  // namespace
 
-JobQueue::JobQueue(QObject* owner, Execution execution) : owner_(owner), execution_(execution) {
+void Inbox::post(std::function<void()> message) {
+    {
+        const std::lock_guard lock(mutex_);
+        messages_.push_back(std::move(message));
+    }
+    QMetaObject::invokeMethod(this, "take", Qt::QueuedConnection);
+}
+
+void Inbox::take() {
+    std::function<void()> message;
+    {
+        const std::lock_guard lock(mutex_);
+        message = std::move(messages_.front());
+        messages_.pop_front();
+    }
+    message();
+}
+
+JobQueue::JobQueue(Execution execution) : execution_(execution) {
     pool_.setMaxThreadCount(1);
 }
 
@@ -40,7 +59,7 @@ void JobQueue::post(Delivery message) {
     if (execution_ == Execution::inline_execution)
         message();
     else
-        QMetaObject::invokeMethod(owner_, std::move(message), Qt::QueuedConnection);
+        inbox_.post(std::move(message));
 }
 
 }  // namespace covaria::ui

@@ -3,7 +3,9 @@
 
 #include <QObject>
 #include <QThreadPool>
+#include <deque>
 #include <functional>
+#include <mutex>
 
 #include "core/base/error.h"
 
@@ -14,12 +16,27 @@ enum class Execution {
     inline_execution,  ///< at once on the caller's thread: the synchronous twin for tests and scripts
 };
 
+/// Messages for the thread in which it was made. Qt carries only the word that there is one: what is in them
+/// passes through a lock of our own, which the thread sanitizer sees.
+class Inbox : public QObject {
+    Q_OBJECT
+public:
+    void post(std::function<void()> message);  ///< from any thread
+
+private:
+    Q_INVOKABLE void take();
+
+    std::mutex mutex_;
+    std::deque<std::function<void()>> messages_;
+};
+
 class JobQueue {
 public:
     using Delivery = std::function<void()>;  ///< called on the owner's thread; may be empty
     using Job = std::function<Delivery()>;   ///< called on the worker thread
 
-    JobQueue(QObject* owner, Execution execution);
+    /// Made, and destroyed, in the thread of its owner; what has not been delivered then is dropped.
+    explicit JobQueue(Execution execution);
     ~JobQueue();
     JobQueue(const JobQueue&) = delete;
     JobQueue& operator=(const JobQueue&) = delete;
@@ -35,8 +52,8 @@ public:
     void wait() { pool_.waitForDone(); }
 
 private:
-    QObject* owner_;
     Execution execution_;
+    Inbox inbox_;
     QThreadPool pool_;
 };
 

@@ -2,8 +2,7 @@
 
 namespace covaria::ui {
 
-LatestJob::LatestJob(QObject* owner, Execution execution, Overtaken overtaken)
-    : overtaken_(overtaken), jobs_(owner, execution) {}
+LatestJob::LatestJob(Execution execution, Overtaken overtaken) : overtaken_(overtaken), jobs_(execution) {}
 
 LatestJob::~LatestJob() {
     ++number_;

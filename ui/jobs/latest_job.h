@@ -17,7 +17,7 @@ public:
     /// Called on the worker thread.
     using Job = std::function<JobQueue::Delivery(const std::stop_token& stop)>;
 
-    LatestJob(QObject* owner, Execution execution, Overtaken overtaken = Overtaken::dropped);
+    explicit LatestJob(Execution execution, Overtaken overtaken = Overtaken::dropped);
     ~LatestJob();
 
     /// `failure`: as JobQueue::push; overtaken like what is delivered.

@@ -45,7 +45,7 @@ ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs
       document_(document),
       runner_(runner),
       dialogs_(dialogs),
-      jobs_(this, Execution::threads) {
+      jobs_(Execution::threads) {
     pdf_action->setShortcut(Qt::CTRL | Qt::Key_P);
     connect(pdf_action, &QAction::triggered, this, [this] { ask_report(ReportFormat::pdf); });
     connect(&runner_, &AnalysisRunner::idle, this, [this] {

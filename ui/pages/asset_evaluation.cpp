@@ -26,7 +26,7 @@ AssetEvaluation::AssetEvaluation(Document& document, std::string id, QWidget* pa
     : EvaluationView(Qt::Vertical, parent),
       maker_(document.maker()),
       id_(std::move(id)),
-      job_(this, Execution::threads) {
+      job_(Execution::threads) {
     setAccessibleName(tr("Evaluation of the asset"));
     connect(&maker_, &ProjectMaker::made_changed, this, &AssetEvaluation::refresh);
     refresh();

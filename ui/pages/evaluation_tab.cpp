@@ -9,7 +9,7 @@ EvaluationTab::EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidg
     : EvaluationView(Qt::Horizontal, parent),
       runner_(runner),
       selection_(selection),
-      job_(this, Execution::threads) {
+      job_(Execution::threads) {
     setAccessibleName(tr("Evaluation of the set-up"));
     const auto take = [this](const QString& id) {
         if (id == selection_.analysis()) refresh();

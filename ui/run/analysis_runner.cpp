@@ -50,7 +50,7 @@ AnalysisRunner::AnalysisRunner(ProjectMaker& maker, RunBackend backend, Executio
       backend_(std::move(backend)),
       studies_(maker, execution),
       runs_([this](const RunKey& key) { return begin_run(key.analysis); }, execution),
-      first_order_(this, execution, LatestJob::Overtaken::delivered) {
+      first_order_(execution, LatestJob::Overtaken::delivered) {
     connect(&maker_, &ProjectMaker::forgotten, this, &AnalysisRunner::reset);
     connect(&maker_, &ProjectMaker::made_changed, this, &AnalysisRunner::take_made);
     connect(&maker_, &ProjectMaker::not_made, this, &AnalysisRunner::take_none);

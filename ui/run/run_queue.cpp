@@ -14,7 +14,7 @@ constexpr auto settling_time = 120ms;  // without a further change, before a liv
 }  // namespace
 
 RunQueue::RunQueue(Begin begin, Execution execution, QObject* parent)
-    : QObject(parent), begin_(std::move(begin)), execution_(execution), jobs_(this, execution) {
+    : QObject(parent), begin_(std::move(begin)), execution_(execution), jobs_(execution) {
     settling_.setSingleShot(true);
     settling_.setInterval(settling_time);
     connect(&settling_, &QTimer::timeout, this, &RunQueue::begin);

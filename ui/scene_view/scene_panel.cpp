@@ -38,7 +38,7 @@ QString coordinates(const Eigen::Vector3d& v, const LengthUnit& unit) {
 }  // namespace
 
 ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
-    : QWidget(parent), runner_(runner), jobs_(this, Execution::threads) {
+    : QWidget(parent), runner_(runner), jobs_(Execution::threads) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QThread>
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct JobQueueTest : testing::TestWithParam<Execution> {
     }
 
     QObject owner;
-    JobQueue queue{&owner, GetParam()};
+    JobQueue queue{GetParam()};
     std::vector<std::string> told;
 };
 
@@ -40,6 +41,31 @@ TEST_P(JobQueueTest, MemoryThatIsNotThereIsAnErrorAndTheNextJobRuns) {
     EXPECT_EQ(told[0], "the memory of this machine does not suffice");
     EXPECT_EQ(told[1], "the values given lead to a width below zero");
     EXPECT_EQ(told[2], "done");
+}
+
+TEST(JobQueue, WhatIsNotDeliveredWhenItEndsIsDropped) {
+    std::vector<int> told;
+    {
+        JobQueue queue(Execution::threads);
+        for (int i = 0; i < 3; ++i)
+            queue.push([&told, i]() -> JobQueue::Delivery { return [&told, i] { told.push_back(i); }; }, {});
+        queue.wait();
+    }
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(told.empty());
+}
+
+TEST(JobQueue, MessagesOfAJobComeBeforeWhatItReturns) {
+    std::vector<int> told;
+    JobQueue queue(Execution::threads);
+    queue.push(
+        [&]() -> JobQueue::Delivery {
+            for (int i = 0; i < 100; ++i) queue.post([&told, i] { told.push_back(i); });
+            return [&] { told.push_back(100); };
+        },
+        {});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return told.size() == 101; }));
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, JobQueueTest,

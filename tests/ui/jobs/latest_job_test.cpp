@@ -62,12 +62,11 @@ struct LatestJobTest : testing::Test {
     }
 
     Gate gate;
-    QObject owner;
     std::vector<std::string> told;
 };
 
 TEST_F(LatestJobTest, OnlyTheNewestIsDelivered) {
-    LatestJob job(&owner, Execution::threads);
+    LatestJob job(Execution::threads);
     start_at_gate(job, "first");
     start(job, "second");
     start(job, "third");
@@ -77,7 +76,7 @@ TEST_F(LatestJobTest, OnlyTheNewestIsDelivered) {
 }
 
 TEST_F(LatestJobTest, StepsThatRanAreDeliveredWhereTheyAreWorthSeeing) {
-    LatestJob job(&owner, Execution::threads, LatestJob::Overtaken::delivered);
+    LatestJob job(Execution::threads, LatestJob::Overtaken::delivered);
     start_at_gate(job, "first");
     start(job, "second");
     start(job, "third");
@@ -90,7 +89,7 @@ TEST_F(LatestJobTest, ACancelledJobIsAskedToStopAndNeverDelivered) {
     for (const auto overtaken : {LatestJob::Overtaken::dropped, LatestJob::Overtaken::delivered}) {
         told.clear();
         Gate own;
-        LatestJob job(&owner, Execution::threads, overtaken);
+        LatestJob job(Execution::threads, overtaken);
         bool asked = false;
         job.start(
             [&](const std::stop_token& stop) -> JobQueue::Delivery {
@@ -113,7 +112,7 @@ TEST_F(LatestJobTest, ACancelledJobIsAskedToStopAndNeverDelivered) {
 TEST_F(LatestJobTest, AFailureIsToldAndTheNextJobRuns) {
     for (const auto execution : {Execution::threads, Execution::inline_execution}) {
         told.clear();
-        LatestJob job(&owner, execution);
+        LatestJob job(execution);
         job.start(
             [](const std::stop_token&) -> JobQueue::Delivery { throw ImpossibleValue("width below zero"); },
             [this](const Error& error) { told.push_back(error.message); });
@@ -125,7 +124,7 @@ TEST_F(LatestJobTest, AFailureIsToldAndTheNextJobRuns) {
 }
 
 TEST_F(LatestJobTest, AFailureThatHasBeenOvertakenIsNotTold) {
-    LatestJob job(&owner, Execution::threads);
+    LatestJob job(Execution::threads);
     job.start(
         [this](const std::stop_token&) -> JobQueue::Delivery {
             gate.pass();
