@@ -1,4 +1,3 @@
-// A thread pool of one thread.
 #include "ui/jobs/job_queue.h"
 
 #include <QMetaObject>
@@ -37,12 +36,16 @@ void Inbox::take() {
     message();
 }
 
-JobQueue::JobQueue(Execution execution) : execution_(execution) {
-    pool_.setMaxThreadCount(1);
-}
+JobQueue::JobQueue(Execution execution) : execution_(execution) {}
 
 JobQueue::~JobQueue() {
-    pool_.waitForDone();
+    if (!worker_.joinable()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    changed_.notify_all();
+    worker_.join();
 }
 
 void JobQueue::push(Job job, Failure failure) {
@@ -50,8 +53,33 @@ void JobQueue::push(Job job, Failure failure) {
         if (const Delivery delivery = delivery_of(job, failure)) delivery();
         return;
     }
-    pool_.start(
-        [this, work = std::move(job), failed = std::move(failure)] { post(delivery_of(work, failed)); });
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.emplace_back(
+            [this, work = std::move(job), failed = std::move(failure)] { post(delivery_of(work, failed)); });
+    }
+    changed_.notify_all();
+    if (!worker_.joinable()) worker_ = std::thread([this] { work(); });
+}
+
+void JobQueue::work() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [this] { return ending_ || !jobs_.empty(); });
+        if (jobs_.empty()) return;
+        std::function<void()> job = std::move(jobs_.front());
+        lock.unlock();
+        job();
+        job = nullptr;  // what it holds goes before it counts as done
+        lock.lock();
+        jobs_.pop_front();
+        changed_.notify_all();
+    }
+}
+
+void JobQueue::wait() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return jobs_.empty(); });
 }
 
 void JobQueue::post(Delivery message) {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <QObject>
-#include <QThreadPool>
+#include <condition_variable>
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <thread>
 
 #include "core/base/error.h"
 
@@ -49,12 +50,19 @@ public:
     void push(Job job, Failure failure);
     /// From inside a job: a message for the owner's thread.
     void post(Delivery message);
-    void wait() { pool_.waitForDone(); }
+    /// Until every job has ended.
+    void wait();
 
 private:
+    void work();
+
     Execution execution_;
     Inbox inbox_;
-    QThreadPool pool_;
+    std::mutex mutex_;  ///< of what follows, but the thread
+    std::condition_variable changed_;
+    std::deque<std::function<void()>> jobs_;  ///< the one that runs is the first
+    bool ending_ = false;
+    std::thread worker_;  ///< begun with the first job
 };
 
 }  // namespace covaria::ui
