@@ -1,9 +1,18 @@
 // Parts of a project, made for a test.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "core/made/load_project.h"
 
 namespace covaria {
+
+inline void expect_counts(const MakingCounts& counts, const MakingCounts& expected) {
+    EXPECT_EQ(counts.assets, expected.assets);
+    EXPECT_EQ(counts.models, expected.models);
+    EXPECT_EQ(counts.inputs, expected.inputs);
+    EXPECT_EQ(counts.taken, expected.taken);
+}
 
 inline void take_asset_problems(const MadeProject& made, Problems& problems) {
     const Problems found = made.problems();

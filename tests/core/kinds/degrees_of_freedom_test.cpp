@@ -10,15 +10,15 @@
 #include "core/propagation/draw_plan.h"
 #include "core/propagation/engine.h"
 #include "tests/core/made.h"
+#include "tests/core/shipped_projects.h"
 
 namespace covaria::degrees_of_freedom_test {
 namespace {
 
 /// Every analysis of the shipped examples.
 void each_analysis(const std::function<void(const PreparedAnalysis&)>& use) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(data_directory() / "projects")) {
-        if (entry.path().extension() != ".covaria") continue;
-        const Project project = load_project(entry.path()).project;
+    for (const std::filesystem::path& file : shipped_projects()) {
+        const Project project = load_project(file).project;
         Problems problems;
         for (const AnalysisEntry& analysis : project.analyses)
             if (const auto prepared = made_analysis(project, analysis.id, problems)) use(*prepared);

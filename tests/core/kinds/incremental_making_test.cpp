@@ -3,27 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <random>
 
-#include "core/base/resource_path.h"
 #include "core/propagation/engine.h"
 #include "tests/core/made.h"
+#include "tests/core/shipped_projects.h"
 
 namespace covaria::incremental_making_test {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::vector<fs::path> projects() {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(data_directory() / "projects"))
-        if (entry.path().extension() == ".covaria") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 /// A project under somebody's hands: values, names, order, links, entries that come and go.
 class Editor {
@@ -130,7 +119,7 @@ void expect_same(const PreparedAnalysis& now, const PreparedAnalysis& fresh) {
     }
 }
 
-class IncrementalMaking : public testing::TestWithParam<fs::path> {};
+class IncrementalMaking : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(IncrementalMaking, IsMakingAnew) {
     Editor editor(load_project(GetParam()).project, 20261122);
@@ -161,13 +150,7 @@ TEST_P(IncrementalMaking, IsMakingAnew) {
     EXPECT_GT(compared, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Projects, IncrementalMaking, testing::ValuesIn(projects()),
-                         [](const auto& instance) {
-                             std::string name = instance.param.stem().string();
-                             std::replace_if(
-                                 name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Projects, IncrementalMaking, testing::ValuesIn(shipped_projects()), test_name_of);
 
 }  // namespace
 }  // namespace covaria::incremental_making_test

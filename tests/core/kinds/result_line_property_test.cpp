@@ -12,6 +12,7 @@
 #include "core/propagation/reverse_budget.h"
 #include "core/result/result_line.h"
 #include "tests/core/made.h"
+#include "tests/core/shipped_projects.h"
 
 namespace covaria::result_line_property_test {
 namespace {
@@ -30,14 +31,6 @@ std::vector<Prepared> analyses_of(const Project& project) {
     for (const Problem& p : problems.items())
         if (p.severity == Severity::error) ADD_FAILURE() << p.path << " " << p.message;
     return all;
-}
-
-std::vector<fs::path> projects() {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(data_directory() / "projects"))
-        if (entry.path().extension() == ".covaria") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
 }
 
 class ResultLines : public testing::TestWithParam<fs::path> {
@@ -277,14 +270,7 @@ TEST(ResultLine, OfTheGum) {
     EXPECT_NEAR(line("h1-end-gauge.covaria", 1, "l", Method::monte_carlo), 93e-9, 2e-9);
 }
 
-std::string name_of(const testing::TestParamInfo<fs::path>& info) {
-    std::string name = info.param.stem().string();
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Projects, ResultLines, testing::ValuesIn(projects()), name_of);
+INSTANTIATE_TEST_SUITE_P(Projects, ResultLines, testing::ValuesIn(shipped_projects()), test_name_of);
 
 }  // namespace
 }  // namespace covaria::result_line_property_test

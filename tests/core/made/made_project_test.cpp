@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/propagation/engine.h"
+#include "tests/core/made.h"
 #include "tests/core/project/test_kinds.h"
 
 namespace covaria::test::made_project_test {
@@ -53,13 +54,6 @@ struct Edited : testing::Test {
                &before->analysis(analysis)->propagated->propagation();
     }
 };
-
-void expect_counts(const MakingCounts& counts, const MakingCounts& expected) {
-    EXPECT_EQ(counts.assets, expected.assets);
-    EXPECT_EQ(counts.models, expected.models);
-    EXPECT_EQ(counts.inputs, expected.inputs);
-    EXPECT_EQ(counts.taken, expected.taken);
-}
 
 TEST_F(Edited, TheFirstStateIsMadeWhole) {
     expect_none(before->problems());

@@ -97,6 +97,15 @@ ComposedModel diamond(InputSet above, InputSet below) {
     return ComposedModel(std::move(parts));
 }
 
+/// The same as one equation; its own quantity comes first, then those of upstream.
+auto diamond_by_hand(const InputSet& inputs) {
+    return written(inputs, {"q"}, [](const auto& x, auto& y) {
+        const auto p = x[1] * x[2], s = x[1] + x[2];
+        y.set(0, p * p / s + x[0]);
+        return x[1] > 0.0;
+    });
+}
+
 }  // namespace
 
 TEST(ComposedModel, IsTheModelWrittenByHandToTheBit) {
@@ -104,14 +113,9 @@ TEST(ComposedModel, IsTheModelWrittenByHandToTheBit) {
              below = normal_inputs({{1, 1}, {1, 1}, {0.5, 0.2}});
     above.components[0].degrees_of_freedom = 4.0;
     const ComposedModel chain = diamond(above, below);
-    // Its own quantity comes first, then those of upstream.
     InputSet inputs = normal_inputs({{0.5, 0.2}, {2.0, 0.05}, {3.0, 0.1}});
     inputs.components[1].degrees_of_freedom = 4.0;
-    const auto whole = written(inputs, {"q"}, [](const auto& x, auto& y) {
-        const auto p = x[1] * x[2], s = x[1] + x[2];
-        y.set(0, p * p / s + x[0]);
-        return x[1] > 0.0;
-    });
+    const auto whole = diamond_by_hand(inputs);
     expect_same(run(chain), run(*whole));
     expect_same(run(chain, 50'000), run(*whole, 50'000));
 }
@@ -144,11 +148,7 @@ TEST(ComposedModel, AComponentOnTwoWaysIsOne) {
     InputSet inputs = normal_inputs({{0.0, 0.1}, {2.0, 0.05}});
     inputs.quantities[0].offset = 0.5;
     inputs.quantities.push_back({.symbol = "b", .name = "b", .offset = 3.0, .shares = {{0, 1.0}}});
-    const auto whole = written(inputs, {"q"}, [](const auto& x, auto& y) {
-        const auto p = x[1] * x[2], s = x[1] + x[2];
-        y.set(0, p * p / s + x[0]);
-        return x[1] > 0.0;
-    });
+    const auto whole = diamond_by_hand(inputs);
     expect_same(run(chain), run(*whole));
     expect_same(run(chain, 20'000), run(*whole, 20'000));
     EXPECT_TRUE(chain.kept_apart().empty());
@@ -174,11 +174,7 @@ TEST(ComposedModel, CorrelationsAndVarianceEstimatesAreThoseOfTheWhole) {
         inputs.components[c].degrees_of_freedom = 5.0;
         inputs.rest_on_estimate("plate.s", c);
     }
-    const auto whole = written(inputs, {"q"}, [](const auto& x, auto& y) {
-        const auto p = x[1] * x[2], s = x[1] + x[2];
-        y.set(0, p * p / s + x[0]);
-        return x[1] > 0.0;
-    });
+    const auto whole = diamond_by_hand(inputs);
     expect_same(run(chain), run(*whole));
     expect_same(run(chain, 20'000), run(*whole, 20'000));
 }
@@ -187,12 +183,7 @@ TEST(ComposedModel, ATrialWithoutValueUpstreamHasNoneDownstream) {
     const InputSet above = normal_inputs({{0.1, 0.1}, {3.0, 0.1}}),
                    below = normal_inputs({{1, 1}, {1, 1}, {0.5, 0.2}});
     const ComposedModel chain = diamond(above, below);
-    const auto whole =
-        written(normal_inputs({{0.5, 0.2}, {0.1, 0.1}, {3.0, 0.1}}), {"q"}, [](const auto& x, auto& y) {
-            const auto p = x[1] * x[2], s = x[1] + x[2];
-            y.set(0, p * p / s + x[0]);
-            return x[1] > 0.0;
-        });
+    const auto whole = diamond_by_hand(normal_inputs({{0.5, 0.2}, {0.1, 0.1}, {3.0, 0.1}}));
     const UncertaintyResult result = run(chain, 20'000);
     EXPECT_NEAR(static_cast<double>(result.failed_trials), 0.1587 * 20'000, 300);
     expect_same(result, run(*whole, 20'000));

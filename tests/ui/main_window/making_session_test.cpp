@@ -1,4 +1,5 @@
 // What an edit in the window makes and evaluates anew: counted.
+#include "tests/core/made.h"
 #include "tests/ui/main_window/session_fixture.h"
 
 namespace covaria::ui::making_session_test {
@@ -37,13 +38,6 @@ protected:
     std::map<std::string, ResultPointer> result_;
     std::map<std::string, const Result<Propagation>*> law_;
 };
-
-void expect_counts(const MakingCounts& counts, const MakingCounts& expected) {
-    EXPECT_EQ(counts.assets, expected.assets);
-    EXPECT_EQ(counts.models, expected.models);
-    EXPECT_EQ(counts.inputs, expected.inputs);
-    EXPECT_EQ(counts.taken, expected.taken);
-}
 
 TEST_F(MakingSession, AFileIsMadeOnceWhenItIsOpened) {
     QSignalSpy made_anew(&window_->document().maker(), &ProjectMaker::made_changed);

@@ -1,0 +1,33 @@
+// The projects that are shipped, for tests over all of them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/resource_path.h"
+
+namespace covaria {
+
+/// In the order of their paths.
+inline std::vector<std::filesystem::path> shipped_projects() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(data_directory() / "projects"))
+        if (entry.path().extension() == ".covaria") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Of a test by the file: letters and digits of its name.
+inline std::string test_name_of(const testing::TestParamInfo<std::filesystem::path>& instance) {
+    std::string name = instance.param.stem().string();
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+    return name;
+}
+
+}  // namespace covaria
