@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
+#include "app/extended_project.h"
 #include "app/proposal_text.h"
 #include "app/terminal.h"
 #include "core/base/guarded.h"
@@ -75,22 +76,9 @@ Result<ReadChoice> choice_of(const FileImport& request) {
     return choice;
 }
 
-Result<Project> project_to_write(const FileImport& request, const std::string& title) {
-    Project project;
-    project.title = title;
-    std::error_code ignored;
-    if (!fs::exists(request.output, ignored)) return project;
-    LoadedProject loaded = load_project(request.output);
-    print_problems(loaded.problems);
-    if (loaded.problems.has_errors())
-        return fail(ErrorCode::bad_input,
-                    request.output + ": the project has errors; nothing was added to it");
-    return std::move(loaded.project);
-}
-
 /// Checked as `covaria validate` would, before anything is written.
 Result<void> write_project(const FileImport& request, Proposals proposals) {
-    auto project = project_to_write(request, proposals.title);
+    auto project = project_to_extend(request.output, proposals.title);
     if (!project) return fail(project.error());
     const std::size_t assets = project->assets.size(), analyses = project->analyses.size();
     add_to_project(*project, std::move(proposals));

@@ -1,16 +1,17 @@
 // covaria import-urdf FILE -o PROJECT: a robot from URDF as an asset of a new or of an existing project.
 #include <CLI/CLI.hpp>
-#include <cctype>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <sstream>
 
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
+#include "app/extended_project.h"
 #include "app/terminal.h"
+#include "core/base/file_io.h"
 #include "core/kinds/robot/urdf.h"
-#include "core/made/load_project.h"
+#include "core/project/project_file.h"
+#include "core/project/project_id.h"
 
 namespace covaria {
 namespace {
@@ -19,35 +20,6 @@ struct ImportRequest {
     std::string file, output, tip;
     std::vector<std::string> frozen;  ///< NAME=VALUE
 };
-
-/// "Arm X (5)" -> "arm-x-5", with a number appended while the project has it already.
-std::string free_id(const Project& project, const std::string& name) {
-    std::string id;
-    for (const char c : name) {
-        const auto u = static_cast<unsigned char>(c);
-        if (std::isalnum(u))
-            id += static_cast<char>(std::tolower(u));
-        else if (!id.empty() && id.back() != '-')
-            id += '-';
-    }
-    while (!id.empty() && id.back() == '-') id.pop_back();
-    if (id.empty()) id = "robot";
-    std::string free = id;
-    for (int n = 2; project.find_asset(free); ++n) free = id + "-" + std::to_string(n);
-    return free;
-}
-
-Result<Project> project_to_extend(const ImportRequest& request, const std::string& name) {
-    Project project;
-    project.title = name;
-    if (!std::filesystem::exists(request.output)) return project;
-    LoadedProject loaded = load_project(request.output);
-    print_problems(loaded.problems);
-    if (loaded.problems.has_errors())
-        return fail(ErrorCode::bad_input,
-                    request.output + ": the project has errors; nothing was added to it");
-    return std::move(loaded.project);
-}
 
 Result<UrdfChoice> choice_of(const ImportRequest& request) {
     UrdfChoice choice{.tip = request.tip, .frozen = {}};
@@ -76,10 +48,12 @@ Result<void> import_robot(const ImportRequest& request) {
         error.file = request.file;
         return fail(std::move(error));
     }
-    auto project = project_to_extend(request, imported->name);
+    auto project = project_to_extend(request.output, imported->name);
     if (!project) return fail(project.error());
-    project->assets.push_back({free_id(*project, imported->name), imported->kind, imported->name,
-                               imported->notes, std::move(imported->setup)});
+    const std::string id = free_id(project_id_of(imported->name, "robot"),
+                                   [&](const std::string& i) { return project->find_asset(i) != nullptr; });
+    project->assets.push_back(
+        {id, imported->kind, imported->name, imported->notes, std::move(imported->setup)});
     auto saved = save_project(*project, request.output);
     if (!saved) return saved;
     std::printf("%s: robot \"%s\"\n", request.output.c_str(), project->assets.back().id.c_str());

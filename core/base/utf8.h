@@ -10,4 +10,9 @@ namespace covaria {
 /// surrogates); all of them if the text is valid.
 std::size_t valid_utf8(std::string_view text);
 
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+inline std::string_view without_byte_order_mark(std::string_view text) {
+    return text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text;
+}
+
 }  // namespace covaria

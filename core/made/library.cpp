@@ -6,6 +6,7 @@
 #include "core/base/resource_path.h"
 #include "core/kinds/assets.h"
 #include "core/made/load_project.h"
+#include "core/project/project_id.h"
 #include "core/project/references.h"
 
 namespace covaria {
@@ -73,9 +74,9 @@ Result<void> add_to_own_library(const AssetEntry& asset) {
     std::erase_if(project.assets, [&](const AssetEntry& known) {
         return known.kind == asset.kind && known.name == asset.name;
     });
-    AssetEntry& added = project.assets.emplace_back(asset);
-    for (int number = 2; project.find_asset(added.id) != &added; ++number)
-        added.id = asset.id + "-" + std::to_string(number);
+    AssetEntry added = asset;
+    added.id = free_id(asset.id, [&](const std::string& id) { return project.find_asset(id) != nullptr; });
+    project.assets.push_back(std::move(added));
     fs::create_directories(file.parent_path(), problem);
     return save_project(project, file);
 }

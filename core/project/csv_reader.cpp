@@ -128,7 +128,7 @@ char csv_separator(std::string_view text) {
 Result<void> scan_csv(std::string_view text, char separator, const TakeCsvRow& take) {
     if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF")
         return fail(error_at(1, "the text is encoded as UTF-16; save it as UTF-8"));
-    if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+    text = without_byte_order_mark(text);
     if (const std::size_t valid = valid_utf8(text); valid < text.size()) {
         const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(valid), '\n');
         return fail(

@@ -7,12 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/utf8.h"
+
 namespace covaria {
 
 namespace {
 
 constexpr int deepest = 64;
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
@@ -72,8 +73,7 @@ std::string pointer_token(const std::string& token) {
 class JsonScanner {
 public:
     JsonScanner(std::string_view text, JsonLocations& found) : text_(text), found_(found) {
-        if (text_.substr(0, byte_order_mark.size()) == byte_order_mark)
-            at_ = line_begin_ = byte_order_mark.size();
+        if (text_.starts_with(byte_order_mark)) at_ = line_begin_ = byte_order_mark.size();
     }
 
     Result<void> run() {

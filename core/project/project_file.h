@@ -45,6 +45,6 @@ Result<void> save_project(const Project& project, const std::filesystem::path& f
 /// CSV contents included.
 std::string fingerprint(Project project);
 /// Nothing that influences numbers differs: as fingerprints that are the same, without their texts.
-bool same_numbers(const Project& a, const Project& b);
+bool same_numbers(Project a, Project b);
 
 }  // namespace covaria

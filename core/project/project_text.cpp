@@ -125,8 +125,8 @@ std::string fingerprint(Project project) {
     return digits;
 }
 
-bool same_numbers(const Project& a, const Project& b) {
-    return numbers_only(a) == numbers_only(b);
+bool same_numbers(Project a, Project b) {
+    return numbers_only(std::move(a)) == numbers_only(std::move(b));
 }
 
 }  // namespace covaria

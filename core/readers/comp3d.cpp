@@ -4,12 +4,12 @@
 #include <map>
 
 #include "core/base/in_quotes.h"
+#include "core/base/text_places.h"
 #include "core/project/csv_reader.h"
+#include "core/readers/delimited_text.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/listed_points.h"
-#include "core/readers/table_text.h"
-#include "core/readers/text_places.h"
 
 namespace covaria {
 

@@ -1,25 +1,14 @@
 #include "core/readers/entry_texts.h"
 
-#include <cctype>
-
 #include "core/base/utf8.h"
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
+#include "core/project/project_id.h"
 
 namespace covaria {
 
 std::string id_of(const std::string& name, const std::string& otherwise) {
-    std::string id;
-    for (const char c : name) {
-        const auto u = static_cast<unsigned char>(c);
-        if (u < 128 && std::isalnum(u))
-            id += static_cast<char>(std::tolower(u));
-        else if (!id.empty() && id.back() != '-')
-            id += '-';
-        if (id.size() >= 60) break;
-    }
-    while (!id.empty() && id.back() == '-') id.pop_back();
-    return id.empty() ? otherwise : id;
+    return project_id_of(name, otherwise, 60);
 }
 
 std::string plain_name(const std::string& name) {

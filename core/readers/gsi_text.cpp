@@ -6,8 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/text_places.h"
+#include "core/base/utf8.h"
 #include "core/readers/entry_texts.h"
-#include "core/readers/text_places.h"
 
 namespace covaria {
 
@@ -146,8 +147,7 @@ bool is_gsi(std::string_view text) {
 
 Result<std::vector<GsiBlock>> read_gsi(const std::string& text) {
     BlockReader reader;
-    std::string_view rest = text;
-    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    std::string_view rest = without_byte_order_mark(text);
     // Line feeds, carriage returns or both; some files have none at all.
     for (int number = 1; !rest.empty(); ++number) {
         const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());

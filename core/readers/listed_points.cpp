@@ -5,8 +5,9 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/base/text_places.h"
+#include "core/project/project_id.h"
 #include "core/readers/entry_texts.h"
-#include "core/readers/text_places.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -101,11 +102,10 @@ void propose_artefact(const PointList& list, const std::string& group,
                         {"u_var", 0.0},
                         {"b", 0.0}});
     AssetEntry asset{.kind = artefact_kind, .name = group.empty() ? list.title : group};
-    asset.id = id_of(asset.name, "points");
-    for (int n = 2; std::any_of(proposals.assets.begin(), proposals.assets.end(),
-                                [&](const AssetEntry& other) { return other.id == asset.id; });
-         ++n)
-        asset.id = id_of(asset.name, "points") + "-" + std::to_string(n);
+    asset.id = free_id(id_of(asset.name, "points"), [&](const std::string& id) {
+        return std::any_of(proposals.assets.begin(), proposals.assets.end(),
+                           [&](const AssetEntry& other) { return other.id == id; });
+    });
     asset.notes = "From " + list.source + ". " + words_of(figures, list.unit) +
                   ". u_T, u_var and b are 0: nothing is known of temperature and of measurements of it.";
     asset.setup.values["points"] = rows.table();

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "core/base/in_quotes.h"
+#include "core/base/text_places.h"
+#include "core/readers/delimited_text.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/listed_points.h"
 #include "core/readers/point_columns.h"
-#include "core/readers/table_text.h"
-#include "core/readers/text_places.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -18,7 +18,7 @@ namespace {
 /// Rows with known columns to points of a list.
 class PointRows {
 public:
-    PointRows(PointColumns columns, const TableText& format, PointList& list, Proposals& proposals)
+    PointRows(PointColumns columns, const DelimitedText& format, PointList& list, Proposals& proposals)
         : columns_(std::move(columns)), format_(format), list_(list), proposals_(proposals) {}
 
     Result<void> add(const CsvRow& row) {
@@ -94,7 +94,7 @@ private:
     }
 
     PointColumns columns_;
-    TableText format_;
+    DelimitedText format_;
     PointList& list_;
     Proposals& proposals_;
 };
@@ -109,7 +109,7 @@ Unit unit_of_list(const PointColumns& columns, const ReadChoice& choice, Proposa
     return Unit::of("mm");
 }
 
-void say_columns(const PointColumns& columns, const TableText& format, Proposals& proposals) {
+void say_columns(const PointColumns& columns, const DelimitedText& format, Proposals& proposals) {
     std::string words;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const PointColumn& column = columns[i];
@@ -124,7 +124,7 @@ void say_columns(const PointColumns& columns, const TableText& format, Proposals
     proposals.found.push_back(format.words() + ": " + words);
 }
 
-Result<Proposals> read_points(const std::string& text, const ReadChoice& choice, const TableText& format,
+Result<Proposals> read_points(const std::string& text, const ReadChoice& choice, const DelimitedText& format,
                               PointColumns columns, bool skip_first, const std::string& what) {
     Proposals proposals{.title = without_ending(choice.file_name)};
     say_columns(columns, format, proposals);
@@ -148,12 +148,12 @@ Result<Proposals> read_points(const std::string& text, const ReadChoice& choice,
 }
 
 Recognition recognise_table(std::string_view beginning, const std::string&) {
-    return are_point_headers(first_cells(beginning, table_text_of(beginning))) ? Recognition::possible
-                                                                               : Recognition::no;
+    return are_point_headers(first_cells(beginning, delimited_text_of(beginning))) ? Recognition::possible
+                                                                                   : Recognition::no;
 }
 
 Result<Proposals> read_table(const std::string& text, const ReadChoice& choice) {
-    const TableText format = table_text_of(text);
+    const DelimitedText format = delimited_text_of(text);
     const std::vector<std::string> first = first_cells(text, format);
     const bool numbers = std::any_of(first.begin(), first.end(), [&](const std::string& cell) {
         return csv_number(cell, format.decimal_comma).has_value();
@@ -172,7 +172,7 @@ struct RowShape {
     std::size_t words = 0, numbers = 0, behind = 0;
 };
 
-RowShape shape_of(const std::vector<std::string>& cells, const TableText& format) {
+RowShape shape_of(const std::vector<std::string>& cells, const DelimitedText& format) {
     const auto is_number = [&](const std::string& cell) {
         return csv_number(cell, format.decimal_comma).has_value();
     };
@@ -185,7 +185,7 @@ RowShape shape_of(const std::vector<std::string>& cells, const TableText& format
 }
 
 Recognition recognise_spatial_analyzer(std::string_view beginning, const std::string&) {
-    const TableText format = table_text_of(beginning);
+    const DelimitedText format = delimited_text_of(beginning);
     const RowShape shape = shape_of(first_cells(beginning, format), format);
     return shape.words <= 3 && shape.numbers >= 3 && shape.numbers <= 8 ? Recognition::possible
                                                                         : Recognition::no;
@@ -223,7 +223,7 @@ Result<PointColumns> spatial_analyzer_columns(RowShape shape, bool chosen) {
 }
 
 Result<Proposals> read_spatial_analyzer(const std::string& text, const ReadChoice& choice) {
-    const TableText format = table_text_of(text);
+    const DelimitedText format = delimited_text_of(text);
     const std::vector<std::string> first = first_cells(text, format);
     if (first.empty()) return fail(ErrorCode::bad_input, "the file has no points");
     auto columns = choice.columns.empty() ? spatial_analyzer_columns(shape_of(first, format), choice.chosen)

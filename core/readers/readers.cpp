@@ -2,23 +2,18 @@
 #include "core/readers/readers.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 
+#include "core/base/utf8.h"
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
+#include "core/project/project_id.h"
 #include "core/readers/formats.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
 
 namespace {
-
-std::string free_id(const std::string& id, const std::function<bool(const std::string&)>& taken) {
-    std::string free = id;
-    for (int n = 2; taken(free); ++n) free = id + "-" + std::to_string(n);
-    return free;
-}
 
 using Renamed = std::map<std::string, std::string>;
 
@@ -67,8 +62,7 @@ const Reader* find_reader(const std::string& name) {
 }
 
 RecognisedReaders recognise_reader(std::string_view text, const std::string& file_name) {
-    std::string_view beginning = text.substr(0, recognised_by);
-    if (beginning.substr(0, 3) == "\xEF\xBB\xBF") beginning.remove_prefix(3);
+    const std::string_view beginning = without_byte_order_mark(text.substr(0, recognised_by));
     RecognisedReaders found;
     std::vector<const Reader*> possible;
     for (const Reader& reader : reader_registry()) {

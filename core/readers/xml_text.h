@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/readers/text_places.h"
+#include "core/base/text_places.h"
 
 namespace covaria {
 

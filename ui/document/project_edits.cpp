@@ -9,6 +9,7 @@
 #include "core/kinds/models.h"
 #include "core/project/entry_graph.h"
 #include "core/project/links.h"
+#include "core/project/project_id.h"
 #include "core/project/references.h"
 #include "ui/theme/strings.h"
 
@@ -55,10 +56,7 @@ std::string unique_id(const Project& project, const std::string& wanted) {
     std::set<std::string> taken;
     for (const AssetEntry& asset : project.assets) taken.insert(asset.id);
     for (const AnalysisEntry& analysis : project.analyses) taken.insert(analysis.id);
-    const std::string base = file_safe(wanted);
-    std::string id = base;
-    for (int number = 2; taken.count(id) > 0; ++number) id = base + '-' + std::to_string(number);
-    return id;
+    return free_id(file_safe(wanted), [&](const std::string& id) { return taken.contains(id); });
 }
 
 std::string unique_name(const Project& project, const std::string& wanted) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/text_places.h"
 #include "core/kinds/robot/urdf.h"
 
 namespace covaria::urdf {
@@ -45,9 +46,6 @@ struct Chain {
     std::vector<Joint> joints = {};
     std::vector<Remark> remarks = {};
 };
-
-/// What cannot be, at a line of the file.
-tl::unexpected<Error> refused_at(int line, std::string message);
 
 Result<Robot> read(const std::string& xml);
 /// Freezes joints by name. Error: no such joint, or one that does not move.

@@ -32,21 +32,6 @@ JointKind kind_of(const Joint& joint) {
     return joint.turns() ? JointKind::rotating : joint.slides() ? JointKind::sliding : JointKind::other;
 }
 
-/// Lines of a text by the places of its characters.
-class Lines {
-public:
-    explicit Lines(const std::string& text) {
-        for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
-            ends_.push_back(static_cast<std::ptrdiff_t>(at));
-    }
-    int line(std::ptrdiff_t at) const {
-        return 1 + static_cast<int>(std::lower_bound(ends_.begin(), ends_.end(), at) - ends_.begin());
-    }
-
-private:
-    std::vector<std::ptrdiff_t> ends_;
-};
-
 Result<Joint> joint_in(const pugi::xml_node& node, int line) {
     Joint joint{.name = node.attribute("name").value(),
                 .type = node.attribute("type").value(),
@@ -77,10 +62,6 @@ Result<Joint> joint_in(const pugi::xml_node& node, int line) {
 
 }  // namespace
 
-tl::unexpected<Error> refused_at(int line, std::string message) {
-    return fail(Error{ErrorCode::bad_input, std::move(message), {}, {}, line});
-}
-
 void Joint::freeze(double value) {
     if (slides()) X_PJ = X_PJ * Eigen::Translation3d(value * axis);
     if (turns()) X_PJ = X_PJ * Eigen::AngleAxisd(value, axis);
@@ -90,21 +71,21 @@ void Joint::freeze(double value) {
 Result<Robot> read(const std::string& xml) {
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
-    const Lines lines(xml);
+    const TextPlaces places(xml);
     if (!parsed)
-        return refused_at(lines.line(parsed.offset),
+        return refused_at(places.line(parsed.offset),
                           std::string("not readable as XML: ") + parsed.description());
     const pugi::xml_node root = document.child("robot");
     if (!root)
-        return refused_at(lines.line(document.first_child().offset_debug()),
+        return refused_at(places.line(document.first_child().offset_debug()),
                           "no URDF: its root element <robot> is missing");
     if (const std::size_t xacro = xml.find("<xacro:"); xacro != std::string::npos)
-        return refused_at(lines.line(static_cast<std::ptrdiff_t>(xacro)),
+        return refused_at(places.line(static_cast<std::ptrdiff_t>(xacro)),
                           "the file has xacro macros: expand them first (xacro FILE > arm.urdf)");
-    Robot robot{.name = root.attribute("name").value(), .line = lines.line(root.offset_debug())};
+    Robot robot{.name = root.attribute("name").value(), .line = places.line(root.offset_debug())};
     std::set<std::string> children;
     for (const pugi::xml_node& node : root.children("joint")) {
-        auto joint = joint_in(node, lines.line(node.offset_debug()));
+        auto joint = joint_in(node, places.line(node.offset_debug()));
         if (!joint) return fail(joint.error());
         if (!children.insert(joint->child).second)
             return refused_at(joint->line,

@@ -1,21 +1,15 @@
-#include "core/readers/table_text.h"
+#include "core/readers/delimited_text.h"
 
 #include <algorithm>
 
+#include "core/base/text_places.h"
 #include "core/base/utf8.h"
-#include "core/readers/text_places.h"
 
 namespace covaria {
 
 namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-std::string_view without_mark(std::string_view text) {
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    return text;
-}
 
 bool is_comment(std::string_view line) {
     const std::size_t first = line.find_first_not_of(blanks);
@@ -72,7 +66,7 @@ Result<void> scan_blank_separated(std::string_view text, const TakeCsvRow& take)
 
 }  // namespace
 
-std::string TableText::words() const {
+std::string DelimitedText::words() const {
     const std::string between = separator == '\t'  ? "tabs"
                                 : separator == ';' ? "semicolons"
                                 : separator == ',' ? "commas"
@@ -94,17 +88,17 @@ std::vector<std::string> blank_separated(std::string_view line) {
     return cells;
 }
 
-TableText table_text_of(std::string_view text) {
-    const std::string_view line = first_line(without_mark(text));
+DelimitedText delimited_text_of(std::string_view text) {
+    const std::string_view line = first_line(without_byte_order_mark(text));
     if (has_tabs(line)) return {'\t', true};
     if (line.find(';') != std::string_view::npos) return {';', true};
     if (line.find(',') == std::string_view::npos) return {' ', false};
-    return has_decimal_commas(line) ? TableText{' ', true} : TableText{',', false};
+    return has_decimal_commas(line) ? DelimitedText{' ', true} : DelimitedText{',', false};
 }
 
-Result<void> scan_table(std::string_view text, const TableText& format, std::size_t& comments,
+Result<void> scan_table(std::string_view text, const DelimitedText& format, std::size_t& comments,
                         const TakeCsvRow& take) {
-    text = without_mark(text);
+    text = without_byte_order_mark(text);
     for (std::string_view rest = text; !rest.empty();) comments += is_comment(next_line(rest));
     if (format.separator == ' ') return scan_blank_separated(text, take);
     return scan_csv(text, format.separator, [&](CsvRow&& row) {
@@ -112,7 +106,7 @@ Result<void> scan_table(std::string_view text, const TableText& format, std::siz
     });
 }
 
-std::vector<std::string> first_cells(std::string_view text, const TableText& format) {
+std::vector<std::string> first_cells(std::string_view text, const DelimitedText& format) {
     std::vector<std::string> cells;
     std::size_t comments = 0;
     // What cannot be read is said when the whole file is.

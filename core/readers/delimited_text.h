@@ -9,7 +9,7 @@
 
 namespace covaria {
 
-struct TableText {
+struct DelimitedText {
     char separator = ',';  ///< ' ': any number of blanks
     bool decimal_comma = false;
     std::string words() const;  ///< "columns between semicolons"
@@ -17,14 +17,14 @@ struct TableText {
 
 /// From the first line with content: tab before semicolon before comma before blanks. Commas between digits
 /// in a line of blanks are decimal ones.
-TableText table_text_of(std::string_view text);
+DelimitedText delimited_text_of(std::string_view text);
 
 /// Lines with content, as `scan_csv`; those that begin with '#' or '//' are counted instead.
-Result<void> scan_table(std::string_view text, const TableText& format, std::size_t& comments,
+Result<void> scan_table(std::string_view text, const DelimitedText& format, std::size_t& comments,
                         const TakeCsvRow& take);
 
 /// The cells of the first line with content; empty where there is none.
-std::vector<std::string> first_cells(std::string_view text, const TableText& format);
+std::vector<std::string> first_cells(std::string_view text, const DelimitedText& format);
 
 /// Words between blanks; what stands in double quotes is one.
 std::vector<std::string> blank_separated(std::string_view line);

@@ -1,0 +1,15 @@
+// The project that an import adds to.
+#pragma once
+
+#include <string>
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+
+namespace covaria {
+
+/// What the file holds, or a new project of that title where there is none. Prints the problems of the file.
+/// Error: it has errors.
+Result<Project> project_to_extend(const std::string& file, const std::string& title);
+
+}  // namespace covaria
