@@ -50,6 +50,9 @@ struct UncertaintyComponent {
     /// Of an asset, or in a chain of models of one of them: one and the same component wherever it occurs in
     /// a project ("tracker.scale"). Empty: of this set of inputs alone.
     std::string identity = {};
+    /// JSON pointer, relative to the set-up, of the row of a table that states it ("/quantities/rows/3");
+    /// empty: it is stated elsewhere.
+    std::string source = {};
 };
 
 /// An output of an analysis.

@@ -60,7 +60,10 @@ struct FieldSpec {
     std::vector<std::string> capabilities =
         {};  ///< of a reference: asset must offer one of these ("point-uncertainty")
     std::optional<Condition> shown_if = {};
-    std::string section = {};    ///< heading under which forms and reports show the field
+    std::string section = {};  ///< heading under which forms and reports show the field
+    /// Of a table: its rows state components of input quantities, in columns symbol, name, value, unit,
+    /// statement, a, b and nu; it is what a budget is typed into.
+    bool states_quantities = false;
     bool several_lines = false;  ///< of a text: a list of lines in files; problems name the line ("/text/2")
 };
 

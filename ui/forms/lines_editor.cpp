@@ -1,5 +1,6 @@
 #include "ui/forms/lines_editor.h"
 
+#include <QFocusEvent>
 #include <QFontDatabase>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -69,9 +70,11 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
     column->addWidget(message_);
     column->addWidget(complete_);
     setFocusProxy(edit_);
+    edit_->installEventFilter(this);
     connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
         adapt_height();
         const QString text = edit_->toPlainText();
+        typed_ = true;
         emit edited(text.isEmpty() ? SetupValue() : SetupValue(to_std(text)));
     });
     connect(complete_, &QPushButton::clicked, this, &LinesEditor::complete);
@@ -116,6 +119,15 @@ void LinesEditor::focus_part(const std::string& path) {
         edit_->setTextCursor(cursor);
     }
     edit_->setFocus(Qt::OtherFocusReason);
+}
+
+bool LinesEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == edit_ && event->type() == QEvent::FocusOut && typed_) {
+        const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+        typed_ = reason == Qt::PopupFocusReason || reason == Qt::ActiveWindowFocusReason;
+        if (!typed_ && complete_->isEnabled()) complete();
+    }
+    return FieldEditor::eventFilter(watched, event);
 }
 
 void LinesEditor::adapt_height() {

@@ -22,6 +22,10 @@ public:
     QPlainTextEdit* text_edit() const { return edit_; }
     QPushButton* completion_button() const { return complete_; }
 
+protected:
+    /// What is typed has rows for its names as soon as the editor is left.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void adapt_height();
     void refresh_completion();
@@ -33,6 +37,7 @@ private:
     QLabel* message_;
     QPushButton* complete_;
     QString help_;
+    bool typed_ = false;  ///< since the editor was entered
 };
 
 }  // namespace covaria::ui

@@ -23,7 +23,7 @@ constexpr int most_rows_measured = 200;  // of what is pasted or imported
 constexpr int widest_column = 320;       // that a column gets by itself
 }  // namespace
 
-SpreadsheetView::SpreadsheetView(SetupTableModel& model, QWidget* parent)
+SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent)
     : QTableView(parent),
       model_(model),
       copy_(add(tr("Copy"), QKeySequence::Copy, &SpreadsheetView::copy)),
@@ -187,13 +187,7 @@ void SpreadsheetView::remove_rows() {
     for (const QModelIndex& cell : selectedIndexes()) rows.insert(cell.row());
     if (rows.empty()) return;
     const QModelIndex current = currentIndex();
-    if (static_cast<int>(rows.size()) == *rows.rbegin() - *rows.begin() + 1) {
-        model_.removeRows(*rows.begin(), static_cast<int>(rows.size()));
-    } else {
-        SetupTable table = model_.table();
-        for (auto row = rows.rbegin(); row != rows.rend(); ++row) table.rows.erase(table.rows.begin() + *row);
-        model_.replace_table(table, tr("Delete rows"));
-    }
+    model_.remove_rows_at(rows);
     go_to(model_.index(std::min(current.row(), model_.rowCount() - 1), current.column()));
 }
 

@@ -5,14 +5,14 @@
 #include <QTableView>
 #include <set>
 
-#include "ui/models/setup_table_model.h"
+#include "ui/models/spreadsheet_model.h"
 
 namespace covaria::ui {
 
 class SpreadsheetView : public QTableView {
     Q_OBJECT
 public:
-    explicit SpreadsheetView(SetupTableModel& model, QWidget* parent = nullptr);
+    explicit SpreadsheetView(SpreadsheetModel& model, QWidget* parent = nullptr);
 
     QAction* copy_action() const { return copy_; }
     QAction* cut_action() const { return cut_; }
@@ -48,7 +48,7 @@ private:
     void move_down();
     void go_to(const QModelIndex& cell);
 
-    SetupTableModel& model_;
+    SpreadsheetModel& model_;
     std::set<int> given_widths_;  ///< columns that the user has resized
     bool fitting_ = false;
     QAction* copy_;

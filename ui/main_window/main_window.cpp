@@ -19,6 +19,7 @@
 #include "ui/main_window/run_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/window_state.h"
+#include "ui/pages/budget_page.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
 #include "ui/pages/properties_pane.h"
@@ -82,6 +83,8 @@ void MainWindow::make_panes() {
     pages_ = new QStackedWidget(this);
     start_ = new StartPage;
     scene_ = new ScenePanel(runner_);
+    budget_ = new BudgetPage(document_, runner_, selection_);
+    scene_->put_below_equations(budget_);
     pages_->addWidget(start_);
     pages_->addWidget(scene_);
     setCentralWidget(pages_);
@@ -326,6 +329,7 @@ void MainWindow::show_project() {
         restore_window(*this);
     }
     selection_.clear();
+    budget_->start_over();
     scene_->start_over();
     results_->start_over();
     const Project& project = document_.project();

@@ -16,6 +16,7 @@ class QToolBar;
 
 namespace covaria::ui {
 
+class BudgetPage;
 class ExportActions;
 class ImportActions;
 class LogPane;
@@ -44,6 +45,7 @@ public:
     ScenePanel& scene() { return *scene_; }
     ResultsPane& results() { return *results_; }
     PropertiesPane& properties() { return *properties_; }
+    BudgetPage& budget() { return *budget_; }
     ProjectPane& project_pane() { return *project_; }
     ExportActions& exports() { return *exports_; }
     ImportActions& imports() { return *imports_; }
@@ -83,6 +85,7 @@ private:
     QStackedWidget* pages_ = nullptr;
     StartPage* start_ = nullptr;
     ScenePanel* scene_ = nullptr;
+    BudgetPage* budget_ = nullptr;
     ProjectPane* project_ = nullptr;
     ResultsPane* results_ = nullptr;
     PropertiesPane* properties_ = nullptr;

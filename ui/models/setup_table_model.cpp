@@ -40,7 +40,7 @@ SetupTableModel::SetupTableModel(Document& document, SetupAddress address, std::
 
 SetupTableModel::SetupTableModel(Document& document, SetupAddress address, const SetupSchema* schema,
                                  std::string field, QObject* parent)
-    : QAbstractTableModel(parent),
+    : SpreadsheetModel(parent),
       document_(document),
       address_(std::move(address)),
       field_(std::move(field)),
@@ -134,16 +134,18 @@ ColumnSpec SetupTableModel::choosable(ColumnSpec column) const {
     return column;
 }
 
-bool SetupTableModel::write(const QString& text, const std::function<void(SetupTable&)>& change) {
+bool SetupTableModel::write(const QString& text, const std::function<void(SetupTable&)>& change,
+                            const QString& merge_key) {
     if (!field() || is_linked()) return false;
-    return document_.apply(text, [&](Project& project) {
+    const auto edit = [&](Project& project) {
         Setup* setup = find_setup(project, address_);
         if (!setup) return;
         SetupTable table = table_of(*field(), *setup);
         const SetupTable before = table;
         change(table);
         if (!(table == before)) setup->values[field_] = std::move(table);
-    });
+    };
+    return document_.apply(text, edit, merge_key);
 }
 
 void SetupTableModel::set_cell(SetupTable& table, const CellPosition& at, const QString& text,
@@ -210,6 +212,34 @@ int SetupTableModel::paste(const QModelIndex& at, const QString& text) {
         }
     });
     return take(marks);
+}
+
+int SetupTableModel::write_row(int row, const std::map<int, TypedCell>& cells, const QString& merge_key) {
+    if (is_linked()) return 0;
+    Marks marks;
+    const auto change = [&](SetupTable& table) {
+        const std::size_t rows = std::max(table.rows.size(), static_cast<std::size_t>(row) + 1);
+        table.rows.resize(rows, new_row(*field()));
+        for (const auto& [column, typed] : cells) {
+            if (typed.refused.isEmpty())
+                set_cell(table, {row, column}, typed.text, marks);
+            else
+                marks[{row, column}] = {typed.text, typed.refused};
+        }
+    };
+    write(tr("Change %1").arg(to_qt(field()->title)), change, merge_key);
+    return take(marks);
+}
+
+void SetupTableModel::remove_rows_at(const std::set<int>& rows) {
+    if (rows.empty()) return;
+    if (static_cast<int>(rows.size()) == *rows.rbegin() - *rows.begin() + 1) {
+        removeRows(*rows.begin(), static_cast<int>(rows.size()));
+        return;
+    }
+    SetupTable table = table_;
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) table.rows.erase(table.rows.begin() + *row);
+    replace_table(table, tr("Delete rows"));
 }
 
 void SetupTableModel::fill_down(const QModelIndexList& cells) {

@@ -1,18 +1,18 @@
 // A table field of a set-up as an editable spreadsheet.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <map>
 #include <utility>
 
 #include "ui/document/document.h"
 #include "ui/document/setup_address.h"
+#include "ui/models/spreadsheet_model.h"
 
 namespace covaria::ui {
 
 /// All editing goes through the document; the model follows it, whoever edits. What cannot be understood is
 /// kept and shown in its cell with the reason, but is not part of the project.
-class SetupTableModel : public QAbstractTableModel {
+class SetupTableModel : public SpreadsheetModel {
     Q_OBJECT
 public:
     SetupTableModel(Document& document, SetupAddress address, std::string field, QObject* parent = nullptr);
@@ -29,12 +29,20 @@ public:
     bool insertRows(int row, int count, const QModelIndex& parent = {}) override;
     bool removeRows(int row, int count, const QModelIndex& parent = {}) override;
 
-    /// Puts a block of cells at `at` as one undo step, adding rows as needed. Columns beyond the last are
-    /// left out. Returns how many cells could not be understood.
-    int paste(const QModelIndex& at, const QString& text);
-    /// In each column the topmost selected cell is copied into the others.
-    void fill_down(const QModelIndexList& cells);
-    void clear(const QModelIndexList& cells);
+    int paste(const QModelIndex& at, const QString& text) override;
+    void fill_down(const QModelIndexList& cells) override;
+    void clear(const QModelIndexList& cells) override;
+    void remove_rows_at(const std::set<int>& rows) override;
+    /// What is to stand in a cell, or a text that is refused there.
+    struct TypedCell {
+        QString text;
+        QString refused = {};  ///< why; empty: it is not
+    };
+    /// Cells of a row by their columns as one undo step, or as a part of that with the same key (not empty),
+    /// adding the row if need be. Returns how many could not be understood.
+    int write_row(int row, const std::map<int, TypedCell>& cells, const QString& merge_key = {});
+    /// Its text is kept beside the project because it could not be understood.
+    bool is_refused(int row, int column) const { return rejected_.contains({row, column}); }
     /// The whole table anew, as one undo step.
     void replace_table(const SetupTable& table, const QString& text);
 
@@ -44,8 +52,7 @@ public:
     /// Numbers stay the same quantities. Ignored for a unit of another dimension.
     void set_unit(int column, const Unit& unit);
 
-    /// The rows come from a CSV file beside the project and cannot be edited here.
-    bool is_linked() const { return !table_.csv_file.empty(); }
+    bool is_linked() const override { return !table_.csv_file.empty(); }
     /// Takes the rows into the project, to be edited here.
     void embed();
 
@@ -68,7 +75,8 @@ private:
     std::string written(const CellPosition& at) const;
     void refresh_problems();
     SetupTable read() const;
-    bool write(const QString& text, const std::function<void(SetupTable&)>& change);
+    bool write(const QString& text, const std::function<void(SetupTable&)>& change,
+               const QString& merge_key = {});
     void set_cell(SetupTable& table, const CellPosition& at, const QString& text, Marks& marks) const;
     int take(const Marks& marks);
     const ColumnSpec& column(int index) const;

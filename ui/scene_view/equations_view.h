@@ -16,7 +16,7 @@ public:
     /// `title`: over the equations, the name of the analysis.
     void show_equations(const QString& title, std::vector<ModelEquation> equations);
     QSize sizeHint() const override { return {800, 500}; }
-    QSize minimumSizeHint() const override { return {160, 120}; }
+    QSize minimumSizeHint() const override { return {160, 90}; }
 
 protected:
     void paintEvent(QPaintEvent*) override;

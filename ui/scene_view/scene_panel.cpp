@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QSignalBlocker>
+#include <QSplitter>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -44,7 +45,10 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     column->setSpacing(0);
     toolbar_ = new QToolBar(this);
     view_ = new SceneView(this);
-    equations_ = new EquationsView(this);
+    flat_ = new QSplitter(Qt::Vertical, this);
+    flat_->setChildrenCollapsible(false);
+    equations_ = new EquationsView;
+    flat_->addWidget(equations_);
     picked_ = new QLabel(this);
     picked_->setContentsMargins(8, 3, 8, 3);
     picked_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -53,8 +57,8 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     picked_->hide();
     column->addWidget(toolbar_);
     column->addWidget(view_, 1);
-    column->addWidget(equations_, 1);
-    equations_->hide();
+    column->addWidget(flat_, 1);
+    flat_->hide();
     auto* over = new QVBoxLayout(view_);  // on the picture: the scene keeps its size
     over->setContentsMargins(0, 0, 0, 0);
     over->addStretch(1);
@@ -67,6 +71,14 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     };
     connect(&runner_, &AnalysisRunner::result_changed, this, refresh_if_shown);
     connect(&runner_, &AnalysisRunner::state_changed, this, refresh_if_shown);
+}
+
+void ScenePanel::put_below_equations(QWidget* page) {
+    below_ = page;
+    flat_->addWidget(page);
+    flat_->setStretchFactor(0, 0);
+    flat_->setStretchFactor(1, 1);
+    flat_->setSizes({120, 480});
 }
 
 void ScenePanel::make_toolbar() {
@@ -216,9 +228,11 @@ void ScenePanel::build_scene() {
     refresh_due_ = false;
     const AnalysisStatus& status = runner_.status(analysis_);
     if (!status.prepared) {
-        const bool of_equations = equations_->isVisibleTo(this) && equations_of_ == analysis_;
-        if (of_equations)
+        const bool of_equations = flat_->isVisibleTo(this) && equations_of_ == analysis_;
+        if (of_equations || (below_ && !below_->isHidden())) {
+            show_in_space(false);
             return equations_->show_equations(tr("The analysis has problems; they are listed below."), {});
+        }
         show_in_space(true);
         shown_number_ = ++number_;
         view_->set_empty_text(analysis_.isEmpty()
@@ -263,7 +277,7 @@ void ScenePanel::build_scene() {
 void ScenePanel::show_in_space(bool in_space) {
     toolbar_->setVisible(in_space);
     view_->setVisible(in_space);
-    equations_->setVisible(!in_space);
+    flat_->setVisible(!in_space);
     if (!in_space) picked_->hide();
 }
 

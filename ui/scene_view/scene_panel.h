@@ -18,6 +18,7 @@ class QAction;
 class QComboBox;
 class QLabel;
 class QMenu;
+class QSplitter;
 class QToolBar;
 
 namespace covaria::ui {
@@ -45,6 +46,9 @@ public:
 
     /// The entry in whose set-up the shown layout is written.
     SetupAddress address_in(const std::string& asset) const;
+
+    /// A page for what is nowhere in space, under its equations; it hides where it has nothing to say.
+    void put_below_equations(QWidget* page);
 
     SceneView& view() { return *view_; }
     bool is_building() const { return refresh_due_ || building_ > 0; }
@@ -85,6 +89,8 @@ private:
     QComboBox* probability_ = nullptr;
     SceneView* view_ = nullptr;
     EquationsView* equations_ = nullptr;
+    QSplitter* flat_ = nullptr;  ///< the equations and what is below them
+    QWidget* below_ = nullptr;
     QLabel* picked_ = nullptr;
     std::atomic<quint64> number_ = 0;
     quint64 shown_number_ = 0;

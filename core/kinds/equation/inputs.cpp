@@ -122,6 +122,7 @@ private:
     void add(Draft& draft, std::size_t row, UncertaintyComponent component) {
         component.id = draft.quantity.symbol + "." + std::to_string(++draft.components);
         if (!empty(row, "source")) component.origin = text(row, "source");
+        component.source = "/" + table + "/rows/" + std::to_string(row);
         draft.quantity.shares.push_back({result_.inputs.add(std::move(component)), 1.0});
     }
 

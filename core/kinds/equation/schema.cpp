@@ -118,7 +118,8 @@ FieldSpec quantities_table() {
             "One row for each component of uncertainty. The first row of a symbol has its value and "
             "unit; further rows of the same symbol add components and have no value.",
         .optional = true,
-        .section = "Quantities"};
+        .section = "Quantities",
+        .states_quantities = true};
     table.columns = {
         {.key = "symbol",
          .title = "symbol",

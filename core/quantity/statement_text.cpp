@@ -1,0 +1,364 @@
+// Words, figures and units, one after the other.
+#include "core/quantity/statement_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+namespace covaria {
+
+namespace {
+
+/// How a kind is noted: the first word is the one that is written.
+struct Notation {
+    std::string_view kind;
+    std::vector<std::string_view> words;
+    std::string_view before_a = {};  ///< written between the word and the first figure
+    std::string_view second = {};    ///< name of the second figure
+    int figures = 1;                 ///< that it has at the most
+    int needed = 1;
+    bool has_unit = true;  ///< the first
+};
+
+const std::vector<Notation>& notations() {
+    static const std::vector<Notation> all{
+        {"standard", {"u", "standard", "std"}, "= "},
+        {"certificate-k", {"U", "certificate", "cert"}, "= ", "k", 2, 2},
+        {"certificate-p", {"U", "certificate", "cert"}, "= ", "p", 2, 2},
+        {"rectangular", {"rectangular", "rect", "uniform", "±"}, "± "},
+        {"triangular", {"triangular", "tri"}, "± "},
+        {"arcsine", {"arcsine", "arc", "u-shaped"}, "± "},
+        {"trapezoidal", {"trapezoidal", "trap"}, "± ", "ratio", 2, 2},
+        {"curvilinear-trapezoid", {"curvilinear", "ctrap"}, "± ", "inexactness", 2, 2},
+        {"limits", {"limits", "between"}, "", "to", 2, 2},
+        {"resolution", {"resolution", "res", "digit"}},
+        {"mpe", {"MPE"}, "± ", "+", 2, 1},
+        {"exponential", {"exponential", "exp"}, "", "", 0, 0},
+        {"counts", {"counts"}, "", "", 1, 1, false},
+        {"observations", {"observations", "obs"}, "", "", 0, 0},
+        {"pooled", {"pooled"}, "", "", 1, 0, false},
+        {"constant", {"constant", "const", "exact"}, "", "", 0, 0}};
+    return all;
+}
+
+tl::unexpected<Error> not_read(std::string message) {
+    return fail(ErrorCode::bad_input, std::move(message));
+}
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](unsigned char c) { return static_cast<char>(c < 128 ? std::tolower(c) : c); });
+    return out;
+}
+
+/// u and U, k and K are different things; longer words are not.
+bool same_word(std::string_view a, std::string_view b) {
+    return a.size() == 1 || b.size() == 1 ? a == b : lower(a) == lower(b);
+}
+
+struct Token {
+    std::string text;
+    std::optional<double> number = {};
+};
+
+/// "75nm, k=2" -> 75, nm, k, 2.
+class Tokens {
+public:
+    Tokens(std::string_view text, bool decimal_comma) : comma_(decimal_comma) {
+        for (at_ = 0; at_ < text.size();) step(text);
+    }
+    const Token* next() { return given_ < all_.size() ? &all_[given_++] : nullptr; }
+    const Token* peek() const { return given_ < all_.size() ? &all_[given_] : nullptr; }
+
+private:
+    static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+    bool is_point(char c) const { return c == '.' || (comma_ && c == ','); }
+
+    void step(std::string_view text) {
+        const std::string_view rest = text.substr(at_);
+        for (const std::string_view sign : {"±", "+/-", "+-"})
+            if (rest.starts_with(sign)) return take("±", sign.size());
+        if (rest.starts_with("\u2212")) return take("-", std::string_view("\u2212").size());
+        if (is_digit(rest[0]) || (rest.size() > 1 && is_point(rest[0]) && is_digit(rest[1])))
+            return number(rest);
+        if (std::string_view(" \t=;,:").find(rest[0]) != std::string_view::npos) {
+            ++at_;
+            return;
+        }
+        if (rest[0] == '+' || rest[0] == '-') return take(rest.substr(0, 1), 1);
+        std::size_t length = 1;
+        while (length < rest.size() &&
+               std::string_view(" \t=;,:").find(rest[length]) == std::string_view::npos)
+            ++length;
+        take(rest.substr(0, length), length);
+    }
+
+    void take(std::string_view word, std::size_t length) {
+        all_.push_back({std::string(word)});
+        at_ += length;
+    }
+
+    void number(std::string_view rest) {
+        std::size_t length = 0;
+        bool point = false;
+        while (length < rest.size() && (is_digit(rest[length]) || (is_point(rest[length]) && !point))) {
+            point = point || is_point(rest[length]);
+            ++length;
+        }
+        if (length < rest.size() && (rest[length] == 'e' || rest[length] == 'E')) {
+            std::size_t end = length + 1;
+            if (end < rest.size() && (rest[end] == '+' || rest[end] == '-')) ++end;
+            if (end < rest.size() && is_digit(rest[end])) {
+                while (end < rest.size() && is_digit(rest[end])) ++end;
+                length = end;
+            }
+        }
+        std::string digits(rest.substr(0, length));
+        std::replace(digits.begin(), digits.end(), ',', '.');
+        double value = 0.0;
+        const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        const bool minus = !all_.empty() && all_.back().text == "-";
+        const bool good =
+            status == std::errc() && end == digits.data() + digits.size() && std::isfinite(value);
+        if (minus) all_.pop_back();
+        at_ += length;
+        all_.push_back({std::string(rest.substr(0, length)),
+                        good ? std::optional(minus ? -value : value) : std::nullopt});
+    }
+
+    bool comma_;
+    std::size_t at_ = 0, given_ = 0;
+    std::vector<Token> all_;
+};
+
+/// A figure and the words behind it: its unit, if it has one.
+struct Figure {
+    double value = 0.0;
+    std::optional<Unit> unit = {};
+};
+
+class StatementReader {
+public:
+    StatementReader(std::string_view text, const Unit& unit, std::optional<double> value, bool decimal_comma)
+        : tokens_(text, decimal_comma), unit_(unit), value_(value) {}
+
+    Result<TypedStatement> run() {
+        if (!tokens_.peek()) return TypedStatement{};
+        if (!tokens_.peek()->number) word_ = tokens_.next()->text;
+        if (auto read = figures(); !read) return fail(read.error());
+        return statement();
+    }
+
+private:
+    Result<void> figures() {
+        while (const Token* token = tokens_.next()) {
+            if (token->text == "±") continue;
+            if (token->number) {
+                auto found = figure(*token->number);
+                if (!found) return fail(found.error());
+                figures_.push_back(*found);
+            } else if (auto read = named(token->text); !read) {
+                return read;
+            }
+        }
+        return {};
+    }
+
+    Result<Figure> figure(double value) {
+        Figure figure{value};
+        const Token* behind = tokens_.peek();
+        if (!behind || behind->number || is_name(behind->text)) return figure;
+        const auto unit = Unit::parse(behind->text);
+        if (!unit) return fail(unit.error());
+        tokens_.next();
+        figure.unit = *unit;
+        return figure;
+    }
+
+    static bool is_name(std::string_view word) {
+        static constexpr std::array<std::string_view, 11> names{
+            "k", "p", "nu", "ν", "nu_eff", "to", "..", "and", "ratio", "inexactness", "+"};
+        return word == "±" || std::find(names.begin(), names.end(), word) != names.end();
+    }
+
+    Result<void> named(const std::string& name) {
+        if (!is_name(name)) return not_read("'" + name + "' is not understood here");
+        const Token* token = tokens_.next();
+        if (!token || !token->number) return not_read("a number is missing after '" + name + "'");
+        auto found = figure(*token->number);
+        if (!found) return fail(found.error());
+        if (name == "nu" || name == "ν" || name == "nu_eff") {
+            degrees_of_freedom_ = found->value;
+            return {};
+        }
+        if (name == "k" || name == "p" || name == "ratio" || name == "inexactness") second_ = name;
+        if (name == "to" || name == "..") joined_ = true;
+        figures_.push_back(*found);
+        return {};
+    }
+
+    Result<TypedStatement> statement() {
+        const Notation* notation = find();
+        if (!notation)
+            return not_read("'" + word_ + "' is no way to state an uncertainty. For example: " +
+                            "75 nm; U = 0.3 um, k = 2; rectangular 0.5; resolution 0.01; constant");
+        const int count = static_cast<int>(figures_.size());
+        if (count > notation->figures)
+            return not_read(std::string(notation->kind) + " has " + std::to_string(notation->figures) +
+                            (notation->figures == 1 ? " figure" : " figures"));
+        if (count < notation->needed)
+            return not_read(std::string("a figure is missing: ") +
+                            (notation->second == "k" || notation->second == "p"
+                                 ? "an expanded uncertainty needs k = ... or p = ... %"
+                                 : "it is noted as " + example(*notation)));
+        if (!second_.empty() && second_ != notation->second)
+            return not_read("'" + second_ + "' is no part of it: it is noted as " + example(*notation));
+        TypedStatement made{std::string(notation->kind), {}, {}, degrees_of_freedom_};
+        if (count > 0) {
+            auto a = first(*notation);
+            if (!a) return fail(a.error());
+            made.a = *a;
+        }
+        if (count > 1) {
+            auto b = second(*notation);
+            if (!b) return fail(b.error());
+            made.b = *b;
+        }
+        return made;
+    }
+
+    /// By its word, and U by what is said of it.
+    const Notation* find() const {
+        if (word_.empty()) return of_kind(joined_ ? "limits" : "standard");
+        for (const Notation& notation : notations()) {
+            const bool named = std::any_of(notation.words.begin(), notation.words.end(),
+                                           [&](std::string_view word) { return same_word(word, word_); }) ||
+                               lower(word_) == notation.kind;
+            if (!named) continue;
+            const bool percent = figures_.size() > 1 && figures_[1].unit && figures_[1].unit->text() == "%";
+            if (notation.kind == "certificate-k" && (second_ == "p" || (second_.empty() && percent)))
+                continue;
+            return &notation;
+        }
+        return nullptr;
+    }
+    static const Notation* of_kind(std::string_view kind) {
+        const auto& all = notations();
+        return &*std::find_if(all.begin(), all.end(), [&](const Notation& n) { return n.kind == kind; });
+    }
+
+    Result<double> first(const Notation& notation) const {
+        const Figure& a = figures_[0];
+        if (!notation.has_unit) return a.unit ? not_read("it has no unit") : Result<double>(a.value);
+        return notation.kind == "limits" ? on_scale(a) : in_row(a);
+    }
+
+    Result<double> second(const Notation& notation) const {
+        const Figure& b = figures_[1];
+        if (notation.kind == "limits") return on_scale(b);
+        if (notation.second == "inexactness") return in_row(b);
+        const bool per_cent = notation.second == "p" || notation.second == "+";
+        if (b.unit && !(per_cent && b.unit->text() == "%"))
+            return not_read("the second figure has no unit" + std::string(per_cent ? " but %" : ""));
+        if (notation.second == "+" && !b.unit)
+            return not_read("the further part is one in %: write MPE 3 + 0.1 %");
+        // An expanded uncertainty with two bare figures says neither k nor p.
+        if ((notation.second == "k") && second_.empty())
+            return not_read("say which it is: k = ... or p = ... %");
+        return b.value;
+    }
+
+    /// An interval, in the row's unit.
+    Result<double> in_row(const Figure& figure) const {
+        const Unit row = unit_.interval();
+        if (!figure.unit || *figure.unit == row) return figure.value;
+        const Unit unit = figure.unit->interval();
+        if (unit.dimension() == row.dimension()) return converted(unit.interval_to_si(figure.value), row);
+        if (!unit.dimension().is_one()) return not_read(other_dimension(unit));
+        if (!value_) return not_read("a part of the value needs the value");
+        return clean(std::abs(*value_) * unit.interval_to_si(figure.value));
+    }
+    /// A value on the row's scale.
+    Result<double> on_scale(const Figure& figure) const {
+        if (!figure.unit || *figure.unit == unit_) return figure.value;
+        if (figure.unit->dimension() != unit_.dimension()) return not_read(other_dimension(*figure.unit));
+        return clean(unit_.from_si(figure.unit->to_si(figure.value)));
+    }
+    double converted(double si, const Unit& row) const { return clean(row.interval_from_si(si)); }
+    std::string other_dimension(const Unit& unit) const {
+        return unit.display() + " is no unit for a quantity in " + unit_.display();
+    }
+    /// Without the last digit's noise of a conversion.
+    static double clean(double value) {
+        std::array<char, 32> text{};
+        const auto end =
+            std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 14)
+                .ptr;
+        double out = value;
+        std::from_chars(text.data(), end, out);
+        return out;
+    }
+    static std::string example(const Notation& notation) {
+        const auto number = [](double value) { return std::to_string(static_cast<int>(value)); };
+        TypedStatement shown{std::string(notation.kind), {}, {}, {}};
+        if (notation.figures > 0) shown.a = 1.0;
+        if (notation.figures > 1) shown.b = notation.second == "p" ? 95.0 : 2.0;
+        return statement_text(shown, Unit(), number);
+    }
+
+    Tokens tokens_;
+    const Unit& unit_;
+    std::optional<double> value_;
+    std::string word_, second_;
+    bool joined_ = false;  ///< "1 to 2"
+    std::vector<Figure> figures_;
+    std::optional<double> degrees_of_freedom_;
+};
+
+}  // namespace
+
+Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, std::optional<double> value,
+                                      bool decimal_comma) {
+    return StatementReader(text, unit, value, decimal_comma).run();
+}
+
+std::string statement_text(const TypedStatement& statement, const Unit& unit,
+                           const std::function<std::string(double)>& number) {
+    for (const Notation& notation : notations()) {
+        if (notation.kind != statement.kind) continue;
+        const auto in_unit = [&](double figure, const Unit& of) {
+            return number(figure) + (of.text() == "1" ? "" : " " + of.display());
+        };
+        std::string text(notation.words.front());
+        const bool limits = notation.kind == "limits";
+        if (statement.a) {
+            text += " " + std::string(notation.before_a);
+            text +=
+                notation.has_unit && !limits ? in_unit(*statement.a, unit.interval()) : number(*statement.a);
+        }
+        if (!statement.b) return text;
+        if (limits) return text + " to " + in_unit(*statement.b, unit);
+        if (notation.second == "+") return text + " + " + number(*statement.b) + " %";
+        text += ", " + std::string(notation.second) + " ";
+        if (notation.second == "k") return text + "= " + number(*statement.b);
+        if (notation.second == "p") return text + "= " + number(*statement.b) + " %";
+        return text + (notation.second == "inexactness" ? in_unit(*statement.b, unit.interval())
+                                                        : number(*statement.b));
+    }
+    return statement.kind;
+}
+
+std::string statement_examples() {
+    return "75 nm: standard uncertainty\n"
+           "2 ppm: standard uncertainty, a part of the value\n"
+           "U = 0.3 um, k = 2 (or p = 95 %): certificate\n"
+           "rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine\n"
+           "limits 19.5 to 20.5: they give the value\n"
+           "resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant\n"
+           "nu 18 behind any of them: degrees of freedom";
+}
+
+}  // namespace covaria

@@ -1,0 +1,37 @@
+// A statement about a quantity as one text, the way people note it in a budget: "75 nm", "U = 0.3 um, k = 2",
+// "rectangular 2 ppm". Read once, where it is typed, and written in one form that reads back to the same.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/unit.h"
+
+namespace covaria {
+
+/// What a budget's row states: figures in the row's unit, or as they are where they have none.
+struct TypedStatement {
+    std::string kind =
+        {};  ///< key of statement_kinds(), "constant", "observations", "pooled"; empty: nothing
+    std::optional<double> a = {}, b = {};
+    std::optional<double> degrees_of_freedom = {};
+    bool operator==(const TypedStatement&) const = default;
+};
+
+/// `unit`: of the row. A figure without a unit is in it; "%" and "ppm" of a quantity that has a unit are
+/// parts of its `value`. A bare figure is a standard uncertainty. With `decimal_comma` "0,5" is a half.
+/// Errors: words that are not known, a missing or superfluous figure, a unit of another dimension.
+Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, std::optional<double> value,
+                                      bool decimal_comma = false);
+
+/// "U = 0.3 µm, k = 2"; empty for a kind that is not about figures or words of its own. `number` writes one.
+std::string statement_text(const TypedStatement& statement, const Unit& unit,
+                           const std::function<std::string(double)>& number);
+
+/// Some statements and what they mean, one a line: for help.
+std::string statement_examples();
+
+}  // namespace covaria

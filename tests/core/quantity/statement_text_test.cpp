@@ -1,0 +1,105 @@
+// What people type into a cell of a budget about an uncertainty.
+#include "core/quantity/statement_text.h"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+
+#include "core/quantity/statement.h"
+
+namespace covaria::statement_text_test {
+namespace {
+
+const Unit nm = Unit::of("nm");
+
+std::string plain(double value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+TypedStatement typed(std::string_view text, const Unit& unit = nm, std::optional<double> value = {}) {
+    const auto read = read_statement(text, unit, value);
+    EXPECT_TRUE(read) << text << ": " << (read ? "" : read.error().message);
+    return read.value_or(TypedStatement{});
+}
+std::string objection(std::string_view text, const Unit& unit = nm, std::optional<double> value = {}) {
+    const auto read = read_statement(text, unit, value);
+    EXPECT_FALSE(read) << text;
+    return read ? "" : read.error().message;
+}
+
+TEST(StatementText, IsReadAsPeopleNoteIt) {
+    EXPECT_EQ(typed(""), TypedStatement{});
+    EXPECT_EQ(typed("75"), (TypedStatement{"standard", 75.0}));
+    EXPECT_EQ(typed("75 nm"), (TypedStatement{"standard", 75.0}));
+    EXPECT_EQ(typed("75nm"), (TypedStatement{"standard", 75.0}));
+    EXPECT_EQ(typed("u = 0.075 µm"), (TypedStatement{"standard", 75.0}));
+    EXPECT_EQ(typed("25 nm nu 18"), (TypedStatement{"standard", 25.0, {}, 18.0}));
+    EXPECT_EQ(typed("U = 75 nm, k = 3, nu = 18"), (TypedStatement{"certificate-k", 75.0, 3.0, 18.0}));
+    EXPECT_EQ(typed("U 75 95 %"), (TypedStatement{"certificate-p", 75.0, 95.0}));
+    EXPECT_EQ(typed("cert 75; p=95%"), (TypedStatement{"certificate-p", 75.0, 95.0}));
+    EXPECT_EQ(typed("rect 0.5"), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(typed("±0.5 um"), (TypedStatement{"rectangular", 500.0}));
+    EXPECT_EQ(typed("+-0.5"), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(typed("tri ± 2"), (TypedStatement{"triangular", 2.0}));
+    EXPECT_EQ(typed("trap 1 ratio 0.5"), (TypedStatement{"trapezoidal", 1.0, 0.5}));
+    EXPECT_EQ(typed("limits -1 to 2"), (TypedStatement{"limits", -1.0, 2.0}));
+    EXPECT_EQ(typed("−1 .. 2"), (TypedStatement{"limits", -1.0, 2.0}));
+    EXPECT_EQ(typed("mpe 3 + 0.1 %"), (TypedStatement{"mpe", 3.0, 0.1}));
+    EXPECT_EQ(typed("MPE 3"), (TypedStatement{"mpe", 3.0}));
+    EXPECT_EQ(typed("counts 12"), (TypedStatement{"counts", 12.0}));
+    EXPECT_EQ(typed("obs"), (TypedStatement{"observations"}));
+    EXPECT_EQ(typed("Constant"), (TypedStatement{"constant"}));
+    EXPECT_EQ(read_statement("rect 0,5", nm, {}, true).value(), (TypedStatement{"rectangular", 0.5}));
+}
+
+TEST(StatementText, PartsOfTheValue) {
+    EXPECT_EQ(typed("2 ppm", Unit::of("mm"), 50.0), (TypedStatement{"standard", 1e-4}));
+    EXPECT_EQ(typed("rect 1 %", Unit::of("V"), -3.0), (TypedStatement{"rectangular", 0.03}));
+    // Of a number a part is a number: what is typed is meant.
+    EXPECT_EQ(typed("1 %", Unit(), 0.5), (TypedStatement{"standard", 0.01}));
+    EXPECT_NE(objection("2 ppm").find("needs the value"), std::string::npos);
+}
+
+TEST(StatementText, TemperaturesHaveIntervalsAndLimits) {
+    const Unit celsius = Unit::of("degC");
+    EXPECT_EQ(typed("0.1 K", celsius, 20.0), (TypedStatement{"standard", 0.1}));
+    EXPECT_EQ(typed("±0.5 °C", celsius, 20.0), (TypedStatement{"rectangular", 0.5}));
+    EXPECT_EQ(typed("limits 293.15 K to 21 °C", celsius), (TypedStatement{"limits", 20.0, 21.0}));
+}
+
+TEST(StatementText, NothingIsGuessed) {
+    EXPECT_NE(objection("U 75").find("k = "), std::string::npos);
+    EXPECT_NE(objection("U 75 2").find("k = "), std::string::npos);
+    EXPECT_NE(objection("rect").find("rectangular"), std::string::npos);
+    EXPECT_NE(objection("rect 1 2").find("1 figure"), std::string::npos);
+    EXPECT_NE(objection("about 3").find("about"), std::string::npos);
+    EXPECT_NE(objection("3 kg").find("nm"), std::string::npos);
+    EXPECT_NE(objection("rect 1 k 2").find("1 figure"), std::string::npos);
+    EXPECT_NE(objection("tri 1 k").find("after 'k'"), std::string::npos);
+    EXPECT_NE(objection("3 furlongs").find("furlongs"), std::string::npos);
+    objection("1e999");
+    objection("k 2");
+}
+
+// One form for each kind, which reads back to the same: what the cell shows can be edited.
+TEST(StatementText, ReadsBackWhatIsWritten) {
+    std::vector<TypedStatement> all{{"constant"}, {"observations"}, {"pooled", 4.0}, {"pooled"}};
+    for (const StatementKind& kind : statement_kinds()) {
+        TypedStatement statement{std::string(kind.key)};
+        if (!kind.a.empty()) statement.a = kind.key == "counts" ? 12.0 : 0.125;
+        if (!kind.b.empty()) statement.b = 2.5;
+        all.push_back(statement);
+        if (kind.b_optional) all.push_back({std::string(kind.key), statement.a});
+    }
+    for (const TypedStatement& statement : all)
+        for (const char* unit : {"nm", "1", "degC", "%", "W/(m*K)"}) {
+            const std::string text = statement_text(statement, Unit::of(unit), plain);
+            EXPECT_EQ(typed(text, Unit::of(unit), 20.0), statement) << text;
+        }
+    EXPECT_EQ(statement_text({"certificate-k", 75.0, 3.0}, nm, plain), "U = 75 nm, k = 3");
+    EXPECT_EQ(statement_text({"rectangular", 0.5}, nm, plain), "rectangular ± 0.5 nm");
+}
+
+}  // namespace
+}  // namespace covaria::statement_text_test

@@ -1,0 +1,166 @@
+// The everyday budget, with the keyboard: a gauge block with five quantities and a correlation, from nothing
+// to a PDF.
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSignalSpy>
+#include <cmath>
+
+#include "tests/ui/main_window/session_fixture.h"
+#include "ui/forms/budget_sheet_view.h"
+#include "ui/main_window/export_actions.h"
+#include "ui/models/budget_sheet_model.h"
+#include "ui/pages/budget_page.h"
+
+namespace covaria::ui::budget_session_test {
+namespace {
+
+using Section = BudgetSheetModel::Section;
+
+class BudgetSession : public Session {
+protected:
+    /// What a user does, counted: a menu entry, a text typed and left, a cell typed, a move to another row.
+    void count() { ++actions_; }
+
+    void new_equation(const QString& text) {
+        trigger(QStringLiteral("New Project"));
+        count();
+        trigger(QStringLiteral("Analysis: Measurement equation"));
+        count();
+        auto* edit = field<QPlainTextEdit>("equations");
+        edit->setFocus();
+        ASSERT_TRUE(wait_for([&] { return edit->hasFocus(); }));
+        edit->selectAll();
+        QTest::keyClicks(edit, text);
+        QTest::keyClick(edit, Qt::Key_Tab);
+        count();
+        ASSERT_TRUE(wait_for([&] { return sheet() != nullptr && sheet()->isVisible(); }));
+    }
+    BudgetSheetView* sheet() const { return window_->budget().view(); }
+    /// At the current cell, which may be one with a symbol or a unit that stays: types, goes on by Tab.
+    void type_cell(int row, Section section, const QString& text) {
+        sheet()->setFocus();
+        const QModelIndex cell = window_->budget().model()->index(row, section);
+        sheet()->selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
+        QTest::keyClick(sheet(), Qt::Key_F2);
+        QWidget* line = QApplication::focusWidget();
+        ASSERT_NE(line, sheet());
+        QTest::keyClick(line, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(line, text);
+        QTest::keyClick(line, Qt::Key_Tab);
+        count();
+    }
+    void select_rows(int first, int second) {
+        QItemSelectionModel& selection = *sheet()->selectionModel();
+        selection.select(window_->budget().model()->index(first, 0), QItemSelectionModel::ClearAndSelect);
+        selection.select(window_->budget().model()->index(second, 0), QItemSelectionModel::Select);
+        count();
+    }
+    QString cell(int row, Section section) const {
+        return window_->budget().model()->index(row, section).data().toString();
+    }
+    int row_of(const QString& symbol) const {
+        for (int row = 0; row < window_->budget().model()->rowCount(); ++row)
+            if (window_->budget().model()->index(row, Section::symbol).data(Qt::EditRole) == symbol)
+                return row;
+        ADD_FAILURE() << symbol.toStdString() << " has no row";
+        return 0;
+    }
+    void keep_picture(const QString& name) {
+        QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
+        folder.mkpath(QStringLiteral("."));
+        window_->grab().save(folder.filePath(name));
+    }
+    int actions_ = 0;
+};
+
+// Five quantities and a correlation.
+TEST_F(BudgetSession, GaugeBlockFromNothingToPdfInTwentyActions) {
+    new_equation(QStringLiteral("l = l_S + d + l_S*alpha_S*(theta_S - theta)"));
+    ASSERT_EQ(window_->budget().model()->sheet().rowCount(), 5) << "rows come with the names";
+    const struct {
+        const char *symbol, *estimate, *stated;
+    } rows[] = {{"l_S", "50.000623 mm", "25 nm nu 18"},
+                {"d", "215 nm", "9.7 nm nu 25"},
+                {"alpha_S", "11.5e-6 1/K", "rect 2e-6"},
+                {"theta_S", "0.02 K", "0.05 K"},
+                {"theta", "-0.01 K", "0.05 K"}};
+    for (const auto& row : rows) {
+        type_cell(row_of(QLatin1String(row.symbol)), Section::estimate, QLatin1String(row.estimate));
+        type_cell(row_of(QLatin1String(row.symbol)), Section::stated, QLatin1String(row.stated));
+    }
+    EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
+    ASSERT_TRUE(wait_for([&] { return status().result && status().is_of_present(); }));
+    ASSERT_TRUE(wait_for([&] { return !cell(0, Section::share).isEmpty(); }));
+    select_rows(row_of(QStringLiteral("theta_S")), row_of(QStringLiteral("theta")));
+    QLineEdit& r = window_->budget().correlation();
+    ASSERT_TRUE(wait_for([&] { return r.isEnabled(); }));
+    r.setFocus();
+    r.selectAll();
+    QTest::keyClicks(&r, QStringLiteral("0.9"));
+    QTest::keyClick(&r, Qt::Key_Return);
+    count();
+    // u^2 = (25 nm)^2 + (9.7 nm)^2 + (l alpha)^2 2 (1 - r) (0.05 K)^2 + (l 0.03 K 2e-6/K / sqrt 3)^2
+    const double thermal = 50.000623e6 * 11.5e-6, expansion = 50.000623e6 * 0.03 * 2e-6 / std::sqrt(3.0);
+    const double u =
+        std::sqrt(25.0 * 25.0 + 9.7 * 9.7 + thermal * thermal * 0.2 * 0.0025 + expansion * expansion);
+    EXPECT_TRUE(wait_for([&] {
+        return status().is_of_present() &&
+               std::abs(status().result->outputs[0].first_order.standard_uncertainty - u * 1e-9) <
+                   1e-4 * u * 1e-9;
+    })) << status().result->outputs[0].first_order.standard_uncertainty;
+    QLabel& lines = window_->budget().result_lines();
+    EXPECT_TRUE(lines.isVisible());
+    EXPECT_TRUE(lines.text().contains(QString::fromUtf8("±"))) << lines.text().toStdString();
+    settle();
+    keep_picture(QStringLiteral("budget.png"));
+    trigger(QStringLiteral("Run All"));
+    count();
+    ASSERT_TRUE(wait_for([&] { return status().is_current(); }, 60'000));
+    const QString pdf = folder_.filePath(QStringLiteral("gauge.pdf"));
+    answer_.file_to_save = pdf;
+    QSignalSpy finished(&window_->exports(), &ExportActions::finished);
+    window_->exports().pdf_action->trigger();
+    count();
+    ASSERT_TRUE(wait_for([&] { return !finished.empty(); }, 120'000));
+    EXPECT_GT(QFileInfo(pdf).size(), 10'000);
+    EXPECT_LE(actions_, 20);
+}
+
+// Tab goes over what is typed and passes what is computed; a name in the last row is a new quantity.
+TEST_F(BudgetSession, TheKeyboardGoesOverTheSheet) {
+    new_equation(QStringLiteral("y = a"));
+    sheet()->setFocus();
+    sheet()->selectionModel()->setCurrentIndex(window_->budget().model()->index(0, Section::stated),
+                                               QItemSelectionModel::ClearAndSelect);
+    QTest::keyClick(sheet(), Qt::Key_Tab);
+    EXPECT_EQ(sheet()->currentIndex().column(), Section::nu);
+    QTest::keyClick(sheet(), Qt::Key_Tab);
+    EXPECT_EQ(sheet()->currentIndex().column(), Section::source);
+    QTest::keyClick(sheet(), Qt::Key_Tab);
+    EXPECT_EQ(sheet()->currentIndex().row(), 1);
+    EXPECT_EQ(sheet()->currentIndex().column(), Section::symbol);
+    type_keys(QStringLiteral("b"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&] { return window_->budget().model()->sheet().rowCount() == 2; }, 2000));
+    EXPECT_EQ(cell(1, Section::symbol), QStringLiteral("b"));
+}
+
+// The centre belongs to the analysis: equations have a budget, scenes have none over them.
+TEST_F(BudgetSession, IsThereForEquationsOnly) {
+    open(project_copy());
+    ASSERT_TRUE(wait_for([&] { return status().prepared != nullptr; }));
+    EXPECT_EQ(sheet(), nullptr);
+    EXPECT_TRUE(window_->budget().isHidden());
+    const QString file = folder_.filePath(QStringLiteral("h1.covaria"));
+    ASSERT_TRUE(QFile::copy(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria"), file));
+    open(file);
+    ASSERT_TRUE(wait_for([&] { return sheet() && sheet()->isVisible(); }));
+    ASSERT_TRUE(wait_for([&] { return !cell(0, Section::share).isEmpty(); }));
+    settle();
+    keep_picture(QStringLiteral("budget-h1.png"));
+}
+
+}  // namespace
+}  // namespace covaria::ui::budget_session_test

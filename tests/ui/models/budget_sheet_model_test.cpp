@@ -1,0 +1,141 @@
+// The budget as it is typed: statements with their units in one cell, and what comes of them beside.
+#include "ui/models/budget_sheet_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+
+#include "core/made/made_project.h"
+#include "core/propagation/engine.h"
+#include "tests/ui/qt_application.h"
+#include "ui/models/roles.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui::budget_sheet_model_test {
+namespace {
+
+using Section = BudgetSheetModel::Section;
+
+Project equation_project() {
+    AnalysisEntry analysis;
+    analysis.id = "budget";
+    analysis.model = "measurement-equation";
+    analysis.setup.values["equations"] = std::string("l = l_S + d");
+    Project project;
+    project.analyses = {analysis};
+    return project;
+}
+
+struct BudgetSheetModelTest : testing::Test {
+    BudgetSheetModelTest() {
+        document.replace(equation_project());
+        const SetupAddress address{SetupOwner::analysis, "budget"};
+        const FieldSpec* field = find_schema(document.project(), address)->find("quantities");
+        model = std::make_unique<BudgetSheetModel>(document, address, *field);
+        tester = std::make_unique<QAbstractItemModelTester>(
+            model.get(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    }
+    QString text(int row, Section section) const { return model->index(row, section).data().toString(); }
+    QString problem(int row, Section section) const {
+        return model->index(row, section).data(problem_role).toString();
+    }
+    bool type(int row, Section section, const char* value) {
+        return model->setData(model->index(row, section), QString::fromUtf8(value));
+    }
+    SetupCell stored(int row, const char* key) const {
+        const SetupTable& table = model->sheet().table();
+        return table.rows[std::size_t(row)][SetupSchema::column(*model->sheet().field(), key)];
+    }
+    /// Results of the project as it is now.
+    void evaluate() {
+        const auto made = MadeProject::make(document.project());
+        const auto analysis = made->analysis("budget");
+        ASSERT_TRUE(analysis) << first_error(made->problems(), "");
+        auto result = evaluate_first_order(*analysis->propagated, analysis->options);
+        ASSERT_TRUE(result);
+        model->set_result(std::make_shared<const UncertaintyResult>(std::move(*result)), 0, true);
+    }
+    Document document{[](const MadeProject&) { return Problems{}; }, nullptr};
+    std::unique_ptr<BudgetSheetModel> model;
+    std::unique_ptr<QAbstractItemModelTester> tester;
+};
+
+TEST_F(BudgetSheetModelTest, IsTypedFromNothing) {
+    ASSERT_EQ(model->rowCount(), 1) << "a row to type into";
+    ASSERT_TRUE(type(0, Section::symbol, "l_S"));
+    ASSERT_TRUE(type(0, Section::estimate, "50.000623 mm"));
+    ASSERT_TRUE(type(0, Section::stated, "25 nm nu 18"));
+    EXPECT_EQ(stored(0, "unit"), SetupCell(std::string("mm")));
+    EXPECT_EQ(stored(0, "value"), SetupCell(50.000623));
+    EXPECT_EQ(stored(0, "statement"), SetupCell(std::string("standard")));
+    EXPECT_EQ(stored(0, "a"), SetupCell(2.5e-5)) << "in the row's unit";
+    EXPECT_EQ(stored(0, "nu"), SetupCell(18.0));
+    ASSERT_EQ(model->rowCount(), 2);
+    EXPECT_EQ(document.undo_stack().count(), 3) << "a cell is one step";
+    type(1, Section::symbol, "d");
+    type(1, Section::estimate, "215 nm");
+    type(1, Section::stated, "U = 0.0194 um, k = 2");
+    evaluate();
+    EXPECT_EQ(text(0, Section::u), QStringLiteral("2.5×10⁻⁵"));
+    EXPECT_EQ(text(1, Section::u), QStringLiteral("9.7"));
+    EXPECT_EQ(text(1, Section::distribution), QStringLiteral("normal"));
+    EXPECT_EQ(text(1, Section::type), QStringLiteral("B"));
+    EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("U = 19.4 nm, k = 2"));
+    const double share = model->index(0, Section::share).data(exact_role).toDouble();
+    EXPECT_NEAR(share, 25.0 * 25.0 / (25.0 * 25.0 + 9.7 * 9.7), 1e-12);
+}
+
+TEST_F(BudgetSheetModelTest, WhatIsWrittenCanBeEdited) {
+    type(0, Section::symbol, "x");
+    type(0, Section::unit, "um");
+    type(0, Section::stated, "rect 0.5");
+    EXPECT_EQ(text(0, Section::stated), QString::fromUtf8("rectangular ± 0.5 µm"));
+    ASSERT_TRUE(model->setData(model->index(0, Section::stated),
+                               model->index(0, Section::stated).data(Qt::EditRole)));
+    EXPECT_EQ(stored(0, "a"), SetupCell(0.5));
+    type(0, Section::stated, "");
+    EXPECT_EQ(stored(0, "statement"), SetupCell());
+    EXPECT_EQ(stored(0, "a"), SetupCell());
+}
+
+TEST_F(BudgetSheetModelTest, WhatIsNotUnderstoodIsKeptAndSaidWhy) {
+    type(0, Section::symbol, "x");
+    type(0, Section::stated, "rect 0.5");
+    type(0, Section::stated, "U 75");
+    EXPECT_EQ(text(0, Section::stated), QStringLiteral("U 75"));
+    EXPECT_TRUE(problem(0, Section::stated).contains(QStringLiteral("k = ")));
+    EXPECT_EQ(stored(0, "statement"), SetupCell(std::string("rectangular"))) << "the project stays as it was";
+    EXPECT_FALSE(document.unread().held(document.project()).analyses.empty()) << "and is not evaluated";
+    type(0, Section::stated, "tri 0.5");
+    EXPECT_TRUE(problem(0, Section::stated).isEmpty());
+    type(0, Section::unit, "mm");
+    type(0, Section::estimate, "3 kg");
+    EXPECT_EQ(text(0, Section::estimate), QStringLiteral("3 kg"));
+    EXPECT_FALSE(problem(0, Section::estimate).isEmpty());
+    type(0, Section::estimate, "300 um");
+    EXPECT_EQ(stored(0, "value"), SetupCell(0.3));
+}
+
+// Copied out and pasted in again, computed cells and all: the same.
+TEST_F(BudgetSheetModelTest, ABlockIsPastedAsOneStep) {
+    EXPECT_EQ(model->paste(model->index(0, 0), QStringLiteral("a\tlength\t3\tmm\trect 20 um\n"
+                                                              "b\twidth\t4\tmm\tu = 0.1 mm\n")),
+              0);
+    ASSERT_EQ(model->sheet().rowCount(), 2);
+    EXPECT_EQ(stored(0, "a"), SetupCell(0.02));
+    EXPECT_EQ(stored(1, "name"), SetupCell(std::string("width")));
+    EXPECT_EQ(document.undo_stack().count(), 1);
+    document.undo_stack().undo();
+    EXPECT_EQ(model->sheet().rowCount(), 0);
+}
+
+TEST_F(BudgetSheetModelTest, ComputedCellsAreNotTyped) {
+    type(0, Section::symbol, "x");
+    for (int section = 0; section < BudgetSheetModel::sections; ++section)
+        EXPECT_EQ(bool(model->flags(model->index(0, section)) & Qt::ItemIsEditable),
+                  !BudgetSheetModel::is_computed(section));
+    EXPECT_FALSE(type(0, Section::u, "3"));
+}
+
+}  // namespace
+}  // namespace covaria::ui::budget_sheet_model_test

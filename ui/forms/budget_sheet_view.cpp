@@ -1,0 +1,78 @@
+#include "ui/forms/budget_sheet_view.h"
+
+#include <QHeaderView>
+#include <QScrollBar>
+
+#include "ui/forms/cell_delegate.h"
+#include "ui/theme/typeset_views.h"
+
+namespace covaria::ui {
+
+BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
+    : SpreadsheetView(model, parent), frozen_(new QTableView(this)) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setHorizontalScrollMode(ScrollPerPixel);
+    setVerticalScrollMode(ScrollPerPixel);
+    frozen_->setHorizontalHeader(new TypesetHeader(Qt::Horizontal, frozen_));
+    frozen_->setModel(&model);
+    frozen_->setSelectionModel(selectionModel());
+    frozen_->setItemDelegate(new CellDelegate(frozen_));
+    frozen_->setEditTriggers(NoEditTriggers);
+    frozen_->setFocusProxy(this);
+    frozen_->setFrameShape(QFrame::NoFrame);
+    frozen_->setAlternatingRowColors(true);
+    frozen_->verticalHeader()->hide();
+    frozen_->verticalHeader()->setDefaultSectionSize(verticalHeader()->defaultSectionSize());
+    frozen_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    frozen_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    frozen_->setVerticalScrollMode(ScrollPerPixel);
+    for (int column = 1; column < model.columnCount(); ++column) frozen_->setColumnHidden(column, true);
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, &BudgetSheetView::place_frozen);
+    connect(verticalHeader(), &QHeaderView::geometriesChanged, this, &BudgetSheetView::place_frozen);
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, frozen_->verticalScrollBar(),
+            &QScrollBar::setValue);
+    connect(frozen_->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(),
+            &QScrollBar::setValue);
+    connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, &BudgetSheetView::place_frozen);
+    connect(frozen_, &QTableView::doubleClicked, this, [this](const QModelIndex& cell) {
+        setFocus();
+        scrollTo(cell);
+        edit(cell);
+    });
+    place_frozen();
+}
+
+/// Only where the column itself is out of view: it is edited in its own place.
+void BudgetSheetView::place_frozen() {
+    frozen_->setVisible(horizontalScrollBar()->value() > 0);
+    frozen_->setColumnWidth(0, columnWidth(0));
+    frozen_->horizontalHeader()->setFixedHeight(horizontalHeader()->height());
+    frozen_->setGeometry(verticalHeader()->width() + frameWidth(), frameWidth(), columnWidth(0),
+                         viewport()->height() + horizontalHeader()->height());
+}
+
+void BudgetSheetView::resizeEvent(QResizeEvent* event) {
+    SpreadsheetView::resizeEvent(event);
+    place_frozen();
+}
+
+/// Not under the frozen column.
+void BudgetSheetView::scrollTo(const QModelIndex& index, ScrollHint hint) {
+    SpreadsheetView::scrollTo(index, hint);
+    if (index.column() == 0) return;
+    const int hidden = columnWidth(0) - visualRect(index).left();
+    if (hidden > 0) horizontalScrollBar()->setValue(horizontalScrollBar()->value() - hidden);
+}
+
+QModelIndex BudgetSheetView::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) {
+    QModelIndex cell = SpreadsheetView::moveCursor(action, modifiers);
+    if (action != MoveNext && action != MovePrevious) return cell;
+    const int cells = model()->rowCount() * model()->columnCount(), columns = model()->columnCount();
+    for (int i = 0; i < cells && cell.isValid() && !(cell.flags() & Qt::ItemIsEditable); ++i) {
+        const int next = cell.row() * columns + cell.column() + (action == MoveNext ? 1 : cells - 1);
+        cell = model()->index((next % cells) / columns, next % columns);
+    }
+    return cell;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,26 @@
+// The spreadsheet of a budget: its symbols stay in view, Tab goes over what can be typed.
+#pragma once
+
+#include "ui/forms/spreadsheet_view.h"
+
+namespace covaria::ui {
+
+class BudgetSheetView : public SpreadsheetView {
+    Q_OBJECT
+public:
+    explicit BudgetSheetView(SpreadsheetModel& model, QWidget* parent = nullptr);
+    QSize sizeHint() const override { return QTableView::sizeHint(); }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+protected:
+    QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void scrollTo(const QModelIndex& index, ScrollHint hint = EnsureVisible) override;
+
+private:
+    void place_frozen();
+
+    QTableView* frozen_;  ///< the first column over the others
+};
+
+}  // namespace covaria::ui

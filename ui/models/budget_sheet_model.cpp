@@ -1,0 +1,406 @@
+#include "ui/models/budget_sheet_model.h"
+
+#include <QGuiApplication>
+#include <QPalette>
+#include <array>
+#include <charconv>
+
+#include "core/quantity/statement_text.h"
+#include "core/report/result_columns.h"
+#include "core/text/symbol.h"
+#include "ui/document/quantity_text.h"
+#include "ui/models/cell_blocks.h"
+#include "ui/models/number_words.h"
+#include "ui/models/roles.h"
+#include "ui/theme/label_text.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+struct SectionHead {
+    const char* title;
+    const char* help;
+    const char* of_setup;   ///< key of the column that it shows; null: none
+    const char* of_budget;  ///< likewise of the result's budget
+};
+
+constexpr std::array<SectionHead, BudgetSheetModel::sections> heads{{
+    {QT_TR_NOOP("symbol"), QT_TR_NOOP("As the equations use it; further rows of a symbol add components"),
+     "symbol", nullptr},
+    {QT_TR_NOOP("quantity"), QT_TR_NOOP("What it is"), "name", nullptr},
+    {QT_TR_NOOP("estimate"), QT_TR_NOOP("In the row's unit: 50.000 838 or 50.000 838 mm"), "value", nullptr},
+    {QT_TR_NOOP("unit"), QT_TR_NOOP("Of the estimate and of what is stated"), "unit", nullptr},
+    {QT_TR_NOOP("stated as"), "", "statement", nullptr},
+    {QT_TR_NOOP("distribution"), QT_TR_NOOP("That Monte Carlo draws"), nullptr, "distribution"},
+    {QT_TR_NOOP("type"), QT_TR_NOOP("Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)"), nullptr, "type"},
+    {"nu", QT_TR_NOOP("Degrees of freedom; empty: infinite, or those of the observations"), "nu",
+     "degrees of freedom"},
+    {"u", QT_TR_NOOP("Standard uncertainty, in the row's unit"), nullptr, "u"},
+    {"c", QT_TR_NOOP("Sensitivity coefficient, unit of the result per unit of the row"), nullptr,
+     "sensitivity"},
+    {"|c|·u", QT_TR_NOOP("Contribution to the standard uncertainty of the result"), nullptr, "contribution"},
+    {QT_TR_NOOP("index / %"), QT_TR_NOOP("Share of the variance, with its part of the covariances"), nullptr,
+     "share of variance"},
+    {QT_TR_NOOP("source"), QT_TR_NOOP("Where the figure comes from"), "source", nullptr},
+}};
+
+const SectionHead& head_of(int section) {
+    return heads[static_cast<std::size_t>(section)];
+}
+
+/// The row of a table that a JSON pointer names: "/quantities/rows/3".
+std::optional<std::size_t> row_of(const std::string& source, const std::string& table) {
+    const std::string before = "/" + table + "/rows/";
+    if (!source.starts_with(before)) return std::nullopt;
+    std::size_t row = 0;
+    const auto [end, status] =
+        std::from_chars(source.data() + before.size(), source.data() + source.size(), row);
+    return status == std::errc() ? std::optional(row) : std::nullopt;
+}
+
+}  // namespace
+
+BudgetSheetModel::BudgetSheetModel(Document& document, const SetupAddress& address, const FieldSpec& field,
+                                   QObject* parent)
+    : SpreadsheetModel(parent), field_(field), sheet_(document, address, field.key) {
+    follow_sheet();
+}
+
+bool BudgetSheetModel::is_computed(int section) {
+    return head_of(section).of_setup == nullptr;
+}
+
+void BudgetSheetModel::follow_sheet() {
+    connect(&sheet_, &QAbstractItemModel::dataChanged, this,
+            [this](const QModelIndex& first, const QModelIndex& last) {
+                emit dataChanged(index(first.row(), 0), index(last.row(), sections - 1));
+            });
+    connect(&sheet_, &QAbstractItemModel::rowsAboutToBeInserted, this,
+            [this](const QModelIndex&, int first, int last) { beginInsertRows({}, first, last); });
+    connect(&sheet_, &QAbstractItemModel::rowsInserted, this, [this] { endInsertRows(); });
+    connect(&sheet_, &QAbstractItemModel::rowsAboutToBeRemoved, this,
+            [this](const QModelIndex&, int first, int last) { beginRemoveRows({}, first, last); });
+    connect(&sheet_, &QAbstractItemModel::rowsRemoved, this, [this] { endRemoveRows(); });
+    connect(&sheet_, &QAbstractItemModel::modelAboutToBeReset, this, [this] { beginResetModel(); });
+    connect(&sheet_, &QAbstractItemModel::modelReset, this, [this] { endResetModel(); });
+}
+
+void BudgetSheetModel::set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output,
+                                  bool current) {
+    if (result && output >= result->budget.rows.size()) result.reset();
+    result_ = std::move(result);
+    output_ = output;
+    current_ = current;
+    refresh_computed();
+    emit headerDataChanged(Qt::Horizontal, 0, sections - 1);
+    emit dataChanged(index(0, 0), index(rowCount() - 1, sections - 1));
+}
+
+/// Which component each row states; of a chain of analyses only those of this one's set-up.
+void BudgetSheetModel::refresh_computed() {
+    lines_.clear();
+    components_.clear();
+    budget_ = {};
+    if (!result_) return;
+    const auto at = [](auto& list, std::size_t row) -> auto& {
+        if (list.size() <= row) list.resize(row + 1);
+        return list[row];
+    };
+    for (const InputQuantity& quantity : result_->inputs.quantities) {
+        if (!quantity.analysis.empty()) continue;
+        for (const Share& part : quantity.shares)
+            if (const auto row = row_of(result_->inputs.components[part.component].source, field_.key))
+                at(components_, *row) = part.component;
+    }
+    budget_ = budget_table(*result_, budget_places(*result_, output_));
+    const std::vector<BudgetRow>& rows = result_->budget.rows[output_];
+    lines_.resize(components_.size());
+    for (std::size_t row = 0; row < components_.size(); ++row)
+        for (std::size_t line = 0; components_[row] && line < rows.size(); ++line)
+            if (rows[line].component == *components_[row]) lines_[row] = line;
+}
+
+std::string BudgetSheetModel::component_of(int row) const {
+    const auto at = static_cast<std::size_t>(row);
+    const bool known = result_ && at < components_.size() && components_[at];
+    return known ? result_->budget.components[*components_[at]].id : std::string();
+}
+
+int BudgetSheetModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : sheet_.rowCount() + (is_linked() ? 0 : 1);
+}
+
+int BudgetSheetModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : sections;
+}
+
+int BudgetSheetModel::column(const char* key) const {
+    return static_cast<int>(SetupSchema::column(field_, key));
+}
+
+int BudgetSheetModel::column_of(int section) const {
+    const char* key = head_of(section).of_setup;
+    return key ? column(key) : -1;
+}
+
+std::optional<double> BudgetSheetModel::number_at(int row, const char* key) const {
+    if (is_new_row(row)) return std::nullopt;
+    const SetupCell& cell =
+        sheet_.table().rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column(key))];
+    const double* number = std::get_if<double>(&cell);
+    return number ? std::optional(*number) : std::nullopt;
+}
+
+Unit BudgetSheetModel::unit_of(int row) const {
+    if (is_new_row(row)) return {};
+    const SetupCell& cell =
+        sheet_.table().rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column("unit"))];
+    const std::string* text = std::get_if<std::string>(&cell);
+    return text ? Unit::parse(*text).value_or(Unit()) : Unit();
+}
+
+QString BudgetSheetModel::stated_words(int row) const {
+    if (is_new_row(row)) return {};
+    const SetupCell& cell =
+        sheet_.table().rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column("statement"))];
+    const std::string* kind = std::get_if<std::string>(&cell);
+    if (!kind) return {};
+    const TypedStatement statement{*kind, number_at(row, "a"), number_at(row, "b"), std::nullopt};
+    return to_qt(statement_text(statement, unit_of(row),
+                                [](double value) { return to_std(number_text(value, QLocale())); }));
+}
+
+QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {
+    const QModelIndex cell = sheet_.index(row, column_of(section));
+    const bool words = role == Qt::DisplayRole || role == Qt::EditRole;
+    if (section == symbol && (role == typeset_role || role == Qt::DisplayRole)) {
+        const Text text = symbol_text(to_std(cell.data(Qt::EditRole).toString()));
+        return role == typeset_role ? QVariant::fromValue(text) : QVariant(to_qt(to_unicode(text)));
+    }
+    if (section == estimate && role == Qt::DisplayRole && cell.data(Qt::EditRole).toString().isEmpty())
+        return computed(row, section, role);
+    if (section == nu && role == Qt::DisplayRole && cell.data(role).toString().isEmpty())
+        return computed(row, section, role);
+    if (section == stated) return stated_cell(row, role);
+    if (words && section == unit && role == Qt::DisplayRole) {
+        const QString text = cell.data(role).toString();
+        const auto read = Unit::parse(to_std(text));
+        return read && !text.isEmpty() ? to_qt(read->display()) : text;
+    }
+    return cell.data(role);
+}
+
+/// Its own words, what cannot be read as it was typed, and the problems of all figures in it.
+QVariant BudgetSheetModel::stated_cell(int row, int role) const {
+    const QModelIndex kind = sheet_.index(row, column("statement"));
+    const bool refused = sheet_.is_refused(row, column("statement"));
+    if (role == Qt::DisplayRole || role == Qt::EditRole)
+        return refused ? kind.data(Qt::EditRole) : QVariant(stated_words(row));
+    if (role == choices_role) return {};
+    for (const char* key : {"statement", "a", "b"}) {
+        const QModelIndex cell = sheet_.index(row, column(key));
+        if (!cell.data(problem_role).toString().isEmpty()) return cell.data(role);
+    }
+    if (role == Qt::ToolTipRole) return to_qt(statement_examples());
+    return kind.data(role);
+}
+
+QVariant BudgetSheetModel::computed(int row, int section, int role) const {
+    const auto at = static_cast<std::size_t>(row);
+    if (role == Qt::ForegroundRole && !current_)
+        return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
+    if (role == Qt::TextAlignmentRole)
+        return QVariant((section == distribution || section == type ? Qt::AlignLeft : Qt::AlignRight) |
+                        Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole) return current_ ? QVariant() : QVariant(tr("Out of date: being computed."));
+    if (!result_ || at >= components_.size() || !components_[at]) return {};
+    const TableView view{{}, 2, user_numbers()};
+    const BudgetComponent& component = result_->budget.components[*components_[at]];
+    if (section == estimate && role == Qt::DisplayRole)
+        return localized(format_typed(component.quantity_unit.from_si(component.estimate)));
+    const char* key = head_of(section).of_budget;
+    if (!key) return {};
+    if (lines_[at]) {
+        const Column& of = budget_[key];
+        if (role == exact_role) {
+            const auto number = number_in(of.cell(*lines_[at]));
+            return number ? QVariant(*number) : QVariant();
+        }
+        if (role == Qt::DisplayRole) return to_qt(to_unicode(cell_shown(budget_, of, *lines_[at], view)));
+        if (role == typeset_role) return QVariant::fromValue(cell_shown(budget_, of, *lines_[at], view));
+        return {};
+    }
+    if (role != Qt::DisplayRole) return {};
+    if (section == distribution) return to_qt(component.distribution);
+    if (section == u)
+        return localized(
+            format_significant(component.unit.interval_from_si(component.standard_uncertainty), 3));
+    return {};
+}
+
+QVariant BudgetSheetModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+    const int section = index.column();
+    if (is_computed(section)) return computed(index.row(), section, role);
+    if (!is_new_row(index.row())) return of_sheet(index.row(), section, role);
+    if (role == Qt::ToolTipRole && section == symbol) return tr("Type a name here to add a quantity");
+    if (role == Qt::TextAlignmentRole)
+        return QVariant((section == estimate || section == nu ? Qt::AlignRight : Qt::AlignLeft) |
+                        Qt::AlignVCenter);
+    return {};
+}
+
+QVariant BudgetSheetModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) {
+        if (section >= sheet_.rowCount())
+            return role == Qt::DisplayRole ? QVariant(QStringLiteral("+")) : QVariant();
+        return sheet_.headerData(section, orientation, role);
+    }
+    if (section < 0 || section >= sections) return {};
+    const SectionHead& head = head_of(section);
+    Text title = section == nu ? symbol_text("nu") : Text(to_std(tr(head.title)));
+    if (section == contribution && result_)
+        title = to_std(
+            with_unit(QString::fromUtf8(head.title), result_->outputs[output_].quantity.unit.interval()));
+    if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
+    if (role == typeset_role) return QVariant::fromValue(title);
+    if (role == Qt::ToolTipRole) return section == stated ? to_qt(statement_examples()) : tr(head.help);
+    return {};
+}
+
+Qt::ItemFlags BudgetSheetModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags flags = SpreadsheetModel::flags(index);
+    const bool editable = index.isValid() && !is_linked() && !is_computed(index.column());
+    return editable ? flags | Qt::ItemIsEditable : flags;
+}
+
+BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text) const {
+    const auto read = read_statement(to_std(text), unit_of(row), number_at(row, "value"),
+                                     QLocale().decimalPoint() == QLatin1String(","));
+    Cells cells;
+    if (!read) {
+        cells[column("statement")] = {text, to_qt(read.error().message)};
+        return cells;
+    }
+    const auto number = [](const std::optional<double>& value) {
+        return SetupTableModel::TypedCell{value ? number_text(*value, QLocale()) : QString()};
+    };
+    cells[column("statement")] = {to_qt(read->kind)};
+    cells[column("a")] = number(read->a);
+    cells[column("b")] = number(read->b);
+    if (read->degrees_of_freedom) cells[column("nu")] = number(read->degrees_of_freedom);
+    return cells;
+}
+
+/// A unit typed behind the number is the row's where it has none yet; else the number is converted.
+BudgetSheetModel::Cells BudgetSheetModel::cells_of_estimate(int row, const QString& text) const {
+    const QString trimmed = text.trimmed();
+    qsizetype digits = trimmed.size();
+    while (digits > 0 && !parse_number(trimmed.left(digits), QLocale())) --digits;
+    const QString behind = trimmed.mid(digits).trimmed();
+    Cells cells;
+    if (digits == 0 || behind.isEmpty()) {
+        cells[column("value")] = {text};
+        return cells;
+    }
+    const auto typed = parse_unit(behind);
+    if (!typed) {
+        cells[column("value")] = {text, to_qt(typed.error().message)};
+        return cells;
+    }
+    const double value = *parse_number(trimmed.left(digits), QLocale());
+    const bool has_unit =
+        !is_new_row(row) && !sheet_.index(row, column("unit")).data(Qt::EditRole).toString().isEmpty();
+    if (!has_unit) {
+        cells[column("value")] = {number_text(value, QLocale())};
+        cells[column("unit")] = {to_qt(typed->text())};
+        return cells;
+    }
+    const Unit of_row = unit_of(row);
+    if (typed->dimension() == of_row.dimension())
+        cells[column("value")] = {number_text(converted(value, *typed, of_row), QLocale())};
+    else
+        cells[column("value")] = {
+            text, tr("%1 is no unit for a quantity in %2.").arg(behind, to_qt(of_row.display()))};
+    return cells;
+}
+
+BudgetSheetModel::Cells BudgetSheetModel::cells_for(int row, int section, const QString& text) const {
+    if (section == stated) return cells_of_statement(row, text);
+    if (section == estimate) return cells_of_estimate(row, text);
+    Cells cells;
+    cells[column_of(section)] = {text};
+    return cells;
+}
+
+bool BudgetSheetModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
+    const QString text = value.toString();
+    if (is_new_row(index.row()) && text.trimmed().isEmpty()) return false;
+    sheet_.write_row(index.row(), cells_for(index.row(), index.column(), text));
+    return true;
+}
+
+bool BudgetSheetModel::insertRows(int row, int count, const QModelIndex& parent) {
+    return sheet_.insertRows(std::min(row, sheet_.rowCount()), count, parent);
+}
+
+bool BudgetSheetModel::removeRows(int row, int count, const QModelIndex& parent) {
+    return sheet_.removeRows(row, std::min(count, sheet_.rowCount() - row), parent);
+}
+
+void BudgetSheetModel::remove_rows_at(const std::set<int>& rows) {
+    std::set<int> there = rows;
+    there.erase(sheet_.rowCount());
+    sheet_.remove_rows_at(there);
+}
+
+/// What is computed is passed over, so that a whole copied budget can be pasted back.
+int BudgetSheetModel::paste(const QModelIndex& at, const QString& text) {
+    const std::vector<QStringList> block = parse_block(text, QLocale());
+    const int top = at.isValid() ? at.row() : sheet_.rowCount(), left = at.isValid() ? at.column() : 0;
+    const QString step = next_step();
+    int refused = 0;
+    for (std::size_t r = 0; r < block.size() && !is_linked(); ++r) {
+        const int row = top + static_cast<int>(r);
+        const auto take = [&](int section) {
+            const int given = section - left;
+            if (given >= 0 && given < block[r].size() && !is_computed(section))
+                refused += sheet_.write_row(row, cells_for(row, section, block[r][given]), step);
+        };
+        take(unit);  // first: figures are read in it
+        for (int section = left; section < sections; ++section)
+            if (section != unit) take(section);
+    }
+    return refused;
+}
+
+void BudgetSheetModel::fill_down(const QModelIndexList& cells) {
+    std::map<int, std::set<int>> rows_of;
+    for (const QModelIndex& cell : cells)
+        if ((flags(cell) & Qt::ItemIsEditable) && !is_new_row(cell.row()))
+            rows_of[cell.column()].insert(cell.row());
+    const QString step = next_step();
+    for (const auto& [section, rows] : rows_of)
+        for (const int row : rows)
+            if (row != *rows.begin())
+                sheet_.write_row(
+                    row, cells_for(row, section, index(*rows.begin(), section).data(Qt::EditRole).toString()),
+                    step);
+}
+
+void BudgetSheetModel::clear(const QModelIndexList& cells) {
+    const QString step = next_step();
+    for (const QModelIndex& cell : cells)
+        if ((flags(cell) & Qt::ItemIsEditable) && !is_new_row(cell.row()))
+            sheet_.write_row(cell.row(), cells_for(cell.row(), cell.column(), QString()), step);
+}
+
+/// What is written with one of these keys is undone at once.
+QString BudgetSheetModel::next_step() {
+    return QStringLiteral("budget:%1").arg(++steps_);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,95 @@
+// The budget of an analysis as it is typed and as it comes out, in one table in the form of EA-4/02: what is
+// stated of each quantity beside what it contributes to an output.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/report/table.h"
+#include "core/result/uncertainty_result.h"
+#include "ui/models/setup_table_model.h"
+
+namespace covaria::ui {
+
+/// The rows are those of the table of the set-up that states quantities (FieldSpec::states_quantities), and
+/// one more to type a new one into. What is stated is edited through `sheet()`, so undo, problems and texts
+/// that cannot be read are its own; the rest is read from a result.
+class BudgetSheetModel : public SpreadsheetModel {
+    Q_OBJECT
+public:
+    /// In the order of the columns.
+    enum Section {
+        symbol,
+        name,
+        estimate,
+        unit,
+        stated,
+        distribution,
+        type,
+        nu,
+        u,
+        c,
+        contribution,
+        share,
+        source
+    };
+    static constexpr int sections = source + 1;
+
+    BudgetSheetModel(Document& document, const SetupAddress& address, const FieldSpec& field,
+                     QObject* parent = nullptr);
+
+    /// A null result, or an output it does not have, leaves the computed cells empty.
+    void set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output, bool current);
+    SetupTableModel& sheet() { return sheet_; }
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+    bool insertRows(int row, int count, const QModelIndex& parent = {}) override;
+    bool removeRows(int row, int count, const QModelIndex& parent = {}) override;
+
+    int paste(const QModelIndex& at, const QString& text) override;
+    void fill_down(const QModelIndexList& cells) override;
+    void clear(const QModelIndexList& cells) override;
+    void remove_rows_at(const std::set<int>& rows) override;
+    bool is_linked() const override { return sheet_.is_linked(); }
+
+    static bool is_computed(int section);
+    /// Id of the component that the row states in the result shown; empty: none.
+    std::string component_of(int row) const;
+
+private:
+    using Cells = std::map<int, SetupTableModel::TypedCell>;
+    void follow_sheet();
+    void refresh_computed();
+    bool is_new_row(int row) const { return row == sheet_.rowCount(); }
+    int column(const char* key) const;
+    /// Of the set-up's table; -1: the section has none of its own.
+    int column_of(int section) const;
+    QVariant computed(int row, int section, int role) const;
+    QVariant of_sheet(int row, int section, int role) const;
+    QVariant stated_cell(int row, int role) const;
+    QString stated_words(int row) const;
+    Unit unit_of(int row) const;
+    std::optional<double> number_at(int row, const char* key) const;
+    /// What typing `text` into a section of a row writes there and beside it.
+    Cells cells_for(int row, int section, const QString& text) const;
+    Cells cells_of_statement(int row, const QString& text) const;
+    Cells cells_of_estimate(int row, const QString& text) const;
+    QString next_step();
+
+    const FieldSpec& field_;
+    SetupTableModel sheet_;
+    std::shared_ptr<const UncertaintyResult> result_;
+    std::size_t output_ = 0;
+    bool current_ = true;
+    int steps_ = 0;
+    Table budget_;                                   ///< of the result's output, a line for each row there
+    std::vector<std::optional<std::size_t>> lines_;  ///< of `budget_`, for each row of the sheet
+    std::vector<std::optional<std::size_t>> components_;  ///< of the result, likewise
+};
+
+}  // namespace covaria::ui

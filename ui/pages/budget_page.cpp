@@ -1,0 +1,168 @@
+#include "ui/pages/budget_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "core/report/result_statement.h"
+#include "core/text/symbol.h"
+#include "ui/forms/budget_sheet_view.h"
+#include "ui/models/number_words.h"
+#include "ui/run/result_words.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+constexpr std::size_t most_lines = 6;  // of results; all are in the table below
+
+const FieldSpec* stating_table(const Project& project, const SetupAddress& address) {
+    const SetupSchema* schema = find_schema(project, address);
+    if (!schema) return nullptr;
+    const auto& fields = schema->fields();
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [](const FieldSpec& f) { return f.states_quantities; });
+    return found == fields.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
+    : QWidget(parent), document_(document), runner_(runner), selection_(selection), correlations_(document) {
+    column_ = new QVBoxLayout(this);
+    column_->setContentsMargins(12, 4, 12, 8);
+    column_->setSpacing(6);
+    lines_ = new QLabel(this);
+    lines_->setTextFormat(Qt::RichText);
+    lines_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    lines_->setWordWrap(true);
+    lines_->setAccessibleName(tr("Results"));
+    pair_ = new QLabel(this);
+    pair_->setTextFormat(Qt::RichText);
+    correlation_ = new QLineEdit(this);
+    correlation_->setObjectName(QStringLiteral("correlation"));
+    correlation_->setAccessibleName(tr("Correlation coefficient"));
+    correlation_->setToolTip(tr("Select two rows, and type the correlation coefficient of their components"));
+    correlation_->setFixedWidth(8 * fontMetrics().averageCharWidth() + 12);
+    auto* below = new QHBoxLayout;
+    below->addWidget(lines_, 1);
+    below->addWidget(pair_, 0, Qt::AlignTop);
+    below->addWidget(correlation_, 0, Qt::AlignTop);
+    column_->addLayout(below);
+    connect(correlation_, &QLineEdit::editingFinished, this, &BudgetPage::take_correlation);
+    connect(&correlations_, &QAbstractItemModel::modelReset, this, &BudgetPage::show_correlation);
+    connect(&selection_, &Selection::analysis_changed, this, &BudgetPage::show_analysis);
+    connect(&selection_, &Selection::output_changed, this, &BudgetPage::take_result);
+    const auto take_if_shown = [this](const QString& id) {
+        if (id == analysis_) take_result();
+    };
+    connect(&runner_, &AnalysisRunner::result_changed, this, take_if_shown);
+    connect(&runner_, &AnalysisRunner::state_changed, this, take_if_shown);
+    connect(&document_, &Document::project_changed, this, [this] {
+        if (model_ && !document_.project().find_analysis(to_std(analysis_))) start_over();
+    });
+    hide();
+}
+
+void BudgetPage::start_over() {
+    analysis_.clear();
+    delete std::exchange(view_, nullptr);
+    model_.reset();
+    show_analysis();
+}
+
+void BudgetPage::show_analysis() {
+    if (model_ && selection_.analysis() == analysis_) return;
+    analysis_ = selection_.analysis();
+    delete std::exchange(view_, nullptr);
+    model_.reset();
+    const SetupAddress address{SetupOwner::analysis, to_std(analysis_)};
+    const FieldSpec* field = stating_table(document_.project(), address);
+    setVisible(field != nullptr);
+    if (!field) return;
+    model_ = std::make_unique<BudgetSheetModel>(document_, address, *field);
+    view_ = new BudgetSheetView(*model_, this);
+    view_->setObjectName(QStringLiteral("budget"));
+    view_->setAccessibleName(tr("Budget"));
+    column_->insertWidget(0, view_, 1);
+    connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &BudgetPage::show_correlation);
+    take_result();
+}
+
+void BudgetPage::take_result() {
+    if (!model_) return;
+    const AnalysisStatus& status = runner_.status(analysis_);
+    const auto output = static_cast<std::size_t>(std::max(0, selection_.output()));
+    model_->set_result(status.result, output, status.is_of_present());
+    if (status.prepared != correlations_.analysis()) correlations_.set_analysis(status.prepared);
+    show_correlation();
+    lines_->setVisible(status.result != nullptr);
+    lines_->setEnabled(status.is_of_present());
+    if (!status.result) return;
+    const QString said = status.is_of_present() ? result_words(status) : reservation(status);
+    lines_->setText(lines_of(*status.result) + QStringLiteral("<br><small>") + said.toHtmlEscaped() +
+                    QStringLiteral("</small>"));
+}
+
+QModelIndex BudgetPage::selected_pair() {
+    if (!view_ || !correlations_.analysis()) return {};
+    std::set<int> rows;
+    for (const QModelIndex& cell : view_->selectionModel()->selectedIndexes()) rows.insert(cell.row());
+    if (rows.size() != 2) return {};
+    std::array<int, 2> at{};
+    auto place = at.begin();
+    for (const int row : rows) {
+        const std::string id = model_->component_of(row);
+        if (id.empty()) return {};
+        const auto find = [&] {
+            for (int i = 0; i < correlations_.rowCount(); ++i)
+                if (to_std(correlations_.headerData(i, Qt::Vertical).toString()) == id) return i;
+            return -1;
+        };
+        if (find() < 0) {
+            const QSignalBlocker quiet(correlations_);  // nobody else looks at it
+            correlations_.add_component(id);
+        }
+        *place++ = find();
+    }
+    return correlations_.index(at[0], at[1]);
+}
+
+void BudgetPage::show_correlation() {
+    if (correlation_->hasFocus()) return;
+    const QModelIndex cell = selected_pair();
+    for (QWidget* widget : {static_cast<QWidget*>(pair_), static_cast<QWidget*>(correlation_)})
+        widget->setEnabled(cell.isValid());
+    pair_->setText(tr("<i>r</i> of two rows ="));
+    correlation_->setText(cell.isValid() ? cell.data(Qt::EditRole).toString() : QString());
+}
+
+void BudgetPage::take_correlation() {
+    const QModelIndex cell = selected_pair();
+    if (cell.isValid() && correlation_->text() != cell.data(Qt::EditRole).toString())
+        correlations_.setData(cell, correlation_->text());
+}
+
+QString BudgetPage::lines_of(const UncertaintyResult& result) const {
+    QStringList lines;
+    for (const OutputResult& output : result.outputs) {
+        if (output.quantity.role != OutputRole::measurand) continue;
+        if (static_cast<std::size_t>(lines.size()) == most_lines) {
+            lines << QStringLiteral("…");
+            break;
+        }
+        const std::string symbol = to_html(symbol_text(output.quantity.symbol));
+        const std::string coverage = to_html(running_text(coverage_statement(output, result)));
+        lines << to_qt("<b>" + symbol + "</b> = " + escape_html(value_statement(output)) + ", " + coverage);
+    }
+    return lines.join(QStringLiteral("<br>"));
+}
+
+}  // namespace covaria::ui

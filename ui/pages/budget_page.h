@@ -1,0 +1,59 @@
+// The budget in the centre of the window: one table of what is stated and what comes of it, and the results
+// below.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/models/budget_sheet_model.h"
+#include "ui/models/input_correlation_model.h"
+#include "ui/run/analysis_runner.h"
+
+class QLabel;
+class QLineEdit;
+class QVBoxLayout;
+
+namespace covaria::ui {
+
+class BudgetSheetView;
+
+/// Of the analysis being looked at; hidden where its set-up has no table that states quantities.
+class BudgetPage : public QWidget {
+    Q_OBJECT
+public:
+    BudgetPage(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+
+    /// Null: the analysis states its quantities otherwise.
+    BudgetSheetView* view() const { return view_; }
+    BudgetSheetModel* model() const { return model_.get(); }
+    QLabel& result_lines() const { return *lines_; }
+    /// The correlation coefficient of the components of the two rows that are selected.
+    QLineEdit& correlation() const { return *correlation_; }
+    /// Another project.
+    void start_over();
+
+private:
+    void show_analysis();
+    void take_result();
+    QString lines_of(const UncertaintyResult& result) const;
+    /// Of the correlations, the cell of the two rows selected; invalid: none.
+    QModelIndex selected_pair();
+    void show_correlation();
+    void take_correlation();
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    QString analysis_;
+    std::unique_ptr<BudgetSheetModel> model_;
+    BudgetSheetView* view_ = nullptr;
+    QVBoxLayout* column_ = nullptr;
+    QLabel* lines_ = nullptr;
+    InputCorrelationModel correlations_;
+    QLabel* pair_ = nullptr;
+    QLineEdit* correlation_ = nullptr;
+};
+
+}  // namespace covaria::ui
