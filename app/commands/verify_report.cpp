@@ -35,6 +35,17 @@ std::string words_of(const Comparison& comparison) {
     return words;
 }
 
+/// A report may be without studies, or without some.
+void leave_out_studies(Evaluation& evaluation, const CarriedResults& carried) {
+    for (EvaluatedAnalysis& one : evaluation.analyses)
+        std::erase_if(one.studies, [&](const std::shared_ptr<const StudyResult>& study) {
+            return !carried.studies.contains({one.analysis->id, study->id});
+        });
+    std::erase_if(evaluation.failed, [&](const FailedAnalysis& failed) {
+        return !failed.study.empty() && !carried.studies.contains({failed.id, failed.study});
+    });
+}
+
 /// False: something differs, which is said.
 Result<bool> verify_report(const ReportToVerify& report, const std::stop_token& stop) {
     const auto files = carried_files(report.file);
@@ -46,11 +57,15 @@ Result<bool> verify_report(const ReportToVerify& report, const std::stop_token& 
     say_other_version(*carried);
     if (loaded.problems.has_errors())
         return fail(ErrorCode::bad_input, report.file + ": its project has errors; nothing was computed");
-    RunRequest request{.file = report.file, .analyses = carried->analyses, .threads = report.threads};
+    RunRequest request{.file = report.file,
+                       .analyses = carried->analyses,
+                       .studies = !carried->studies.empty(),
+                       .threads = report.threads};
     if (carried->analyses.empty())
         return fail(ErrorCode::bad_input, report.file + ": it carries no results of analyses");
-    const auto evaluation = evaluate_analyses(loaded.made, request, stop);
+    auto evaluation = evaluate_analyses(loaded.made, request, stop);
     if (!evaluation) return fail(evaluation.error());
+    leave_out_studies(*evaluation, *carried);
     const Comparison comparison =
         compare_carried(*files, report_data({*evaluation->made, evaluation->analyses, evaluation->failed}));
     if (!comparison.same()) {

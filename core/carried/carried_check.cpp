@@ -32,6 +32,11 @@ std::string text_at(const Json& json, const char* key) {
                                                                            : "";
 }
 
+const Json& list_in(const Json& json, const char* key) {
+    static const Json none = Json::array();
+    return json.is_object() && json.contains(key) && json[key].is_array() ? json[key] : none;
+}
+
 /// Values that fit into a line.
 std::string words_of(const Json& value) {
     std::string words = value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -81,11 +86,7 @@ private:
     template <class Each>
     void entries(const Json& then, const Json& now, const char* key, const std::string& what,
                  const Each& each) {
-        static const Json none = Json::array();
-        const auto list_of = [&](const Json& json) -> const Json& {
-            return json.is_object() && json.contains(key) && json[key].is_array() ? json[key] : none;
-        };
-        const Json &a = list_of(then), &b = list_of(now);
+        const Json &a = list_in(then, key), &b = list_in(now, key);
         for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
             const Json& named = i < a.size() ? a[i] : b[i];
             std::string name = what + " " + text_at(named, "id") + text_at(named, "symbol");
@@ -142,14 +143,22 @@ Result<CarriedResults> carried_results(const std::vector<AttachedFile>& files) {
     if (!json.is_object() || text_at(json, "format") != "covaria-results")
         return fail(ErrorCode::bad_input, "what the report carries as results.json is none of Covaria");
     CarriedResults results{json.contains("project") ? text_at(json["project"], "covariaVersion") : "", {}};
-    for (const auto& [key, id] : {std::pair("analyses", "id"), {"failed", "analysis"}})
-        if (json.contains(key) && json[key].is_array())
-            for (const Json& one : json[key])
-                if (std::string name = text_at(one, id);
-                    !name.empty() && text_at(one, "study").empty() &&
-                    std::find(results.analyses.begin(), results.analyses.end(), name) ==
-                        results.analyses.end())
-                    results.analyses.push_back(std::move(name));
+    const auto add = [&](const std::string& id) {
+        auto& ids = results.analyses;
+        if (!id.empty() && std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    };
+    for (const Json& one : list_in(json, "analyses")) {
+        add(text_at(one, "id"));
+        for (const Json& study : list_in(one, "studies"))
+            results.studies.emplace(text_at(one, "id"), text_at(study, "id"));
+    }
+    for (const Json& one : list_in(json, "failed")) {
+        const std::string study = text_at(one, "study");
+        if (study.empty())
+            add(text_at(one, "analysis"));
+        else
+            results.studies.emplace(text_at(one, "analysis"), study);
+    }
     return results;
 }
 

@@ -1,7 +1,9 @@
 // Whether results are those that a report carries, to the last bit.
 #pragma once
 
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/pdf/pdf_archive.h"
@@ -12,6 +14,8 @@ namespace covaria {
 struct CarriedResults {
     std::string version;                ///< of the program
     std::vector<std::string> analyses;  ///< ids, evaluated or failed
+    std::set<std::pair<std::string, std::string>> studies =
+        {};  ///< likewise, of an analysis and of its study
 };
 /// Error: there is no results.json, or it is none.
 Result<CarriedResults> carried_results(const std::vector<AttachedFile>& files);

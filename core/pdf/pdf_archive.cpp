@@ -101,6 +101,7 @@ void set_properties(QPDF& pdf, PdfProperties properties) {
     info.replaceKey("/Title", QPDFObjectHandle::newUnicodeString(properties.title));
     info.replaceKey("/Creator", QPDFObjectHandle::newUnicodeString(properties.creator));
     info.replaceKey("/Producer", QPDFObjectHandle::newUnicodeString(producer));
+    pdf.getTrailer().removeKey("/ID");  // a random one; the new one is of the content
     pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));
     QPDFObjectHandle xmp = QPDFObjectHandle::newStream(&pdf, xmp_of(properties, producer));
     xmp.getDict().replaceKey("/Type", QPDFObjectHandle::newName("/Metadata"));

@@ -48,6 +48,23 @@ TEST(VerifyReport, AReportCarriesItsProjectAndGivesTheSameBits) {
     EXPECT_EQ(run_program({"verify-report", pdf.string(), "--threads", "1"}).status, 0);
 }
 
+TEST(VerifyReport, StudiesAreComparedWhereTheReportHasThem) {
+    const fs::path folder = fresh_folder("verify-report-studies");
+    for (const bool without : {true, false}) {
+        const std::string pdf = (folder / (without ? "without.pdf" : "with.pdf")).string();
+        std::vector<std::string> report{"report", shipped_project("lsm-network.covaria").string(),
+                                        "--first-order", "-o", pdf};
+        if (without) report.push_back("--no-studies");
+        ASSERT_EQ(run_program(report).status, 0);
+        const auto files = covaria::files_in_pdf(read_text(pdf)).value();
+        const auto results = std::find_if(files.begin(), files.end(),
+                                          [](const auto& file) { return file.name == "results.json"; });
+        EXPECT_EQ(has(results->bytes, "\"studies\""), !without);
+        const Outcome same = run_program({"verify-report", pdf});
+        EXPECT_EQ(same.status, 0) << same.out << same.err;
+    }
+}
+
 TEST(VerifyReport, NamesWhatDiffersAndTheOtherVersion) {
     const fs::path folder = fresh_folder("verify-report-differs"), pdf = folder / "report.pdf";
     const std::string project = (fs::path(COVARIA_SOURCE_DIR) / "projects/gum/h1-end-gauge.covaria").string();
