@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include "core/base/file_io.h"
 #include "core/base/guarded.h"

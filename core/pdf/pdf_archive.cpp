@@ -1,5 +1,6 @@
 #include "core/pdf/pdf_archive.h"
 
+#include <memory>
 #include <mutex>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEFStreamObjectHelper.hh>

@@ -1,5 +1,6 @@
 // Points with standard uncertainties in SpatialAnalyzer's ASCII format "GroupName PointName X Y Z Ux Uy Uz".
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
