@@ -62,7 +62,9 @@ std::string words_of(const FailedAnalysis& failed) {
 class Evaluator {
 public:
     Evaluator(MadeProject::Pointer made, const RunRequest& request, const std::stop_token& stop)
-        : made_(std::move(made)), request_(request), stop_(stop) {}
+        : made_(std::move(made)), request_(request), stop_(stop) {
+        evaluation.made = made_;
+    }
 
     /// Error{cancelled} only.
     Result<void> add(const std::string& id) {

@@ -36,6 +36,7 @@ void say_what_is_missing(const Project& project);
 
 /// What was evaluated, and what has no results.
 struct Evaluation {
+    MadeProject::Pointer made;  ///< with what the request changes: what was evaluated
     std::vector<EvaluatedAnalysis> analyses;
     std::vector<FailedAnalysis> failed;
 };

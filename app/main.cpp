@@ -28,6 +28,8 @@ const char* const footer =
     "  covaria run projects/stewart-platform.covaria --out out\n"
     "  covaria report projects/stewart-platform.covaria --format pdf\n"
     "  covaria render projects/stewart-platform.covaria --group \"pose 13\" --view top -o top.png\n"
+    "  covaria export projects/lsm-network.covaria --as points -o targets.txt\n"
+    "  covaria verify-report report.pdf\n"
     "  covaria validate my.covaria\n"
     "  covaria describe pose-from-points\n"
     "\n"
@@ -57,7 +59,8 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", std::string("covaria ") + version());
     app.require_subcommand(0, 1);
     std::string file;
-    app.add_option("FILE", file, "project file to open in the window")->check(CLI::ExistingFile);
+    app.add_option("FILE", file, "project file, or report (PDF) that carries one, to open in the window")
+        ->check(CLI::ExistingFile);
     const std::vector<Command> commands = all_commands(app);
     try {
         app.parse(argc, argv);

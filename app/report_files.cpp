@@ -1,5 +1,6 @@
 #include "app/report_files.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/application.h"
@@ -19,7 +20,7 @@ std::vector<ui::ReportFormat> formats_of(const std::vector<std::string>& names) 
     return formats;
 }
 
-Result<void> write_document(const ReportDocument& document, const ReportSource& source,
+Result<void> write_document(const ReportDocument& document, const ReportContent& source,
                             const ReportFiles& files, const std::stop_token& stop) {
     const auto application = make_application(Platform::offscreen);
     ui::ScenePictures scenes(source.analyses);
@@ -28,6 +29,9 @@ Result<void> write_document(const ReportDocument& document, const ReportSource& 
     target.folder = files.folder;
     target.name = files.name;
     target.formats = formats_of(files.formats);
+    if (std::find(target.formats.begin(), target.formats.end(), ui::ReportFormat::pdf) !=
+        target.formats.end())
+        target.attached = report_data(source);
     target.paper = files.paper == "letter" ? ui::PaperSize::letter : ui::PaperSize::a4;
     auto written = ui::export_report(document, target, painters, stop);
     if (!written && !scenes.problem().empty()) written.error().message += ": " + scenes.problem();
@@ -47,13 +51,13 @@ Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
     return {};
 }
 
-Result<void> write_certificate(const ReportSource& source, CertifiedResults which, const ReportFiles& files,
+Result<void> write_certificate(const ReportContent& source, CertifiedResults which, const ReportFiles& files,
                                const std::stop_token& stop) {
     return write_document(build_certificate(source.made, source.analyses, source.failed, which), source,
                           files, stop);
 }
 
-Result<void> write_reports(const ReportSource& source, const ReportFiles& files,
+Result<void> write_reports(const ReportContent& source, const ReportFiles& files,
                            const std::stop_token& stop) {
     return write_document(build_report(source.made, source.analyses, source.failed), source, files, stop);
 }

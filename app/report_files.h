@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/evaluation.h"
+#include "core/carried/report_data.h"
 
 namespace covaria {
 
@@ -16,18 +17,13 @@ struct ReportFiles {
     std::string name = "report";  ///< of the files, without ending
 };
 
-struct ReportSource {
-    const MadeProject& made;
-    const std::vector<EvaluatedAnalysis>& analyses;
-    const std::vector<FailedAnalysis>& failed;
-};
-
 /// The folder, name and format of one file: "out/cert.pdf". Error{usage}: its ending names no format.
 Result<void> write_into_one_file(const std::string& file, ReportFiles& files);
 
 /// A certificate of analyses that were chosen, or of those whose results fit.
-Result<void> write_certificate(const ReportSource& source, CertifiedResults which, const ReportFiles& files,
+Result<void> write_certificate(const ReportContent& source, CertifiedResults which, const ReportFiles& files,
                                const std::stop_token& stop);
-Result<void> write_reports(const ReportSource& source, const ReportFiles& files, const std::stop_token& stop);
+Result<void> write_reports(const ReportContent& source, const ReportFiles& files,
+                           const std::stop_token& stop);
 
 }  // namespace covaria

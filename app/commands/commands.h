@@ -27,9 +27,11 @@ Command validate_command(CLI::App& app);
 Command describe_command(CLI::App& app);
 Command convert_command(CLI::App& app);
 Command library_command(CLI::App& app);
+Command export_command(CLI::App& app);
 Command import_command(CLI::App& app);
 Command import_urdf_command(CLI::App& app);
 Command verify_command(CLI::App& app);
+Command verify_report_command(CLI::App& app);
 
 std::vector<Command> all_commands(CLI::App& app);
 

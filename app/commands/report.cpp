@@ -26,7 +26,7 @@ ReportFiles files_of(const ReportArguments& arguments) {
     return files;
 }
 
-Result<void> write(const ReportArguments& arguments, const ReportSource& source, const ReportFiles& files,
+Result<void> write(const ReportArguments& arguments, const ReportContent& source, const ReportFiles& files,
                    const std::stop_token& stop) {
     if (!arguments.certificate) return write_reports(source, files, stop);
     say_what_is_missing(source.made.project());
@@ -44,7 +44,7 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     if (!opened) return fail(opened.error());
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
-    const ReportSource source{**opened, evaluation->analyses, evaluation->failed};
+    const ReportContent source{*evaluation->made, evaluation->analyses, evaluation->failed};
     if (auto written = write(arguments, source, files, stop); !written) return written;
     return check_complete(*evaluation);
 }

@@ -41,7 +41,7 @@ void say_what_does_not_represent(const Project& project, const std::vector<Evalu
 }
 
 /// If it was asked for.
-Result<void> write_certificate_of(const RunArguments& arguments, const ReportSource& source,
+Result<void> write_certificate_of(const RunArguments& arguments, const ReportContent& source,
                                   const std::stop_token& stop) {
     if (!arguments.certificate) return {};
     say_what_is_missing(source.made.project());
@@ -67,14 +67,17 @@ Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop,
     std::vector<PlannedPicture> pictures;
     if (arguments.pictures) pictures = planned_pictures(analyses);
     for (const PlannedPicture& picture : pictures) listing.files.push_back(listed(picture, analyses));
-    if (auto written = write_result_files(arguments.out, **opened, analyses, std::move(listing)); !written)
+    if (auto written = write_result_files(arguments.out, *evaluation->made, analyses, std::move(listing));
+        !written)
         return written;
     if (auto written = write_pictures(arguments.out, analyses, pictures, stop); !written) return written;
     if (arguments.report)
-        if (auto written = write_reports({**opened, analyses, evaluation->failed}, {arguments.out}, stop);
+        if (auto written =
+                write_reports({*evaluation->made, analyses, evaluation->failed}, {arguments.out}, stop);
             !written)
             return written;
-    if (auto written = write_certificate_of(arguments, {**opened, analyses, evaluation->failed}, stop);
+    if (auto written =
+            write_certificate_of(arguments, {*evaluation->made, analyses, evaluation->failed}, stop);
         !written)
         return written;
     lines += result_lines(name, (*opened)->project(), analyses);

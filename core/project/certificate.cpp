@@ -22,6 +22,9 @@ std::vector<CertificateField> fields_of_parties() {
              "7.8.2.1 b", true},
             {"laboratory", "address", "Address of the laboratory", "Street, town, country.",
              &C::laboratory_address, lines, "7.8.2.1 b", true},
+            {"laboratory", "country", "Country of the laboratory",
+             "Two capital letters (ISO 3166-1): DE. For a Digital Calibration Certificate.", &C::country,
+             CertificateText::country},
             {"laboratory", "accreditation", "Accreditation number", "Absent: not accredited for this.",
              &C::accreditation},
             {"", "place", "Place of calibration",
@@ -106,6 +109,11 @@ std::optional<Period> period_in(const Certificate& certificate, std::string Cert
     return period_of(certificate.*member, certificate_field(member).kind);
 }
 
+bool is_country(const std::string& text) {
+    return text.size() == 2 &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
 void check_order(const Certificate& certificate, std::string Certificate::*before,
                  std::string Certificate::*after, const std::string& message, Problems& problems) {
     const auto first = period_in(certificate, before), then = period_in(certificate, after);
@@ -148,6 +156,10 @@ bool is_missing(const CertificateField& field, const Certificate& certificate) {
 void check_certificate(const Certificate& certificate, Problems& problems) {
     for (const CertificateField& field : certificate_fields()) {
         const std::string& text = certificate.*field.member;
+        if (field.kind == CertificateText::country && !text.empty() && !is_country(text))
+            problems.error(pointer_of(field), "'" + std::string(field.key) +
+                                                  "' must be two capital letters, such as DE; it is '" +
+                                                  text + "'");
         const bool interval = field.kind == CertificateText::dates;
         if ((!interval && field.kind != CertificateText::date) || text.empty()) continue;
         if (!period_of(text, field.kind))
@@ -171,6 +183,15 @@ Problems missing_in(const Certificate& certificate) {
         missing.error(pointer_of(field), "'" + std::string(field.title) + "'" + other +
                                              " must be stated (ISO/IEC 17025 " + field.clause + ")");
     }
+    return missing;
+}
+
+Problems missing_in_digital(const Certificate& certificate) {
+    Problems missing = missing_in(certificate);
+    const CertificateField& country = certificate_field(&Certificate::country);
+    if (is_blank(certificate.country))
+        missing.error(pointer_of(country), "'" + std::string(country.title) +
+                                               "' must be stated (Digital Calibration Certificate)");
     return missing;
 }
 

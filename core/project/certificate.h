@@ -13,7 +13,7 @@ namespace covaria {
 /// All texts as typed; a project whose texts are all empty has no certificate.
 struct Certificate {
     std::string number = {};
-    std::string laboratory = {}, laboratory_address = {}, accreditation = {};
+    std::string laboratory = {}, laboratory_address = {}, country = {}, accreditation = {};
     std::string place = {};
     std::string customer = {}, customer_address = {};
     std::string item = {}, manufacturer = {}, type = {}, serial_number = {}, identification = {},
@@ -29,9 +29,10 @@ struct Certificate {
 
 enum class CertificateText {
     line,
-    lines,  ///< may have several
-    date,   ///< ISO 8601: 2026-04-17
-    dates   ///< a date, or an interval of two: 2026-04-17/2026-04-18
+    lines,    ///< may have several
+    country,  ///< two capital letters: DE
+    date,     ///< ISO 8601: 2026-04-17
+    dates     ///< a date, or an interval of two: 2026-04-17/2026-04-18
 };
 
 struct CertificateField {
@@ -56,9 +57,11 @@ bool is_blank(const std::string& text);
 /// Required, and neither it nor what does instead is there.
 bool is_missing(const CertificateField& field, const Certificate& certificate);
 
-/// Dates that are none, or in the wrong order; paths from the root of the project.
+/// Dates and countries that are none, dates in the wrong order; paths from the root of the project.
 void check_certificate(const Certificate& certificate, Problems& problems);
 /// An error for all that the clauses require and that is missing.
 Problems missing_in(const Certificate& certificate);
+/// Likewise, and what a Digital Calibration Certificate cannot be without.
+Problems missing_in_digital(const Certificate& certificate);
 
 }  // namespace covaria

@@ -35,12 +35,16 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Whether all commas stand between digits, in at least three words.
+/// Whether all commas stand between digits, one in a word, in at least three words.
 bool has_decimal_commas(std::string_view line) {
     for (std::size_t at = line.find(','); at != std::string_view::npos; at = line.find(',', at + 1))
         if (at == 0 || at + 1 >= line.size() || !is_digit(line[at - 1]) || !is_digit(line[at + 1]))
             return false;
-    return blank_separated(line).size() >= 3;
+    const std::vector<std::string> words = blank_separated(line);
+    const auto has_one_at_most = [](const std::string& word) {
+        return std::count(word.begin(), word.end(), ',') <= 1;
+    };
+    return words.size() >= 3 && std::all_of(words.begin(), words.end(), has_one_at_most);
 }
 
 /// A tab between words, not behind blanks that align them.

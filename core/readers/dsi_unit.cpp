@@ -170,7 +170,85 @@ Result<std::string> typed_text(const std::vector<Command>& commands) {
     return typed_unit(factors);
 }
 
+/// "\\name" of a symbol with or without a prefix; empty: the D-SI has none.
+std::string dsi_name(std::string_view symbol) {
+    for (const NamePair& unit : unit_names)
+        if (unit.second == symbol) return "\\" + std::string(unit.first);
+    for (const NamePair& prefix : prefixes)
+        if (symbol.starts_with(prefix.second))
+            for (const NamePair& unit : unit_names)
+                if (unit.second == symbol.substr(prefix.second.size()))
+                    return "\\" + std::string(prefix.first) + "\\" + std::string(unit.first);
+    return {};
+}
+
+std::string to_the(int power) {
+    return power == 1 ? "" : "\\tothe{" + std::to_string(power) + "}";
+}
+
+/// Of a unit as `Unit` writes it: factors with powers between '*', blanks and '/', the latter for one
+/// factor or a parenthesis. Empty: a factor without a name. Who asks reads it back, so that nothing depends
+/// on this grammar.
+std::string dsi_text_of(std::string_view text) {
+    std::string out;
+    bool below = false, in_parenthesis = false;
+    while (!text.empty()) {
+        const char c = text.front();
+        if (c == '/') below = true;
+        if (c == '(') in_parenthesis = true;
+        if (c == ')') in_parenthesis = below = false;
+        if (std::string_view("/()* ").find(c) != std::string_view::npos) {
+            text.remove_prefix(1);
+            continue;
+        }
+        const std::string_view factor = text.substr(0, text.find_first_of("/()* "));
+        text.remove_prefix(factor.size());
+        const std::size_t end = std::min(factor.find_first_of("^0123456789-"), factor.size());
+        std::string_view digits = factor.substr(end);
+        if (digits.starts_with('^')) digits.remove_prefix(1);
+        const auto power = digits.empty() ? Result<int>(1) : power_in(digits);
+        if (factor == "1") continue;
+        const std::string name = dsi_name(factor.substr(0, end));
+        if (name.empty() || !power) return {};
+        out += name + to_the(below ? -*power : *power);
+        if (!in_parenthesis) below = false;
+    }
+    return out.empty() ? "\\one" : out;
+}
+
+/// The coherent SI unit of a dimension.
+std::string dsi_text_of(const Dimension& dimension) {
+    constexpr std::array<const char*, 8> base{"\\metre",  "\\kilogram", "\\second",  "\\ampere",
+                                              "\\kelvin", "\\mole",     "\\candela", "\\radian"};
+    std::string out;
+    for (std::size_t i = 0; i < base.size(); ++i)
+        if (const int power = dimension.exponents[i]; power != 0) out += base[i] + to_the(power);
+    return out.empty() ? "\\one" : out;
+}
+
 }  // namespace
+
+DsiUnit dsi_unit_for(const Unit& unit) {
+    DsiUnit named{dsi_text_of(unit.text()), unit};
+    const auto back = unit_of_dsi(named.text);
+    if (back && back->dimension() == unit.dimension() && back->to_si(1.0) == unit.to_si(1.0) &&
+        back->interval_to_si(1.0) == unit.interval_to_si(1.0))
+        return named;
+    const std::string coherent = dsi_text_of(unit.dimension());
+    return {coherent, unit_of_dsi(coherent).value()};
+}
+
+std::string dsi_product(const DsiUnit& a, const DsiUnit& b) {
+    const std::string of_a = dsi_unit_for(a.unit.interval()).text,
+                      of_b = dsi_unit_for(b.unit.interval()).text;
+    if (of_a == "\\one") return of_b;
+    if (of_b == "\\one") return of_a;
+    const auto commands = commands_of(of_a);
+    const bool simple = commands && std::count_if(commands->begin(), commands->end(), [](const Command& c) {
+                                        return symbol_in(prefixes, c.name).empty();
+                                    }) == 1;
+    return of_a == of_b && simple ? of_a + "\\tothe{2}" : of_a + of_b;
+}
 
 Result<Unit> unit_of_dsi(const std::string& text) {
     const auto commands = commands_of(text);

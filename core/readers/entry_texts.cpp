@@ -11,7 +11,7 @@ std::string id_of(const std::string& name, const std::string& otherwise) {
     return project_id_of(name, otherwise, 60);
 }
 
-std::string plain_name(const std::string& name) {
+std::string plain_line(const std::string& name) {
     std::string plain;
     std::string_view rest = name;
     while (!rest.empty()) {
@@ -31,6 +31,12 @@ std::string plain_name(const std::string& name) {
         else if (!tidy.empty() && tidy.back() != ' ')
             tidy += ' ';
     }
+    if (!tidy.empty() && tidy.back() == ' ') tidy.pop_back();
+    return tidy;
+}
+
+std::string plain_name(const std::string& name) {
+    std::string tidy = plain_line(name);
     if (tidy.size() > 200) tidy.resize(valid_utf8(std::string_view(tidy).substr(0, 200)));
     if (!tidy.empty() && tidy.back() == ' ') tidy.pop_back();
     return tidy;

@@ -11,7 +11,9 @@ namespace covaria {
 
 /// "Arm X (5).txt" -> "arm-x-5-txt"; `otherwise` where nothing is left. At most 60 characters.
 std::string id_of(const std::string& name, const std::string& otherwise);
-/// A name as a field takes it: without marks of control, invalid UTF-8 replaced by '?', at most 200 bytes.
+/// Without marks of control, invalid UTF-8 replaced by '?', one blank between words.
+std::string plain_line(const std::string& text);
+/// A name as a field takes it: a plain line of at most 200 bytes.
 std::string plain_name(const std::string& name);
 /// "Certificate 12.xml" -> "Certificate 12".
 std::string without_ending(const std::string& file_name);

@@ -11,6 +11,7 @@ inline constexpr const char* not_stated = "— not stated —";
 void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// What U, k and p are in these analyses.
 void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses);
+void add_uncertainty_statement(Blocks& blocks, const UncertaintyResult& result);
 /// Conformity with the tolerances of the requirements; nothing without any.
 void add_certified_conformity(Blocks& blocks, const ReportSource& source,
                               const std::vector<EvaluatedAnalysis>& analyses);

@@ -237,6 +237,10 @@ void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     if (!others.empty()) add_table(blocks, result, others, id);
 }
 
+void add_uncertainty_statement(Blocks& blocks, const UncertaintyResult& result) {
+    blocks.push_back(ParagraphBlock{uncertainty_sentences(result)});
+}
+
 void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses) {
     std::vector<std::string> said;
     for (const EvaluatedAnalysis& evaluated : analyses) {

@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 
+#include "core/carried/carried_project.h"
 #include "ui/document/linked_files.h"
 #include "ui/document/project_command.h"
 #include "ui/theme/strings.h"
@@ -17,6 +18,14 @@ constexpr int most_undo_steps = 500;
 std::filesystem::path folder_of(const QString& file) {
     return file.isEmpty() ? std::filesystem::path{}
                           : project_folder(to_path(QFileInfo(file).absoluteFilePath()));
+}
+
+bool is_report(const QString& file) {
+    return file.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive);
+}
+
+LoadedProject load_file(const QString& file) {
+    return is_report(file) ? load_carried(to_path(file)) : load_project(to_path(file));
 }
 
 }  // namespace
@@ -80,6 +89,7 @@ void Document::adopt(ProjectSnapshot project, const QString& file, const MadePro
     open_job_.cancel();
     undo_stack_.clear();
     unsaved_ = false;
+    report_.clear();
     set_file(file);
     maker_.forget();
     of_made_ = {};
@@ -121,16 +131,29 @@ QString Document::display_name() const {
     return project_->title.empty() ? tr("Untitled") : to_qt(project_->title);
 }
 
+QString Document::heading() const {
+    return report_.isEmpty() ? display_name() : tr("%1 (from %2)").arg(display_name(), report_);
+}
+
 Problems Document::open(const QString& file) {
-    const LoadedProject loaded = load_project(to_path(file));
-    if (!loaded.problems.has_errors())
-        adopt(loaded.made->snapshot(), QFileInfo(file).absoluteFilePath(), loaded.made);
+    const LoadedProject loaded = load_file(file);
+    adopt_opened(file, loaded);
     return loaded.problems;
+}
+
+void Document::adopt_opened(const QString& file, const LoadedProject& loaded) {
+    if (loaded.problems.has_errors()) return;
+    if (!is_report(file))
+        return adopt(loaded.made->snapshot(), QFileInfo(file).absoluteFilePath(), loaded.made);
+    replace_by(loaded);
+    report_ = QFileInfo(file).fileName();
+    set_unsaved();
+    emit file_changed();
 }
 
 void Document::open_in_background(const QString& file) {
     const auto load = [this, file](const std::stop_token&) -> JobQueue::Delivery {
-        auto loaded = std::make_shared<const LoadedProject>(load_project(to_path(file)));
+        auto loaded = std::make_shared<const LoadedProject>(load_file(file));
         return [this, file, loaded] { finish_open(file, *loaded); };
     };
     open_job_.start(load, [this, file](const Error& error) {
@@ -141,8 +164,7 @@ void Document::open_in_background(const QString& file) {
 }
 
 void Document::finish_open(const QString& file, const LoadedProject& loaded) {
-    if (!loaded.problems.has_errors())
-        adopt(loaded.made->snapshot(), QFileInfo(file).absoluteFilePath(), loaded.made);
+    adopt_opened(file, loaded);
     emit open_finished(file, loaded.problems);
 }
 
@@ -157,6 +179,7 @@ Result<void> Document::save_as(const QString& file) {
     if (absolute != file_)
         if (auto copied = copy_linked_files(*project_, folder_of(absolute)); !copied) return copied;
     if (auto saved = save_project(*project_, to_path(absolute)); !saved) return saved;
+    report_.clear();
     set_file(absolute);
     if (project_->directory != folder_of(absolute)) set_project(project_);
     unsaved_ = false;

@@ -48,13 +48,16 @@ public:
     const QString& file() const { return file_; }  ///< empty: never saved
     /// The file's name without folder and ending, or the title, or "Untitled".
     QString display_name() const;
+    /// The same, and the report that the project was taken out of, until it is saved.
+    QString heading() const;
 
     /// Another project takes the place of this one; history and file are forgotten.
     void replace(Project project);
     void replace_by(const LoadedProject& loaded);
     /// A project read from a recovery file: like `open`, but unsaved.
     void restore(const LoadedProject& loaded, const QString& original_file);
-    /// Reads a file. With errors among the problems the document stays as it was.
+    /// Reads a file; of a report (PDF) the project that it carries, which is unsaved then. With errors among
+    /// the problems the document stays as it was.
     Problems open(const QString& file);
     /// The same with the reading done in a worker thread; ends with `open_finished`. The latest call wins.
     void open_in_background(const QString& file);
@@ -90,6 +93,7 @@ private:
     void adopt(ProjectSnapshot project, const QString& file, const MadeProject::Pointer& made);
     void take_made();
     void set_file(const QString& file);
+    void adopt_opened(const QString& file, const LoadedProject& loaded);
     void finish_open(const QString& file, const LoadedProject& loaded);
     void collect_problems();
 
@@ -101,6 +105,7 @@ private:
     Problems problems_;
     FileWatch watch_;
     QString file_;
+    QString report_;        ///< that the project was taken out of; empty: of none
     bool unsaved_ = false;  ///< recovered, or the file differs
     int merge_window_ = 2000;
     int merge_series_ = 0;

@@ -1,21 +1,8 @@
-// Walks all set-ups for tables read from files.
 #include "ui/document/linked_files.h"
 
-#include <set>
+#include "core/project/linked_files.h"
 
 namespace covaria::ui {
-
-std::vector<std::string> linked_files(const Project& project) {
-    std::set<std::string> names;
-    const auto collect = [&](const Setup& setup) {
-        for (const auto& [key, value] : setup.values)
-            if (const auto* table = std::get_if<SetupTable>(&value); table && !table->csv_file.empty())
-                names.insert(table->csv_file);
-    };
-    for (const AssetEntry& asset : project.assets) collect(asset.setup);
-    for (const AnalysisEntry& analysis : project.analyses) collect(analysis.setup);
-    return {names.begin(), names.end()};
-}
 
 Result<void> copy_linked_files(const Project& project, const std::filesystem::path& folder) {
     namespace fs = std::filesystem;

@@ -1,17 +1,12 @@
-// The CSV files a project refers to, and carrying them along to another folder.
+// Carrying the CSV files of a project along to another folder.
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "core/base/error.h"
 #include "core/project/project.h"
 
 namespace covaria::ui {
-
-/// Names as written in the project, each once.
-std::vector<std::string> linked_files(const Project& project);
 
 /// Copies those with relative names from the project's folder to `folder`, unless they are there already.
 /// Error{io} names the file that could not be copied.

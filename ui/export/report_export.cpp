@@ -67,8 +67,8 @@ Result<void> export_format(const ReportDocument& document, const ReportTarget& t
     const std::filesystem::path stem = target.folder / target.name;
     switch (format) {
         case ReportFormat::pdf: {
-            const auto bytes =
-                pdf_bytes(document, {target.paper, painters.paint_plot, painters.render_scene, target.foot});
+            const auto bytes = pdf_bytes(document, {target.paper, painters.paint_plot, painters.render_scene,
+                                                    target.foot, target.attached});
             if (!bytes) return fail(bytes.error());
             if (stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped while writing the report");
             return write_file_atomically(stem.string() + ".pdf", *bytes);

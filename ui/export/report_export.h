@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/pdf/pdf_archive.h"
 #include "core/report/report_document.h"
 #include "ui/print/page_style.h"
 #include "ui/print/report_layout.h"
@@ -21,7 +22,8 @@ struct ReportTarget {
     std::string name = "report";  ///< of the files, without ending
     std::vector<ReportFormat> formats = {ReportFormat::pdf, ReportFormat::html, ReportFormat::markdown};
     PaperSize paper = PaperSize::a4;
-    std::string foot = {};  ///< at the foot of every PDF page
+    std::string foot = {};                    ///< at the foot of every PDF page
+    std::vector<AttachedFile> attached = {};  ///< to the PDF
 };
 
 /// Every file is written whole or not at all. HTML and Markdown bring their figures: charts as SVG, scenes as

@@ -61,7 +61,7 @@ Dialogs standard_dialogs(QWidget* parent) {
     Dialogs dialogs;
     dialogs.file_to_open = [parent](const QString& folder) {
         return QFileDialog::getOpenFileName(parent, text_of("Open Project"), folder,
-                                            text_of("Covaria project (*.covaria)"));
+                                            text_of("Covaria project or report (*.covaria *.pdf)"));
     };
     dialogs.file_to_import = [parent](const QString& title, const QString& folder, const QString& filter) {
         return QFileDialog::getOpenFileName(parent, title, folder, filter);

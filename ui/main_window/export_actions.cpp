@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include "core/carried/report_data.h"
 #include "core/report/result_files.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
@@ -131,11 +132,15 @@ void ExportActions::write_report(const QString& file, ReportFormat format) {
     target.folder = to_path(QFileInfo(file).path());
     target.name = to_std(QFileInfo(file).completeBaseName());
     target.formats = {format};
+    const auto made = runner_.made();
+    const auto results = current_results(document_.project(), runner_);
     maker_.make(
-        runner_.made(), current_results(document_.project(), runner_),
-        [this, file, target, without = without_words()](const ReportDocument& report,
-                                                        const FigurePainters& painters,
-                                                        const std::stop_token& stop) -> JobQueue::Delivery {
+        made, results,
+        [this, file, target, made, results, failed = failed_results(document_.project(), runner_),
+         without = without_words()](const ReportDocument& report, const FigurePainters& painters,
+                                    const std::stop_token& stop) mutable -> JobQueue::Delivery {
+            if (target.formats.front() == ReportFormat::pdf)
+                target.attached = report_data({*made, results, failed});
             const auto written = export_report(report, target, painters, stop);
             const QString problem = written ? QString() : to_qt(written.error().message);
             return [this, file, problem, without] { finish(file, problem, without); };

@@ -51,7 +51,8 @@ void show_shortcut(QAction* action) {
 namespace {
 
 bool is_project(const QUrl& url) {
-    return url.isLocalFile() && url.fileName().endsWith(QStringLiteral(".covaria"));
+    return url.isLocalFile() && (url.fileName().endsWith(QStringLiteral(".covaria")) ||
+                                 url.fileName().endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive));
 }
 
 }  // namespace
@@ -361,7 +362,7 @@ void MainWindow::go_to(const QString& path) {
 }
 
 void MainWindow::update_title() {
-    setWindowTitle(!has_project_ ? tr("Covaria[*]") : tr("%1[*] – Covaria").arg(document_.display_name()));
+    setWindowTitle(!has_project_ ? tr("Covaria[*]") : tr("%1[*] – Covaria").arg(document_.heading()));
     setWindowModified(document_.is_modified());
 }
 

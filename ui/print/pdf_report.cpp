@@ -33,16 +33,7 @@ void set_up(QPdfWriter& writer, const ReportDocument& document, PaperSize paper)
     writer.setPageSize(page_size_of(paper));
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0), QPageLayout::Millimeter);
     writer.setTitle(QString::fromStdString(document.title));
-    writer.setCreator(QString("Covaria ") + version());
-}
-
-/// The same report gives the same bytes: a fixed date in place of the clock. It is as long, so that the
-/// file's table of objects stays right.
-std::string without_clock(std::string bytes) {
-    const std::string begin = "/CreationDate (D:", fixed = "20000101000000";
-    if (const std::size_t at = bytes.find(begin); at != std::string::npos)
-        bytes.replace(at + begin.size(), fixed.size(), fixed);
-    return bytes;
+    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);  // fonts embedded, colours defined
 }
 
 }  // namespace
@@ -61,7 +52,8 @@ Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& 
         pages.paint(page, painter);
     }
     if (!painter.end()) return fail(ErrorCode::io, "the PDF of the report could not be finished");
-    return without_clock(buffer.data().toStdString());
+    return archived_pdf(buffer.data().toStdString(), {document.title, std::string("Covaria ") + version()},
+                        options.attached);
 }
 
 Result<void> write_pdf(const ReportDocument& document, const PdfOptions& options,

@@ -20,9 +20,10 @@ using nlohmann::ordered_json;
 Certificate full_certificate() {
     Certificate certificate;
     for (const CertificateField& field : certificate_fields())
-        certificate.*field.member = field.kind == CertificateText::date    ? "2026-04-17"
-                                    : field.kind == CertificateText::dates ? "2026-04-17/2026-04-18"
-                                                                           : pointer_of(field) + "\nß";
+        certificate.*field.member = field.kind == CertificateText::date      ? "2026-04-17"
+                                    : field.kind == CertificateText::country ? "DE"
+                                    : field.kind == CertificateText::dates   ? "2026-04-17/2026-04-18"
+                                                                             : pointer_of(field) + "\nß";
     certificate.issued = "2026-04-20";
     return certificate;
 }
@@ -131,6 +132,21 @@ TEST(Certificate, WhatTheStandardRequiresIsMissed) {
               std::string::npos);
 }
 
+TEST(Certificate, ACountryIsTwoCapitalLettersAndADigitalOneNeedsIt) {
+    EXPECT_EQ(problems_with(&Certificate::country, "DE"), "");
+    EXPECT_EQ(problems_with(&Certificate::country, ""), "");
+    for (const char* wrong : {"de", "D", "DEU", "Germany", "D1"})
+        EXPECT_NE(problems_with(&Certificate::country, wrong).find("two capital letters"), std::string::npos)
+            << wrong;
+    Certificate certificate = full_certificate();
+    EXPECT_EQ(messages(missing_in_digital(certificate)), "");
+    certificate.country = " ";
+    EXPECT_EQ(messages(missing_in(certificate)), "") << "paper does without";
+    EXPECT_NE(messages(missing_in_digital(certificate))
+                  .find("/certificate/laboratory/country: 'Country of the laboratory' must be stated"),
+              std::string::npos);
+}
+
 TEST(Certificate, ValuesAreSetWhereNoneWere) {
     for (const std::string start :
          {R"({"title": "t"})", R"({"certificate": {"item": {"serialNumber": "1"}}})"}) {
@@ -154,6 +170,7 @@ TEST(Certificate, ValuesAreSetWhereNoneWere) {
 ordered_json schema_entry(const CertificateField& field) {
     const std::string day = "[0-9]{4}-[0-9]{2}-[0-9]{2}";
     ordered_json made{{"description", field.help}, {"type", "string"}};
+    if (field.kind == CertificateText::country) made["pattern"] = "^[A-Z]{2}$";
     if (field.kind == CertificateText::date) made["pattern"] = "^" + day + "$";
     if (field.kind == CertificateText::dates) made["pattern"] = "^" + day + "(/" + day + ")?$";
     return made;

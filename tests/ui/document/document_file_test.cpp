@@ -1,12 +1,18 @@
 // Opening, saving, other programs' changes, autosave and recovery after a crash.
 #include <gtest/gtest.h>
 
+#include <QBuffer>
 #include <QDir>
 #include <QFile>
+#include <QPainter>
+#include <QPdfWriter>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <csignal>
 
+#include "core/pdf/pdf_archive.h"
+#include "core/project/linked_files.h"
+#include "core/project/project_file.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/autosave.h"
 #include "ui/document/document.h"
@@ -99,6 +105,36 @@ TEST_F(DocumentFileTest, OtherProgramsChangesAreNoticedOwnOnesAreNot) {
     EXPECT_EQ(changed.count(), 1) << "the own change was not told";
     QFile::remove(path("p.covaria"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return changed.count() >= 2; }));
+}
+
+TEST_F(DocumentFileTest, AReportOpensAsAnUnsavedProjectThatNamesIt) {
+    QBuffer page;
+    page.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&page);
+        QPainter(&writer).drawLine(0, 0, 100, 100);
+    }
+    Project project;
+    project.title = "Carried";
+    const auto report = archived_pdf(page.data().toStdString(), {"t", "c"},
+                                     {{"project.covaria", project_text(project), "application/json"}});
+    ASSERT_TRUE(report) << report.error().message;
+    write("Report 7.PDF", QByteArray::fromStdString(*report));
+    write("none.pdf", page.data());
+    Document document;
+    EXPECT_TRUE(document.open(path("none.pdf")).has_errors());
+    EXPECT_EQ(document.heading(), document.display_name());
+    QSignalSpy finished(&document, &Document::open_finished);
+    document.open_in_background(path("Report 7.PDF"));
+    ASSERT_TRUE(finished.wait());
+    EXPECT_EQ(document.project().title, "Carried");
+    EXPECT_TRUE(document.is_modified());
+    EXPECT_TRUE(document.file().isEmpty()) << "the report is never written to";
+    EXPECT_EQ(document.heading(), "Carried (from Report 7.PDF)");
+    ASSERT_TRUE(document.save_as(path("again.covaria")));
+    EXPECT_EQ(document.heading(), "again");
+    EXPECT_FALSE(document.is_modified());
+    EXPECT_EQ(bytes("Report 7.PDF").toStdString(), *report);
 }
 
 TEST_F(DocumentFileTest, LinkedFilesGoAlong) {

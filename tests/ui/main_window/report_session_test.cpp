@@ -8,6 +8,8 @@
 #include <QProcess>
 #include <QSvgRenderer>
 
+#include "core/base/file_io.h"
+#include "core/pdf/pdf_archive.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/export_actions.h"
 #include "ui/pages/report_preview.h"
@@ -100,6 +102,19 @@ TEST_F(ReportSession, TheWindowsPdfIsThePreviewAndThatOfTheCommandLine) {
                                           QStringLiteral("pdf"), QStringLiteral("--out"), out});
     expect_same_pages(of_window, pages_of(out + QStringLiteral("/report.pdf")), 0.0,
                       "window and command line");
+    const auto carried = [](const QString& file) {
+        return files_in_pdf(read_file(to_path(file)).value()).value();
+    };
+    const auto by_window = carried(pdf), by_program = carried(out + QStringLiteral("/report.pdf"));
+    ASSERT_EQ(by_window.size(), by_program.size());
+    ASSERT_GE(by_window.size(), 3U) << "project, results, budgets";
+    for (std::size_t i = 0; i < by_window.size(); ++i) {
+        EXPECT_EQ(by_window[i].name, by_program[i].name);
+        EXPECT_EQ(by_window[i].bytes, by_program[i].bytes) << by_window[i].name;
+    }
+    open(pdf);
+    EXPECT_TRUE(window_->windowTitle().contains(QStringLiteral("(from window.pdf)")))
+        << window_->windowTitle().toStdString();
 }
 
 TEST_F(ReportSession, ChartsOfTheHtmlReportFillTheirFrames) {

@@ -137,6 +137,30 @@ TEST_F(PdfReport, LongTablesRepeatTheirHeadsOnEveryPage) {
     EXPECT_TRUE(contains(pages.back(), "row 199"));
 }
 
+TEST_F(PdfReport, IsAnArchiveThatCarriesItsFilesAndIsMadeTwiceWithEqualBytes) {
+    const ReportDocument document = test::sample_report({1, 3, 3, true, "pose"});
+    PdfOptions chosen = options();
+    chosen.attached = {{"data.csv", "a,b", "text/csv", "A table"}};
+    const auto bytes = pdf_bytes(document, chosen);
+    ASSERT_TRUE(bytes) << bytes.error().message;
+    EXPECT_EQ(*bytes, *pdf_bytes(document, chosen));
+    for (const char* part : {"%PDF-1.7", "<pdfaid:part>3<", "<pdfaid:conformance>B<", "/AFRelationship /Data",
+                             "/GTS_PDFA1", "/OutputIntents", "Stewart platform &lt;test &amp; trial&gt;"})
+        EXPECT_TRUE(contains(*bytes, part)) << part;
+    for (const char* part : {"/JavaScript", "/Encrypt", "/CIDSet", "/Interpolate true", "/CreationDate"})
+        EXPECT_FALSE(contains(*bytes, part)) << part;
+    EXPECT_EQ(files_in_pdf(*bytes)->at(0).bytes, "a,b");
+    std::istringstream fonts(output_of("pdffonts", {"FILE"}, document, chosen));
+    std::string line;
+    std::getline(fonts, line);
+    const std::size_t embedded = line.find("emb");
+    ASSERT_NE(embedded, std::string::npos);
+    std::getline(fonts, line);
+    int count = 0;
+    for (; std::getline(fonts, line); ++count) EXPECT_EQ(line.substr(embedded, 3), "yes") << line;
+    EXPECT_GT(count, 0);
+}
+
 TEST_F(PdfReport, BothPaperSizes) {
     ReportDocument document;
     document.title = "Paper";

@@ -1,0 +1,32 @@
+// Whether results are those that a report carries, to the last bit.
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/pdf/pdf_archive.h"
+
+namespace covaria {
+
+/// What results.json of a report says of how it was made.
+struct CarriedResults {
+    std::string version;                ///< of the program
+    std::vector<std::string> analyses;  ///< ids, evaluated or failed
+    std::set<std::pair<std::string, std::string>> studies =
+        {};  ///< likewise, of an analysis and of its study
+};
+/// Error: there is no results.json, or it is none.
+Result<CarriedResults> carried_results(const std::vector<AttachedFile>& files);
+
+struct Comparison {
+    std::vector<std::string> differences;  ///< "analysis a, output x (pose 1), standardUncertainty: 1 is 2"
+    std::size_t beyond = 0;                ///< how many more
+    bool same() const { return differences.empty() && beyond == 0; }
+};
+/// Of results and tables, byte by byte; where bytes differ, of what they say. The version of the program is
+/// not compared. `now`: what a report of the same project would carry.
+Comparison compare_carried(const std::vector<AttachedFile>& then, const std::vector<AttachedFile>& now);
+
+}  // namespace covaria

@@ -1,0 +1,19 @@
+// Results as values of the D-SI (digital system of units), version 2.1, which certificates of version 3.2.1
+// are made of; 2.2 reads it, too.
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/result/uncertainty_result.h"
+
+namespace covaria {
+
+/// Measurands of a group as <dcc:quantity>: with a joint region as one list with the covariance matrix, else
+/// one by one. Error: an uncertainty that is not finite, for which the D-SI has no place.
+Result<void> add_quantities(pugi::xml_node data, const UncertaintyResult& result, const std::string& group,
+                            const std::vector<std::size_t>& outputs);
+
+}  // namespace covaria

@@ -1,0 +1,11 @@
+// The writers, one file each. To add one: its file, a line here, one in writers.cpp, and its test.
+#pragma once
+
+#include "core/writers/writer.h"
+
+namespace covaria {
+
+Writer points_writer();
+Writer dcc_writer();
+
+}  // namespace covaria

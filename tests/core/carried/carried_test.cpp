@@ -1,0 +1,162 @@
+// What a report carries, taken out of it again: the same project, the same results; what differs is named.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/base/file_io.h"
+#include "core/base/resource_path.h"
+#include "core/carried/carried_check.h"
+#include "core/carried/carried_project.h"
+#include "core/carried/report_data.h"
+#include "tests/core/writers/evaluated.h"
+
+namespace covaria::carried_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using writers_test::Evaluated;
+
+const AttachedFile* find(const std::vector<AttachedFile>& files, const std::string& name) {
+    for (const AttachedFile& file : files)
+        if (file.name == name) return &file;
+    return nullptr;
+}
+
+AttachedFile& file_in(std::vector<AttachedFile>& files, const std::string& name) {
+    for (AttachedFile& file : files)
+        if (file.name == name) return file;
+    throw std::out_of_range(name);
+}
+
+void replace(std::string& text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+}
+
+std::vector<AttachedFile> data_of(const Evaluated& evaluated) {
+    return report_data({*evaluated.made, evaluated.analyses, {}});
+}
+
+Evaluated shipped(const std::string& name) {
+    return writers_test::evaluate(writers_test::loaded(data_directory() / "projects" / name));
+}
+
+std::string all_of(const Comparison& comparison) {
+    std::string all;
+    for (const std::string& difference : comparison.differences) all += difference + "\n";
+    return all;
+}
+
+fs::path fresh_folder(const std::string& name) {
+    const fs::path folder = fs::path(COVARIA_BINARY_DIR) / "carried-test" / name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+TEST(Carried, ProjectsWithTheirFilesGiveTheSameBits) {
+    for (const char* name :
+         {"stewart-platform.covaria", "force-moment-sensor.covaria", "lsm-network.covaria"}) {
+        const Evaluated evaluated = shipped(name);
+        const std::vector<AttachedFile> files = data_of(evaluated);
+        ASSERT_TRUE(find(files, carried::project) && find(files, carried::results)) << name;
+        EXPECT_FALSE(find(files, carried::certificate)) << name << " has no complete certificate";
+        const LoadedProject back = load_carried("report.pdf", files);
+        for (const Problem& problem : back.problems.items())
+            EXPECT_NE(problem.severity, Severity::error) << problem.message;
+        ASSERT_TRUE(back.made) << name;
+        EXPECT_EQ(fingerprint(back.project), fingerprint(evaluated.made->project())) << name;
+        const std::vector<AttachedFile> again = data_of(writers_test::evaluate(back.project));
+        const Comparison comparison = compare_carried(files, again);
+        EXPECT_TRUE(comparison.same()) << name << "\n" << all_of(comparison);
+        EXPECT_EQ(find(files, carried::results)->bytes, find(again, carried::results)->bytes) << name;
+    }
+    EXPECT_TRUE(find(data_of(shipped("force-moment-sensor.covaria")), "force-moment-sensor.csv"));
+}
+
+TEST(Carried, ACsvFileThatHasChangedSinceStandsInTheProject) {
+    const fs::path folder = fresh_folder("changed");
+    for (const char* name : {"force-moment-sensor.covaria", "force-moment-sensor.csv"})
+        fs::copy_file(data_directory() / "projects" / name, folder / name);
+    const Evaluated evaluated =
+        writers_test::evaluate(writers_test::loaded(folder / "force-moment-sensor.covaria"));
+    std::string csv = read_file(folder / "force-moment-sensor.csv").value();
+    csv.resize(csv.rfind('\n', csv.size() - 2) + 1);
+    ASSERT_TRUE(write_file_atomically(folder / "force-moment-sensor.csv", csv));
+    const std::vector<AttachedFile> files = data_of(evaluated);
+    EXPECT_FALSE(find(files, "force-moment-sensor.csv"));
+    const LoadedProject back = load_carried("report.pdf", files);
+    ASSERT_FALSE(back.problems.has_errors());
+    EXPECT_EQ(fingerprint(back.project), fingerprint(evaluated.made->project()));
+}
+
+TEST(Carried, WhatDiffersIsNamed) {
+    const Evaluated evaluated = shipped("lsm-network.covaria");
+    const std::vector<AttachedFile> files = data_of(evaluated);
+    std::vector<AttachedFile> changed = files;
+    const std::string id = evaluated.analyses[0].analysis->id;
+    std::string& results = file_in(changed, carried::results).bytes;
+    replace(results, "\"standardUncertainty\": ", "\"standardUncertainty\": 1");
+    Comparison comparison = compare_carried(changed, files);
+    ASSERT_EQ(comparison.differences.size(), 1u) << all_of(comparison);
+    for (const std::string& part : {"analysis " + id + ", output ", std::string("standardUncertainty: "),
+                                    std::string(" is "), std::string(" now")})
+        EXPECT_NE(comparison.differences[0].find(part), std::string::npos) << comparison.differences[0];
+    changed = files;
+    std::string& budget = file_in(changed, id + "-budget.csv").bytes;
+    budget.insert(budget.rfind('\n', budget.size() - 2) + 1, "x");
+    comparison = compare_carried(changed, files);
+    ASSERT_EQ(comparison.differences.size(), 1u) << all_of(comparison);
+    EXPECT_NE(comparison.differences[0].find(id + "-budget.csv, line "), std::string::npos);
+    EXPECT_NE(comparison.differences[0].find("column group"), std::string::npos) << comparison.differences[0];
+    changed = files;
+    replace(file_in(changed, carried::results).bytes, "\"covariaVersion\": \"", "\"covariaVersion\": \"9");
+    EXPECT_TRUE(compare_carried(changed, files).same()) << "the version is said, not compared";
+    EXPECT_EQ(carried_results(changed)->version.front(), '9');
+    EXPECT_EQ(carried_results(files)->analyses.size(), evaluated.analyses.size());
+    file_in(changed, carried::results).bytes = std::string(1'000'000, '[');
+    EXPECT_FALSE(carried_results(changed));
+    EXPECT_FALSE(compare_carried(changed, files).same());
+    EXPECT_FALSE(compare_carried({}, files).same());
+}
+
+TEST(Carried, NamesThatLeaveTheFolderAreRefused) {
+    const std::vector<AttachedFile> files = data_of(shipped("lsm-network.covaria"));
+    const fs::path beside = fs::temp_directory_path() / "covaria-escaped.csv";
+    fs::remove(beside);
+    for (const std::string& name :
+         {std::string("../covaria-escaped.csv"), beside.string(), std::string("a/../../covaria-escaped.csv"),
+          std::string("..\\covaria-escaped.csv"), std::string(), std::string(".."), std::string("a/"),
+          std::string("a\0b", 3)}) {
+        std::vector<AttachedFile> hostile = files;
+        hostile.push_back({name, "x", "", "", AttachedAs::data});
+        const LoadedProject loaded = load_carried("report.pdf", hostile);
+        EXPECT_TRUE(loaded.problems.has_errors()) << name;
+        EXPECT_NE(first_error(loaded.problems, "").find("would leave its folder"), std::string::npos) << name;
+        EXPECT_FALSE(loaded.made);
+        EXPECT_FALSE(fs::exists(beside)) << name;
+    }
+    std::vector<AttachedFile> in_the_way = files;
+    in_the_way.push_back({"project.covaria/x", "x", "", "", AttachedAs::data});
+    EXPECT_TRUE(load_carried("report.pdf", in_the_way).problems.has_errors());
+}
+
+TEST(Carried, ReportsWithoutAProjectAreRefusedByName) {
+    const fs::path folder = fresh_folder("none");
+    ASSERT_TRUE(write_file_atomically(folder / "text.pdf", "no PDF"));
+    ASSERT_TRUE(write_file_atomically(folder / "broken.pdf", "%PDF-1.4\n"));
+    for (const auto& [name, words] : {std::pair("text.pdf", "it is no PDF"),
+                                      {"broken.pdf", "the PDF cannot be read"},
+                                      {"none.pdf", ""}}) {
+        const auto files = carried_files(folder / name);
+        ASSERT_FALSE(files) << name;
+        EXPECT_NE(files.error().message.find(words), std::string::npos) << files.error().message;
+        EXPECT_TRUE(load_carried(folder / name).problems.has_errors());
+    }
+}
+
+}  // namespace
+
+}  // namespace covaria::carried_test
