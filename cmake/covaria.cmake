@@ -116,6 +116,10 @@ function(covaria_test name)
         endif()
         add_dependencies(${floor} test_${name})
     endif()
+    set(limit 180)
+    if(COVARIA_SANITIZE)  # makes everything ten times slower
+        set(limit 900)
+    endif()
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-        PROPERTIES TIMEOUT 180 ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
+        PROPERTIES TIMEOUT ${limit} ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
 endfunction()
