@@ -19,21 +19,6 @@ std::vector<ui::ReportFormat> formats_of(const std::vector<std::string>& names) 
     return formats;
 }
 
-Result<void> write_document(const ReportDocument& document, const ReportSource& source,
-                            const ReportFiles& files, const std::stop_token& stop) {
-    const auto application = make_application(Platform::offscreen);
-    ui::ScenePictures scenes(source.analyses);
-    const ui::FigurePainters painters = ui::report_painters(scenes);
-    ui::ReportTarget target;
-    target.folder = files.folder;
-    target.name = files.name;
-    target.formats = formats_of(files.formats);
-    target.paper = files.paper == "letter" ? ui::PaperSize::letter : ui::PaperSize::a4;
-    auto written = ui::export_report(document, target, painters, stop);
-    if (!written && !scenes.problem().empty()) written.error().message += ": " + scenes.problem();
-    return written;
-}
-
 }  // namespace
 
 Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
@@ -47,15 +32,19 @@ Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
     return {};
 }
 
-Result<void> write_certificate(const ReportSource& source, CertifiedResults which, const ReportFiles& files,
-                               const std::stop_token& stop) {
-    return write_document(build_certificate(source.made, source.analyses, source.failed, which), source,
-                          files, stop);
-}
-
-Result<void> write_reports(const ReportSource& source, const ReportFiles& files,
-                           const std::stop_token& stop) {
-    return write_document(build_report(source.made, source.analyses, source.failed), source, files, stop);
+Result<void> write_document(const ReportDocument& document, const ReportSource& source,
+                            const ReportFiles& files, const std::stop_token& stop) {
+    const auto application = make_application(Platform::offscreen);
+    ui::ScenePictures scenes(source.analyses);
+    const ui::FigurePainters painters = ui::report_painters(scenes);
+    ui::ReportTarget target;
+    target.folder = files.folder;
+    target.name = files.name;
+    target.formats = formats_of(files.formats);
+    target.paper = files.paper == "letter" ? ui::PaperSize::letter : ui::PaperSize::a4;
+    auto written = ui::export_report(document, target, painters, stop);
+    if (!written && !scenes.problem().empty()) written.error().message += ": " + scenes.problem();
+    return written;
 }
 
 }  // namespace covaria

@@ -31,7 +31,9 @@ void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// `shown` are the assets whose evaluation the report has already.
 void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
                 std::set<std::string>& shown);
-void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+inline constexpr std::size_t most_budget_rows = 24;  ///< further components are summed
+void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated,
+                 std::size_t most_rows = most_budget_rows);
 void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 /// Target uncertainties, conformity; nothing without requirements.
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);

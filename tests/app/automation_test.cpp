@@ -119,6 +119,13 @@ TEST(Certificate, ValidateListsWhatIsMissing) {
     const Outcome wrong = run_program({"validate", gauge, "--set", "/certificate/dates/issued=17.4.2026"});
     EXPECT_EQ(wrong.status, 1);
     EXPECT_NE(wrong.err.find("must be a date of the form 2026-04-17"), std::string::npos) << wrong.err;
+    std::vector<std::string> early = with_certificate({"validate", gauge});
+    early.insert(early.end(), {"--set", "/certificate/dates/issued=2026-04-16"});
+    EXPECT_EQ(run_program(early).status, 0) << "a warning";
+    early.push_back("--certificate");
+    const Outcome before = run_program(early);
+    EXPECT_EQ(before.status, 1) << "no certificate can be issued so";
+    EXPECT_NE(before.err.find("before the calibration"), std::string::npos) << before.err;
 }
 
 TEST(Certificate, IsOneFileOfTheFormatThatItsNameAsksFor) {

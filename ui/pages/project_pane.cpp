@@ -106,7 +106,7 @@ void ProjectPane::keep_in_library(const SetupAddress& address) {
 void ProjectPane::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
     QTreeView::currentChanged(current, previous);
     const SetupAddress address = model_.address(current);
-    if (!address.id.empty()) selection_.select_entry(address);
+    if (exists(document_.project(), address)) selection_.select_entry(address);
     update_actions();
 }
 
@@ -120,8 +120,9 @@ void ProjectPane::follow_selection() {
 }
 
 void ProjectPane::update_actions() {
-    const bool entry = !model_.address(currentIndex()).id.empty();
-    for (QAction* action : {duplicate_action, rename_action, delete_action}) action->setEnabled(entry);
+    const SetupAddress address = model_.address(currentIndex());
+    for (QAction* action : {duplicate_action, delete_action}) action->setEnabled(!address.id.empty());
+    rename_action->setEnabled(exists(document_.project(), address));
 }
 
 void ProjectPane::contextMenuEvent(QContextMenuEvent* event) {

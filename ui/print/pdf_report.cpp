@@ -61,7 +61,7 @@ Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& 
         pages.paint(page, painter);
     }
     if (!painter.end()) return fail(ErrorCode::io, "the PDF of the report could not be finished");
-    return without_clock(buffer.data().toStdString());
+    return with_bookmarks(without_clock(buffer.data().toStdString()), pages.bookmarks());
 }
 
 Result<void> write_pdf(const ReportDocument& document, const PdfOptions& options,
