@@ -16,7 +16,7 @@ namespace {
 using namespace report_parts;
 
 /// Of all but the annex: pages break where they must, so that these are up to twenty.
-constexpr double room = 17.0 * lines_of_page, room_before = 3.0 * lines_of_page;
+constexpr double room = 20.0 * lines_of_page, room_before = 3.0 * lines_of_page;
 
 /// Puts "2.1", "Table 3." and "Figure 2." before headings and captions, in order of appearance.
 struct Numbering {
@@ -77,7 +77,7 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     if (contents.has(ReportChapter::models)) add_models(before, source);
     if (contents.has(ReportChapter::notes)) add_notes(after, source);
     if (contents.has(ReportChapter::provenance)) add_provenance(after, source);
-    before = shortened_to(room_before, before, "the results of the analysis have");
+    before = shortened_to(room_before, before, "the CSV tables, and the annex on request, have");
     AnalysisChapters chapters =
         analysis_chapters(source, contents, room - lines_of(before) - lines_of(after));
     Blocks& blocks = document.blocks;

@@ -10,6 +10,8 @@ namespace covaria::report_parts {
 
 namespace {
 
+constexpr double frame_lines = 6.0;  // of an analysis: its heading, and what it is without
+
 /// One that is not there has no blocks.
 struct AnalysisChapter {
     std::optional<ReportChapter> chapter;  ///< none: the results, which are always there
@@ -64,6 +66,13 @@ std::string title_of(const AnalysisChapter& chapter) {
     return {};
 }
 
+/// Only words that lead to what is not there.
+bool says_nothing(const Blocks& blocks) {
+    return std::none_of(blocks.begin(), blocks.end(), [](const ReportBlock& block) {
+        return !std::holds_alternative<HeadingBlock>(block) && !std::holds_alternative<ParagraphBlock>(block);
+    });
+}
+
 double whole_lines(const Chapters& chapters) {
     double lines = 0.0;
     for (const AnalysisChapter& chapter : chapters) lines += lines_of(chapter.whole);
@@ -81,7 +90,7 @@ public:
             shorten_all(extent);
             double needed = 0.0;
             for (const AnalysisChapter& chapter : chapters_) needed += lines_of(chapter.shortened.body);
-            if (needed <= lines) return;
+            if (needed <= lines && extent.figures > 0) return;
         }
         leave_out(lines);
     }
@@ -141,7 +150,8 @@ private:
                          });
         for (AnalysisChapter* chapter : ranked) {
             const double needed = lines_of(chapter->shortened.body);
-            chapter->left_out = chapter->chapter && needed > lines;
+            const bool empty = says_nothing(chapter->shortened.body) && !says_nothing(chapter->whole);
+            chapter->left_out = chapter->chapter && (needed > lines || empty);
             if (!chapter->left_out) lines -= needed;
         }
     }
@@ -165,7 +175,8 @@ AnalysisChapters analysis_chapters(const ReportSource& source, const ReportConte
         needs.push_back(whole_lines(chapters));
         bodies.emplace_back(contents, evaluated, std::move(chapters));
     }
-    const std::vector<double> shares = shares_of(lines, needs);
+    const double lines_of_frames = frame_lines * double(bodies.size());
+    const std::vector<double> shares = shares_of(lines - lines_of_frames, needs);
     AnalysisChapters all;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         bodies[i].fit(shares[i]);

@@ -138,7 +138,8 @@ double lines_of(const Blocks& blocks) {
 }
 
 const std::vector<Extent>& extents() {
-    static const std::vector<Extent> steps{{}, {24, 40, 8, 24}, {16, 12, 4, 12}, {8, 3, 2, 6}};
+    static const std::vector<Extent> steps{{},           {24, 40, 8, 24}, {16, 12, 6, 12}, {12, 8, 4, 8},
+                                           {8, 3, 2, 6}, {6, 3, 0, 5}};
     return steps;
 }
 

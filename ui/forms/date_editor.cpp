@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QVBoxLayout>
 #include <QWidgetAction>
 
 #include "ui/forms/complaint.h"
@@ -24,14 +25,17 @@ std::optional<QDate> read_date(const QString& text) {
 DateEditor::DateEditor(const FieldSpec& field, Days days, Document& document, TextPlace place,
                        QWidget* parent)
     : FieldEditor(parent), unread_(document.unread()), place_(std::move(place)), help_(help_text(field)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
     const QString key = to_qt(field.key);
-    first_ = add_line(field, key);
+    column->addWidget(first_ = add_line(field, key));
     if (days == Days::interval) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(6);
         row->addWidget(new QLabel(tr("to"), this));
-        last_ = add_line(field, key + QStringLiteral("/last"));
+        row->addWidget(last_ = add_line(field, key + QStringLiteral("/last")), 1);
+        column->addLayout(row);
         last_->setAccessibleName(tr("%1, last day").arg(to_qt(field.title)));
     }
     setFocusProxy(first_);
@@ -47,7 +51,6 @@ QLineEdit* DateEditor::add_line(const FieldSpec& field, const QString& name) {
     line->setObjectName(name);
     line->setAccessibleName(to_qt(field.title));
     line->setToolTip(help_);
-    layout()->addWidget(line);
     QAction* calendar = line->addAction(icon(QStringLiteral("calendar")), QLineEdit::TrailingPosition);
     calendar->setToolTip(tr("Choose from a calendar"));
     connect(calendar, &QAction::triggered, this, [this, line] { open_calendar(*line); });
@@ -160,7 +163,7 @@ void DateEditor::set_complaint(const QString& complaint) {
 
 void DateEditor::set_hint(const QString& hint) {
     for (QLineEdit* line : {first_, last_})
-        if (line) line->setPlaceholderText(line == first_ ? hint : tr("or later"));
+        if (line) line->setPlaceholderText(line == first_ ? hint : tr("the same day"));
 }
 
 void DateEditor::show_marks() {

@@ -15,6 +15,8 @@ NotesPage::NotesPage(Document& document, SetupAddress entry, QWidget* parent)
     name_ = new QLineEdit;
     notes_ = new QPlainTextEdit;
     const QString name = entry_.owner == SetupOwner::project ? tr("Title") : tr("Name");
+    name_->setObjectName(QStringLiteral("entry_name"));
+    notes_->setObjectName(QStringLiteral("entry_notes"));
     name_->setAccessibleName(name);
     notes_->setAccessibleName(tr("Notes"));
     notes_->setToolTip(tr("Appear in the report"));

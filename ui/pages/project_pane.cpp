@@ -4,6 +4,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <algorithm>
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
@@ -111,7 +112,19 @@ void ProjectPane::currentChanged(const QModelIndex& current, const QModelIndex& 
 }
 
 int ProjectPane::wanted_width() const {
-    return sizeHintForColumn(0) + sizeHintForColumn(1) + 2 * frameWidth() + 12;
+    int names = 0;
+    QStyleOptionViewItem option;
+    initViewItemOption(&option);
+    const auto take = [&](const QModelIndex& index, int depth) {
+        names = std::max(names, itemDelegate()->sizeHint(option, index).width() + depth * indentation());
+    };
+    for (int category = ProjectTreeModel::artefacts; category < ProjectTreeModel::category_count;
+         ++category) {
+        const QModelIndex above = model_.index(category, 0);
+        take(above, 1);
+        for (int row = 0; row < model_.rowCount(above); ++row) take(model_.index(row, 0, above), 2);
+    }
+    return names + sizeHintForColumn(1) + 2 * frameWidth() + 12;
 }
 
 void ProjectPane::follow_selection() {

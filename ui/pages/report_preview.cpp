@@ -97,6 +97,7 @@ ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget
 QLayout* ReportPreview::make_head() {
     auto* head = new QHBoxLayout;
     head->setContentsMargins(8, 4, 8, 4);
+    head->setSpacing(8);
     kind_ = new QComboBox;
     kind_->setObjectName(QStringLiteral("document_kind"));
     kind_->setAccessibleName(tr("Document"));
