@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/report/table_text.h"
+#include "core/base/in_quotes.h"
 
 namespace covaria::report_parts {
 
@@ -70,7 +70,8 @@ bool is_budget(const TableBlock& block) {
 std::string rows_note(const TableBlock& block, std::size_t begin, std::size_t shown, const std::string& group,
                       const std::string& elsewhere) {
     const std::string which =
-        begin > 0 ? "From " + group + " on, which has the largest expanded uncertainties, " : "The first ";
+        begin > 0 ? "From " + in_quotes(group) + " on, which has the largest expanded uncertainties, "
+                  : "The first ";
     return which + std::to_string(shown) + " of " + std::to_string(block.table.rows.size()) + " rows; " +
            elsewhere + " all of them.";
 }
