@@ -165,5 +165,33 @@ TEST(Certificate, ThereIsOneForEachSerialNumber) {
     EXPECT_TRUE(fs::exists(folder / "out/18/certificate.pdf"));
 }
 
+std::size_t pages_of(const fs::path& pdf) {
+    const std::string bytes = read_text(pdf);
+    const std::string key = "/Count ";
+    const std::size_t at = bytes.find(key, bytes.find("/Type /Pages"));
+    return at == std::string::npos ? 0 : std::stoul(bytes.substr(at + key.size(), 8));
+}
+
+TEST(Reports, OfTheExamplesHaveUpToTwentyPages) {
+    const fs::path folder = fresh_folder("reports");
+    std::size_t longest = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(COVARIA_SOURCE_DIR) / "projects")) {
+        if (entry.path().extension() != ".covaria") continue;
+        const fs::path pdf = folder / (entry.path().stem().string() + ".pdf");
+        const Outcome run =
+            run_program({"report", entry.path().string(), "--trials", "2000", "-o", pdf.string()});
+        ASSERT_EQ(run.status, 0) << run.err;
+        EXPECT_GE(pages_of(pdf), 8U) << entry.path();
+        EXPECT_LE(pages_of(pdf), 20U) << entry.path();
+        longest = std::max(longest, pages_of(pdf));
+    }
+    const fs::path whole = folder / "whole.pdf";
+    const Outcome run =
+        run_program({"report", (fs::path(COVARIA_SOURCE_DIR) / "projects/tracker-pose.covaria").string(),
+                     "--trials", "2000", "--annex", "-o", whole.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_GT(pages_of(whole), 4 * longest) << "the annex has the long tables";
+}
+
 }  // namespace
 }  // namespace covaria::automation_test
