@@ -21,6 +21,7 @@ struct Definition {
 const std::vector<Definition>& definitions() {
     static const std::vector<Definition> all{
         {{"certificate", "what a calibration certificate says beside its results"}, "certificate"},
+        {{"report", "what goes into the report"}, "report"},
         {{"links", "input quantities taken from other analyses"}, "link"},
         {{"inputs", "edits of input quantities"}, "inputEdit"},
         {{"components", "components of uncertainty, in inputs"}, "component"},

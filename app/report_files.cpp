@@ -20,7 +20,20 @@ std::vector<ui::ReportFormat> formats_of(const std::vector<std::string>& names) 
     return formats;
 }
 
-Result<void> write_document(const ReportDocument& document, const ReportContent& source,
+}  // namespace
+
+Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
+    const std::filesystem::path path(file);
+    const std::string ending = path.extension().string();
+    if (path.stem().empty() || (ending != ".pdf" && ending != ".html" && ending != ".md"))
+        return fail(ErrorCode::usage, "the name '" + file + "' must end in .pdf, .html or .md");
+    files.folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    files.name = path.stem().string();
+    files.formats = {ending == ".md" ? "markdown" : ending.substr(1)};
+    return {};
+}
+
+Result<void> write_document(const ReportDocument& document, const ReportSource& source,
                             const ReportFiles& files, const std::stop_token& stop) {
     const auto application = make_application(Platform::offscreen);
     ui::ScenePictures scenes(source.analyses);
@@ -36,30 +49,6 @@ Result<void> write_document(const ReportDocument& document, const ReportContent&
     auto written = ui::export_report(document, target, painters, stop);
     if (!written && !scenes.problem().empty()) written.error().message += ": " + scenes.problem();
     return written;
-}
-
-}  // namespace
-
-Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
-    const std::filesystem::path path(file);
-    const std::string ending = path.extension().string();
-    if (path.stem().empty() || (ending != ".pdf" && ending != ".html" && ending != ".md"))
-        return fail(ErrorCode::usage, "the name '" + file + "' must end in .pdf, .html or .md");
-    files.folder = path.has_parent_path() ? path.parent_path().string() : ".";
-    files.name = path.stem().string();
-    files.formats = {ending == ".md" ? "markdown" : ending.substr(1)};
-    return {};
-}
-
-Result<void> write_certificate(const ReportContent& source, CertifiedResults which, const ReportFiles& files,
-                               const std::stop_token& stop) {
-    return write_document(build_certificate(source.made, source.analyses, source.failed, which), source,
-                          files, stop);
-}
-
-Result<void> write_reports(const ReportContent& source, const ReportFiles& files,
-                           const std::stop_token& stop) {
-    return write_document(build_report(source.made, source.analyses, source.failed), source, files, stop);
 }
 
 }  // namespace covaria

@@ -20,10 +20,8 @@ struct ReportFiles {
 /// The folder, name and format of one file: "out/cert.pdf". Error{usage}: its ending names no format.
 Result<void> write_into_one_file(const std::string& file, ReportFiles& files);
 
-/// A certificate of analyses that were chosen, or of those whose results fit.
-Result<void> write_certificate(const ReportContent& source, CertifiedResults which, const ReportFiles& files,
-                               const std::stop_token& stop);
-Result<void> write_reports(const ReportContent& source, const ReportFiles& files,
-                           const std::stop_token& stop);
+/// As `document` is: a report, a certificate.
+Result<void> write_document(const ReportDocument& document, const ReportSource& source,
+                            const ReportFiles& files, const std::stop_token& stop);
 
 }  // namespace covaria

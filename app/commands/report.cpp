@@ -17,7 +17,8 @@ struct ReportArguments {
     RunRequest request;
     ReportFiles files;
     std::string output;  ///< one file instead
-    bool certificate = false;
+    bool certificate = false, annex = false;
+    std::vector<std::string> without = {};  ///< chapters
 };
 
 ReportFiles files_of(const ReportArguments& arguments) {
@@ -26,13 +27,28 @@ ReportFiles files_of(const ReportArguments& arguments) {
     return files;
 }
 
-Result<void> write(const ReportArguments& arguments, const ReportContent& source, const ReportFiles& files,
-                   const std::stop_token& stop) {
-    if (!arguments.certificate) return write_reports(source, files, stop);
-    say_what_is_missing(source.made.project());
-    const auto which =
-        arguments.request.analyses.empty() ? CertifiedResults::that_fit : CertifiedResults::all;
-    return write_certificate(source, which, files, stop);
+/// Chosen analyses are shown whatever the project leaves out.
+ReportDocument document_of(const ReportArguments& arguments, const ReportSource& source) {
+    const bool chosen = !arguments.request.analyses.empty();
+    if (arguments.certificate)
+        return build_document(DocumentKind::certificate, source.made, source.analyses, source.failed, chosen);
+    ReportContents contents = source.made.project().report;
+    if (chosen) contents.without_analyses.clear();
+    for (const std::string& key : arguments.without) choose(contents.without_chapters, key, false);
+    contents.annex = contents.annex || arguments.annex;
+    return build_report(source.made, source.analyses, source.failed, contents);
+}
+
+/// Nothing is evaluated that is not shown.
+Result<RunRequest> request_for(const ReportArguments& arguments, const Project& project) {
+    RunRequest request = arguments.request;
+    if (!request.analyses.empty() || project.report.without_analyses.empty()) return request;
+    request.analyses = reported_analyses(project);
+    if (request.analyses.empty())
+        return fail(ErrorCode::bad_input,
+                    "the project leaves every analysis out of its report; name those to show by --analysis",
+                    "/report/withoutAnalyses");
+    return request;
 }
 
 Result<void> report(const ReportArguments& arguments, const std::stop_token& stop) {
@@ -42,10 +58,14 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     if (auto made = make_output_folder(files.folder); !made) return made;
     auto opened = open_project(arguments.request.file, arguments.request.values);
     if (!opened) return fail(opened.error());
-    auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
+    const auto request = request_for(arguments, (**opened).project());
+    if (!request) return fail(request.error());
+    auto evaluation = evaluate_analyses(*opened, *request, stop);
     if (!evaluation) return fail(evaluation.error());
-    const ReportContent source{*evaluation->made, evaluation->analyses, evaluation->failed};
-    if (auto written = write(arguments, source, files, stop); !written) return written;
+    const ReportSource source{*evaluation->made, evaluation->analyses, evaluation->failed};
+    if (arguments.certificate) say_what_is_missing(source.made.project());
+    if (auto written = write_document(document_of(arguments, source), source, files, stop); !written)
+        return written;
     return check_complete(*evaluation);
 }
 
@@ -73,6 +93,14 @@ Command report_command(CLI::App& app) {
     command->add_flag("--certificate", arguments->certificate,
                       "a calibration certificate of one to three pages instead of the report: the project's "
                       "section \"certificate\" and the results (of the analyses chosen by --analysis)");
+    std::vector<std::string> chapters;
+    for (const ReportChapterField& chapter : report_chapters()) chapters.push_back(chapter.key);
+    command->add_option("--without", arguments->without, "a chapter to leave out (may be repeated)")
+        ->type_name("CHAPTER")
+        ->check(CLI::IsMember(chapters))
+        ->allow_extra_args(false);
+    command->add_flag("--annex", arguments->annex,
+                      "long tables whole at the end too; without it the CSV files of 'run' have them");
     command->add_option("--paper", arguments->files.paper, "a4 or letter")
         ->type_name("SIZE")
         ->check(CLI::IsMember({"a4", "letter"}))

@@ -40,16 +40,20 @@ void say_what_does_not_represent(const Project& project, const std::vector<Evalu
     }
 }
 
-/// If it was asked for.
-Result<void> write_certificate_of(const RunArguments& arguments, const ReportContent& source,
-                                  const std::stop_token& stop) {
+Result<void> write_documents(const RunArguments& arguments, const ReportSource& source,
+                             const std::stop_token& stop) {
+    const bool chosen = !arguments.request.analyses.empty();
+    const auto write = [&](DocumentKind kind, const char* name) {
+        ReportFiles files{arguments.out};
+        files.name = name;
+        return write_document(build_document(kind, source.made, source.analyses, source.failed, chosen),
+                              source, files, stop);
+    };
+    if (arguments.report)
+        if (auto written = write(DocumentKind::report, "report"); !written) return written;
     if (!arguments.certificate) return {};
     say_what_is_missing(source.made.project());
-    const bool chosen = !arguments.request.analyses.empty();
-    ReportFiles files{arguments.out};
-    files.name = "certificate";
-    return write_certificate(source, chosen ? CertifiedResults::all : CertifiedResults::that_fit, files,
-                             stop);
+    return write(DocumentKind::certificate, "certificate");
 }
 
 /// Evaluates one project and writes everything that was asked for. `lines`: its result lines are added, under
@@ -71,14 +75,7 @@ Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop,
         !written)
         return written;
     if (auto written = write_pictures(arguments.out, analyses, pictures, stop); !written) return written;
-    if (arguments.report)
-        if (auto written =
-                write_reports({*evaluation->made, analyses, evaluation->failed}, {arguments.out}, stop);
-            !written)
-            return written;
-    if (auto written =
-            write_certificate_of(arguments, {*evaluation->made, analyses, evaluation->failed}, stop);
-        !written)
+    if (auto written = write_documents(arguments, {*evaluation->made, analyses, evaluation->failed}, stop); !written)
         return written;
     lines += result_lines(name, (*opened)->project(), analyses);
     return check_complete(*evaluation);

@@ -24,8 +24,11 @@ int validate(const ValidateArguments& arguments) {
         return exit_status_of(values.error());
     }
     LoadedProject loaded = load_project(arguments.file, *values);
-    if (arguments.certificate && loaded.made)
+    if (arguments.certificate && loaded.made) {
+        for (Problem& problem : loaded.problems.items())
+            if (problem.path.starts_with("/certificate/")) problem.severity = Severity::error;
         loaded.problems.take(missing_in(loaded.project.certificate), "");
+    }
     print_problems(loaded.problems);
     if (loaded.problems.has_errors()) return exit_bad_input;
     std::printf("%s: %zu assets, %zu analyses, %sno errors\n", arguments.file.c_str(),

@@ -28,7 +28,7 @@ bool is_as_read(const fs::path& file, const SetupTable& table, const FieldSpec& 
 
 class DataCollection {
 public:
-    explicit DataCollection(const ReportContent& content) : content_(content) {}
+    explicit DataCollection(const ReportSource& content) : content_(content) {}
 
     std::vector<AttachedFile> take() && {
         add_project();
@@ -94,7 +94,7 @@ private:
                               writer.title + ", not signed", AttachedAs::alternative});
     }
 
-    const ReportContent& content_;
+    const ReportSource& content_;
     std::vector<AttachedFile> files_;
     std::set<std::string> taken_;  ///< names of linked files
     FileNames names_;
@@ -102,7 +102,7 @@ private:
 
 }  // namespace
 
-std::vector<AttachedFile> report_data(const ReportContent& content) {
+std::vector<AttachedFile> report_data(const ReportSource& content) {
     return DataCollection(content).take();
 }
 

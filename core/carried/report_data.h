@@ -9,13 +9,6 @@
 
 namespace covaria {
 
-/// What a report is made of.
-struct ReportContent {
-    const MadeProject& made;
-    const std::vector<EvaluatedAnalysis>& analyses;
-    const std::vector<FailedAnalysis>& failed;
-};
-
 namespace carried {
 inline constexpr const char* project = "project.covaria";
 inline constexpr const char* results = "results.json";
@@ -25,6 +18,6 @@ inline constexpr const char* certificate = "certificate.xml";
 /// The project with the CSV files that it refers to, results.json, the budget of each analysis as CSV, a
 /// Digital Calibration Certificate where the project's certificate is complete. A CSV file that is no longer
 /// what was read stands in the project itself. Equal contents give equal bytes.
-std::vector<AttachedFile> report_data(const ReportContent& content);
+std::vector<AttachedFile> report_data(const ReportSource& content);
 
 }  // namespace covaria

@@ -60,6 +60,9 @@ Problems MadeProject::problems() const {
     check_ids(project_->assets, "/assets", all);
     check_ids(project_->analyses, "/analyses", all);
     check_certificate(project_->certificate, all);
+    std::vector<std::string> analyses;
+    for (const AnalysisEntry& analysis : project_->analyses) analyses.push_back(analysis.id);
+    check_report_contents(project_->report, analyses, all);
     for (const std::size_t entry : graph_.order())  // causes before what follows from them
         if (graph_.is_asset(entry)) all.take(entries_[entry]->problems, "/assets/" + std::to_string(entry));
     for (std::size_t i = 0; i < project_->analyses.size(); ++i) {

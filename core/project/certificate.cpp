@@ -15,7 +15,7 @@ using Days = std::chrono::sys_days;
 constexpr auto lines = CertificateText::lines;
 constexpr auto line_of_text = CertificateText::line;
 
-std::vector<CertificateField> fields_of_parties() {
+std::vector<CertificateField> fields_of_laboratory() {
     return {{"", "number", "Certificate number", "Unique; it stands on every page.", &C::number, line_of_text,
              "7.8.2.1 d", true},
             {"laboratory", "name", "Laboratory", "That issues the certificate.", &C::laboratory, line_of_text,
@@ -29,8 +29,11 @@ std::vector<CertificateField> fields_of_parties() {
              &C::accreditation},
             {"", "place", "Place of calibration",
              "Where it was done if not in the laboratory: at the customer, in the field.", &C::place, lines,
-             "7.8.2.1 c"},
-            {"customer", "name", "Customer", "For whom it was done.", &C::customer, line_of_text, "7.8.2.1 e",
+             "7.8.2.1 c"}};
+}
+
+std::vector<CertificateField> fields_of_customer() {
+    return {{"customer", "name", "Customer", "For whom it was done.", &C::customer, line_of_text, "7.8.2.1 e",
              true},
             {"customer", "address", "Address of the customer", "Street, town, country.", &C::customer_address,
              lines, "7.8.2.1 e", true}};
@@ -47,13 +50,16 @@ std::vector<CertificateField> fields_of_item() {
         {"item", "identification", "Identification", "The customer's mark, an inventory number.",
          &C::identification, line_of_text, "7.8.2.1 g"},
         {"item", "condition", "Condition of the item", "As it was received, where that matters.",
-         &C::condition, lines, "7.8.2.1 g"},
-        {"dates", "received", "Received", "ISO 8601: 2026-04-17.", &C::received, CertificateText::date,
-         "7.8.2.1 h"},
-        {"dates", "calibrated", "Calibrated", "A date, or two of an interval: 2026-04-17/2026-04-18.",
-         &C::calibrated, CertificateText::dates, "7.8.2.1 i", true},
-        {"dates", "issued", "Issued", "ISO 8601: 2026-04-20.", &C::issued, CertificateText::date, "7.8.2.1 j",
-         true}};
+         &C::condition, lines, "7.8.2.1 g"}};
+}
+
+std::vector<CertificateField> fields_of_dates() {
+    return {{"dates", "received", "Received", "ISO 8601: 2026-04-17.", &C::received, CertificateText::date,
+             "7.8.2.1 h"},
+            {"dates", "calibrated", "Calibrated", "A date, or two of an interval: 2026-04-17/2026-04-18.",
+             &C::calibrated, CertificateText::dates, "7.8.2.1 i", true},
+            {"dates", "issued", "Issued", "ISO 8601: 2026-04-20.", &C::issued, CertificateText::date,
+             "7.8.2.1 j", true}};
 }
 
 std::vector<CertificateField> fields_of_calibration() {
@@ -69,8 +75,11 @@ std::vector<CertificateField> fields_of_calibration() {
             {"", "adjustment", "Adjustment or repair", "Results before and after it.", &C::adjustment, lines,
              "7.8.4.1 d"},
             {"", "remarks", "Remarks", "Opinions and interpretations are marked as such (7.8.7).",
-             &C::remarks, lines},
-            {"authorised", "name", "Authorised by", "The person who authorises the certificate.",
+             &C::remarks, lines}};
+}
+
+std::vector<CertificateField> fields_of_authorisation() {
+    return {{"authorised", "name", "Authorised by", "The person who authorises the certificate.",
              &C::authorised_by, line_of_text, "7.8.2.1 o", true},
             {"authorised", "function", "Function", "Of that person in the laboratory.", &C::function}};
 }
@@ -118,16 +127,27 @@ void check_order(const Certificate& certificate, std::string Certificate::*befor
                  std::string Certificate::*after, const std::string& message, Problems& problems) {
     const auto first = period_in(certificate, before), then = period_in(certificate, after);
     if (first && then && then->first < first->first)
-        problems.error(pointer_of(certificate_field(after)), message);
+        problems.warning(pointer_of(certificate_field(after)), message);
 }
 
 }  // namespace
 
+const std::vector<CertificateSection>& certificate_sections() {
+    static const std::vector<CertificateSection> sections{
+        {"Certificate and laboratory", fields_of_laboratory()},
+        {"Customer", fields_of_customer()},
+        {"Item", fields_of_item()},
+        {"Dates", fields_of_dates()},
+        {"Calibration", fields_of_calibration()},
+        {"Authorisation", fields_of_authorisation()}};
+    return sections;
+}
+
 const std::vector<CertificateField>& certificate_fields() {
     static const std::vector<CertificateField> fields = [] {
-        std::vector<CertificateField> all = fields_of_parties();
-        for (const auto& some : {fields_of_item(), fields_of_calibration()})
-            all.insert(all.end(), some.begin(), some.end());
+        std::vector<CertificateField> all;
+        for (const CertificateSection& section : certificate_sections())
+            all.insert(all.end(), section.fields.begin(), section.fields.end());
         return all;
     }();
     return fields;
@@ -153,21 +173,21 @@ bool is_missing(const CertificateField& field, const Certificate& certificate) {
            (!field.or_else || is_blank(certificate.*field.or_else));
 }
 
+std::string complaint_about(const CertificateField& field, const std::string& text) {
+    if (field.kind == CertificateText::country && !text.empty() && !is_country(text))
+        return "'" + std::string(field.key) + "' must be two capital letters, such as DE; it is '" + text + "'";
+    const bool interval = field.kind == CertificateText::dates;
+    const bool dated = interval || field.kind == CertificateText::date;
+    if (!dated || text.empty() || period_of(text, field.kind)) return {};
+    return "'" + std::string(field.key) + "' must be a date of the form 2026-04-17" +
+           (interval ? " or an interval 2026-04-17/2026-04-18" : "") + "; it is '" + text + "'";
+}
+
 void check_certificate(const Certificate& certificate, Problems& problems) {
-    for (const CertificateField& field : certificate_fields()) {
-        const std::string& text = certificate.*field.member;
-        if (field.kind == CertificateText::country && !text.empty() && !is_country(text))
-            problems.error(pointer_of(field), "'" + std::string(field.key) +
-                                                  "' must be two capital letters, such as DE; it is '" +
-                                                  text + "'");
-        const bool interval = field.kind == CertificateText::dates;
-        if ((!interval && field.kind != CertificateText::date) || text.empty()) continue;
-        if (!period_of(text, field.kind))
-            problems.error(pointer_of(field), "'" + std::string(field.key) +
-                                                  "' must be a date of the form 2026-04-17" +
-                                                  (interval ? " or an interval 2026-04-17/2026-04-18" : "") +
-                                                  "; it is '" + text + "'");
-    }
+    for (const CertificateField& field : certificate_fields())
+        if (const std::string complaint = complaint_about(field, certificate.*field.member);
+            !complaint.empty())
+            problems.error(pointer_of(field), complaint);
     check_order(certificate, &C::received, &C::calibrated,
                 "the item cannot have been calibrated before it was received", problems);
     check_order(certificate, &C::calibrated, &C::issued,

@@ -47,6 +47,13 @@ struct CertificateField {
     std::string Certificate::*or_else = nullptr;  ///< what does instead of a required one
 };
 
+struct CertificateSection {
+    const char* title;  ///< of a form
+    std::vector<CertificateField> fields;
+};
+
+/// All fields, as forms group them.
+const std::vector<CertificateSection>& certificate_sections();
 /// In the order of files and forms; those of a group follow one another.
 const std::vector<CertificateField>& certificate_fields();
 const CertificateField& certificate_field(std::string Certificate::*member);
@@ -57,7 +64,10 @@ bool is_blank(const std::string& text);
 /// Required, and neither it nor what does instead is there.
 bool is_missing(const CertificateField& field, const Certificate& certificate);
 
-/// Dates and countries that are none, dates in the wrong order; paths from the root of the project.
+/// Why a text cannot stand in a field (a date or country that is none); empty where it can.
+std::string complaint_about(const CertificateField& field, const std::string& text);
+/// An error for texts that cannot stand there, a warning for dates in the wrong order; paths from the root of
+/// the project.
 void check_certificate(const Certificate& certificate, Problems& problems);
 /// An error for all that the clauses require and that is missing.
 Problems missing_in(const Certificate& certificate);

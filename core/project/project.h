@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/project/certificate.h"
+#include "core/project/report_contents.h"
 #include "core/project/study.h"
 #include "core/propagation/options.h"
 #include "core/quantity/distribution.h"
@@ -91,6 +92,7 @@ struct Project {
     std::string title = {};
     std::string notes = {};
     Certificate certificate = {};
+    ReportContents report = {};
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};
     std::filesystem::path directory = {};  ///< where CSV files are looked for; not saved, not compared
@@ -99,7 +101,7 @@ struct Project {
     const AnalysisEntry* find_analysis(const std::string& id) const;
     bool operator==(const Project& other) const {
         return title == other.title && notes == other.notes && certificate == other.certificate &&
-               assets == other.assets && analyses == other.analyses;
+               report == other.report && assets == other.assets && analyses == other.analyses;
     }
 };
 

@@ -12,6 +12,7 @@
 #include "core/project/kind_lookup.h"
 #include "core/project/migration.h"
 #include "core/project/project_text.h"
+#include "core/project/report_contents_json.h"
 #include "core/project/setup_json.h"
 
 namespace covaria {
@@ -51,6 +52,8 @@ public:
         if (const Json* certificate = reader.find("certificate"))
             project.certificate =
                 certificate_from_json(*certificate, reader.path_of("certificate"), context_.problems);
+        if (const Json* report = reader.find("report"))
+            project.report = report_contents_from_json(*report, reader.path_of("report"), context_.problems);
         read_entries(reader, "assets", project.assets);
         read_entries(reader, "analyses", project.analyses);
         reader.refuse_unknown_keys();

@@ -9,6 +9,7 @@
 #include "core/project/kind_lookup.h"
 #include "core/project/project_file.h"
 #include "core/project/project_text.h"
+#include "core/project/report_contents_json.h"
 #include "core/project/setup_json.h"
 
 namespace covaria {
@@ -60,6 +61,7 @@ Project numbers_only(Project project) {
     project.title.clear();
     project.notes.clear();
     project.certificate = {};
+    project.report = {};
     std::ranges::sort(project.assets, {}, &AssetEntry::id);
     for (AssetEntry& asset : project.assets) {
         asset.name.clear();
@@ -100,6 +102,10 @@ WrittenProject write_project(const Project& project) {
     if (!project.certificate.empty()) {
         out.key("certificate");
         write_certificate(out, project.certificate);
+    }
+    if (!project.report.empty()) {
+        out.key("report");
+        write_report_contents(out, project.report);
     }
     out.key("assets");
     out.begin_list();

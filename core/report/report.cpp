@@ -1,16 +1,22 @@
 // Builds the report of a project: its sections in order, then the numbers of headings, tables and figures.
 #include "core/report/report.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/base/file_names.h"
 #include "core/project/project_file.h"
-#include "core/report/report_parts.h"
+#include "core/report/report_body.h"
+#include "core/report/report_extent.h"
 
 namespace covaria {
 namespace {
 
 using namespace report_parts;
+
+/// Of all but the annex: pages break where they must, so that these are up to twenty.
+constexpr double room = 20.0 * lines_of_page, room_before = 3.0 * lines_of_page;
 
 /// Puts "2.1", "Table 3." and "Figure 2." before headings and captions, in order of appearance.
 struct Numbering {
@@ -48,47 +54,65 @@ struct FigureNaming {
     void operator()(Other&) {}
 };
 
-void add_analysis(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
-                  std::set<std::string>& shown_assets) {
-    blocks.push_back(HeadingBlock{1, evaluated.analysis->name});
-    add_setup(blocks, source, evaluated);
-    add_links(blocks, evaluated);
-    add_inputs(blocks, evaluated);
-    add_assets(blocks, source, evaluated, shown_assets);
-    add_budgets(blocks, evaluated);
-    add_results(blocks, source, evaluated);
-    add_sobol(blocks, evaluated);
-    add_contributors(blocks, evaluated);
-    add_model_evaluation(blocks, evaluated);
-    add_comparison(blocks, evaluated);
-    add_regions(blocks, evaluated);
-    add_distributions(blocks, evaluated);
-    add_scene(blocks, evaluated);
-    add_correlation(blocks, evaluated);
-    add_studies(blocks, evaluated);
+std::vector<EvaluatedAnalysis> those_in(const ReportContents& contents,
+                                        const std::vector<EvaluatedAnalysis>& analyses) {
+    std::vector<EvaluatedAnalysis> chosen;
+    for (const EvaluatedAnalysis& one : analyses)
+        if (contents.has_analysis(one.analysis->id)) chosen.push_back(one);
+    return chosen;
 }
 
 }  // namespace
 
-ReportDocument build_report(const MadeProject& made, const std::vector<EvaluatedAnalysis>& analyses,
-                            const std::vector<FailedAnalysis>& failed) {
+ReportDocument build_report(const MadeProject& made, const std::vector<EvaluatedAnalysis>& all,
+                            const std::vector<FailedAnalysis>& failed, const ReportContents& contents) {
+    const std::vector<EvaluatedAnalysis> analyses = those_in(contents, all);
     const ReportSource source{made, analyses, failed};
     const Project& project = made.project();
     ReportDocument document;
     document.title = project.title.empty() ? "Uncertainty report" : project.title;
     document.running_head = document.title;
-    add_title(document.blocks, source);
-    add_models(document.blocks, source);
-    std::set<std::string> shown_assets;
-    for (const EvaluatedAnalysis& evaluated : analyses)
-        add_analysis(document.blocks, source, evaluated, shown_assets);
-    add_notes(document.blocks, source);
-    add_provenance(document.blocks, source);
+    Blocks before, after;
+    add_title(before, source);
+    if (contents.has(ReportChapter::models)) add_models(before, source);
+    if (contents.has(ReportChapter::notes)) add_notes(after, source);
+    if (contents.has(ReportChapter::provenance)) add_provenance(after, source);
+    before = shortened_to(room_before, before, "the CSV tables, and the annex on request, have");
+    AnalysisChapters chapters =
+        analysis_chapters(source, contents, room - lines_of(before) - lines_of(after));
+    Blocks& blocks = document.blocks;
+    for (Blocks* part : {&before, &chapters.body, &after})
+        std::move(part->begin(), part->end(), std::back_inserter(blocks));
+    if (!chapters.annex.empty()) blocks.push_back(HeadingBlock{1, "Annex"});
+    std::move(chapters.annex.begin(), chapters.annex.end(), std::back_inserter(blocks));
     Numbering numbering;
     for (ReportBlock& block : document.blocks) std::visit(numbering, block);
     FigureNaming naming;
     for (ReportBlock& block : document.blocks) std::visit(naming, block);
     return document;
+}
+
+ReportDocument build_report(const MadeProject& made, const std::vector<EvaluatedAnalysis>& analyses,
+                            const std::vector<FailedAnalysis>& failed) {
+    return build_report(made, analyses, failed, made.project().report);
+}
+
+std::vector<std::string> reported_analyses(const Project& project) {
+    std::vector<std::string> ids;
+    for (const AnalysisEntry& analysis : project.analyses)
+        if (project.report.has_analysis(analysis.id)) ids.push_back(analysis.id);
+    return ids;
+}
+
+ReportDocument build_document(DocumentKind kind, const MadeProject& made,
+                              const std::vector<EvaluatedAnalysis>& analyses,
+                              const std::vector<FailedAnalysis>& failed, bool chosen) {
+    ReportContents contents = made.project().report;
+    const bool all = !chosen && contents.without_analyses.empty();
+    if (chosen) contents.without_analyses.clear();
+    if (kind == DocumentKind::report) return build_report(made, analyses, failed, contents);
+    return build_certificate(made, those_in(contents, analyses), failed,
+                             all ? CertifiedResults::that_fit : CertifiedResults::all);
 }
 
 }  // namespace covaria

@@ -26,6 +26,12 @@ struct FailedAnalysis {
     std::string study = {};  ///< its id, where only the study failed
     std::string cause;
 };
+/// What a report is made of.
+struct ReportSource {
+    const MadeProject& made;
+    const std::vector<EvaluatedAnalysis>& analyses;
+    const std::vector<FailedAnalysis>& failed;
+};
 /// What stands beside the results of analyses in results.json.
 struct ResultFile {
     std::string name;
@@ -37,7 +43,10 @@ struct ResultListing {
 };
 
 /// Title block, model and references, inputs and origin, asset evaluations, budgets, results, distributions,
-/// scene, correlation, notes, provenance.
+/// scene, correlation, notes, provenance; without the analyses and chapters that `contents` leave out.
+ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
+                            const std::vector<FailedAnalysis>& failed, const ReportContents& contents);
+/// With the contents that the project states.
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                             const std::vector<FailedAnalysis>& failed = {});
 
@@ -51,6 +60,15 @@ enum class CertifiedResults {
 ReportDocument build_certificate(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                                  const std::vector<FailedAnalysis>& failed = {},
                                  CertifiedResults which = CertifiedResults::that_fit);
+
+/// Ids of the analyses that report and certificate of a project are of, where none were chosen by hand.
+std::vector<std::string> reported_analyses(const Project& project);
+
+enum class DocumentKind { report, certificate };
+/// Of those of the analyses that the project does not leave out; of all, where they were `chosen` by hand.
+ReportDocument build_document(DocumentKind kind, const MadeProject& project,
+                              const std::vector<EvaluatedAnalysis>& analyses,
+                              const std::vector<FailedAnalysis>& failed, bool chosen = false);
 
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.

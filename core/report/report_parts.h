@@ -14,12 +14,6 @@ namespace covaria::report_parts {
 
 using Blocks = std::vector<ReportBlock>;
 
-struct ReportSource {
-    const MadeProject& made;
-    const std::vector<EvaluatedAnalysis>& analyses;
-    const std::vector<FailedAnalysis>& failed;
-};
-
 // One function per section; each appends its headings and blocks. Headings and captions are numbered at the
 // end.
 void add_title(Blocks& blocks, const ReportSource& source);
@@ -31,7 +25,9 @@ void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// `shown` are the assets whose evaluation the report has already.
 void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
                 std::set<std::string>& shown);
-void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+inline constexpr std::size_t most_budget_rows = 24;  ///< further components are summed
+void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated,
+                 std::size_t most_rows = most_budget_rows);
 void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 /// Target uncertainties, conformity; nothing without requirements.
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);

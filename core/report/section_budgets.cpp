@@ -12,8 +12,6 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t most_budget_rows = 24;  // further components are summed; the CSV budget has them
-
 /// Without components whose contribution is only rounding of a sensitivity coefficient of zero.
 std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std::size_t output) {
     const double combined = result.outputs[output].first_order.standard_uncertainty;
@@ -28,8 +26,9 @@ std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std:
 
 class BudgetBlock {
 public:
-    BudgetBlock(const EvaluatedAnalysis& evaluated, std::size_t output)
+    BudgetBlock(const EvaluatedAnalysis& evaluated, std::size_t output, std::size_t most_rows)
         : result_(*evaluated.result),
+          most_rows_(most_rows),
           output_(result_.outputs[output]),
           places_(places_that_count(result_, output)),
           table_("budget-" + evaluated.analysis->id + "-" +
@@ -41,7 +40,7 @@ public:
     TableBlock make() {
         const Table budget = budget_table(result_, places_);
         table_.columns(budget, keys_);
-        const std::size_t shown = std::min(places_.size(), most_budget_rows);
+        const std::size_t shown = std::min(places_.size(), most_rows_);
         for (std::size_t i = 0; i < shown; ++i) table_.row(print_row(budget, keys_, i));
         if (shown < places_.size()) add_rest(shown);
         add_total();
@@ -105,6 +104,7 @@ private:
     }
 
     const UncertaintyResult& result_;
+    const std::size_t most_rows_;
     const OutputResult& output_;
     std::vector<BudgetPlace> places_;
     std::vector<std::string> keys_ = {"quantity",
@@ -125,8 +125,10 @@ private:
 /// and of the sum of the variances where they have the same dimension.
 class GroupTable {
 public:
-    GroupTable(const EvaluatedAnalysis& evaluated, std::string grouping, std::vector<std::size_t> outputs)
+    GroupTable(const EvaluatedAnalysis& evaluated, std::string grouping, std::vector<std::size_t> outputs,
+               std::size_t most_rows)
         : result_(*evaluated.result),
+          most_rows_(most_rows),
           grouping_(std::move(grouping)),
           outputs_(std::move(outputs)),
           table_("groups-" + evaluated.analysis->id + "-" +
@@ -142,7 +144,7 @@ public:
         std::stable_sort(names_.begin(), names_.end(), [&](const std::string& a, const std::string& b) {
             return together_[a] > together_[b];
         });
-        for (std::size_t i = 0; i < std::min(names_.size(), most_budget_rows); ++i) add(names_[i]);
+        for (std::size_t i = 0; i < std::min(names_.size(), most_rows_); ++i) add(names_[i]);
         return table_.take();
     }
 
@@ -175,6 +177,7 @@ private:
     }
 
     const UncertaintyResult& result_;
+    const std::size_t most_rows_;
     std::string grouping_;
     std::vector<std::size_t> outputs_;
     TableBuilder table_;
@@ -186,7 +189,7 @@ private:
 
 }  // namespace
 
-void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, std::size_t most_rows) {
     const UncertaintyResult& result = *evaluated.result;
     blocks.push_back(HeadingBlock{2, "Uncertainty budgets"});
     const std::vector<std::string> groups = measurand_groups(result);
@@ -201,9 +204,9 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     blocks.push_back(ParagraphBlock{words});
     for (const std::string& group : shown) {
         for (const std::string& grouping : groupings_of(result.budget))
-            blocks.push_back(GroupTable(evaluated, grouping, measurands_of(result, group)).make());
+            blocks.push_back(GroupTable(evaluated, grouping, measurands_of(result, group), most_rows).make());
         for (const std::size_t output : measurands_of(result, group))
-            blocks.push_back(BudgetBlock(evaluated, output).make());
+            blocks.push_back(BudgetBlock(evaluated, output, most_rows).make());
         for (const std::size_t output : measurands_of(result, group))
             blocks.push_back(figure(
                 contribution_plot(result, output), evaluated,

@@ -119,6 +119,13 @@ TEST(Certificate, ValidateListsWhatIsMissing) {
     const Outcome wrong = run_program({"validate", gauge, "--set", "/certificate/dates/issued=17.4.2026"});
     EXPECT_EQ(wrong.status, 1);
     EXPECT_NE(wrong.err.find("must be a date of the form 2026-04-17"), std::string::npos) << wrong.err;
+    std::vector<std::string> early = with_certificate({"validate", gauge});
+    early.insert(early.end(), {"--set", "/certificate/dates/issued=2026-04-16"});
+    EXPECT_EQ(run_program(early).status, 0) << "a warning";
+    early.push_back("--certificate");
+    const Outcome before = run_program(early);
+    EXPECT_EQ(before.status, 1) << "no certificate can be issued so";
+    EXPECT_NE(before.err.find("before the calibration"), std::string::npos) << before.err;
 }
 
 TEST(Certificate, IsOneFileOfTheFormatThatItsNameAsksFor) {
@@ -156,6 +163,34 @@ TEST(Certificate, ThereIsOneForEachSerialNumber) {
     EXPECT_NE(second.find("2026-2"), std::string::npos);
     EXPECT_NE(second.find("50 000 938"), std::string::npos) << second;
     EXPECT_TRUE(fs::exists(folder / "out/18/certificate.pdf"));
+}
+
+std::size_t pages_of(const fs::path& pdf) {
+    const std::string bytes = read_text(pdf);
+    const std::string key = "/Count ";
+    const std::size_t at = bytes.find(key, bytes.find("/Type /Pages"));
+    return at == std::string::npos ? 0 : std::stoul(bytes.substr(at + key.size(), 8));
+}
+
+TEST(Reports, OfTheExamplesHaveUpToTwentyPages) {
+    const fs::path folder = fresh_folder("reports");
+    std::size_t longest = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(COVARIA_SOURCE_DIR) / "projects")) {
+        if (entry.path().extension() != ".covaria") continue;
+        const fs::path pdf = folder / (entry.path().stem().string() + ".pdf");
+        const Outcome run =
+            run_program({"report", entry.path().string(), "--trials", "2000", "-o", pdf.string()});
+        ASSERT_EQ(run.status, 0) << run.err;
+        EXPECT_GE(pages_of(pdf), 8U) << entry.path();
+        EXPECT_LE(pages_of(pdf), 20U) << entry.path();
+        longest = std::max(longest, pages_of(pdf));
+    }
+    const fs::path whole = folder / "whole.pdf";
+    const Outcome run =
+        run_program({"report", (fs::path(COVARIA_SOURCE_DIR) / "projects/tracker-pose.covaria").string(),
+                     "--trials", "2000", "--annex", "-o", whole.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_GT(pages_of(whole), 4 * longest) << "the annex has the long tables";
 }
 
 }  // namespace

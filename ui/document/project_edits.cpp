@@ -27,6 +27,7 @@ void visit_entry(Project& project, const SetupAddress& address, Function&& funct
 }
 
 QString name_of(const Project& project, const SetupAddress& address) {
+    if (address.owner == SetupOwner::project) return Document::tr("the project");
     std::string name;
     Project copy = project;
     visit_entry(copy, address, [&](auto& entry, auto&) { name = entry.name; });
@@ -117,6 +118,7 @@ std::string duplicate(Document& document, const SetupAddress& address) {
 void rename(Document& document, const SetupAddress& address, const QString& name) {
     document.apply(Document::tr("Rename %1").arg(name_of(document.project(), address)),
                    [&](Project& project) {
+                       if (address.owner == SetupOwner::project) project.title = to_std(name);
                        visit_entry(project, address, [&](auto& entry, auto&) { entry.name = to_std(name); });
                    });
 }
@@ -125,6 +127,7 @@ void set_notes(Document& document, const SetupAddress& address, const QString& n
     document.apply(
         Document::tr("Change notes of %1").arg(name_of(document.project(), address)),
         [&](Project& project) {
+            if (address.owner == SetupOwner::project) project.notes = to_std(notes);
             visit_entry(project, address, [&](auto& entry, auto&) { entry.notes = to_std(notes); });
         },
         "notes:" + to_qt(address.id));
@@ -136,6 +139,8 @@ void remove(Document& document, const SetupAddress& address) {
                        visit_entry(project, address, [](auto& entry, auto& entries) {
                            entries.erase(entries.begin() + (&entry - entries.data()));
                        });
+                       if (address.owner == SetupOwner::analysis)
+                           choose(project.report.without_analyses, address.id, true);
                    });
 }
 

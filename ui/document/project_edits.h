@@ -22,6 +22,7 @@ std::string add_copy(Document& document, const AssetEntry& asset);
 std::string add_analysis(Document& document, const std::string& model);
 /// Id of the copy, which stands right after the original.
 std::string duplicate(Document& document, const SetupAddress& entry);
+/// Of an entry, or the title of the project.
 void rename(Document& document, const SetupAddress& entry, const QString& name);
 void set_notes(Document& document, const SetupAddress& entry, const QString& notes);
 void remove(Document& document, const SetupAddress& entry);

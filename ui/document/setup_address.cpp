@@ -94,7 +94,11 @@ SetupAddress address_of_path(const Project& project, const std::string& path) {
     if (path.starts_with(analyses_prefix))
         return {SetupOwner::analysis,
                 id_at(project.analyses, path, std::string_view(analyses_prefix).size())};
-    return {};
+    return path.empty() ? SetupAddress{} : project_address;
+}
+
+bool exists(const Project& project, const SetupAddress& address) {
+    return address.owner == SetupOwner::project || !entry_path(project, address).empty();
 }
 
 }  // namespace covaria::ui

@@ -9,7 +9,8 @@
 
 namespace covaria::ui {
 
-enum class SetupOwner { asset, analysis };
+/// `project`: what is said of the project itself; its id is empty and it has no set-up.
+enum class SetupOwner { asset, analysis, project };
 
 /// By id, so that it stays right when entries are added, removed or reordered.
 struct SetupAddress {
@@ -17,6 +18,11 @@ struct SetupAddress {
     std::string id = {};
     bool operator==(const SetupAddress&) const = default;
 };
+
+/// Where title, notes, certificate and report of the project are.
+inline const SetupAddress project_address{SetupOwner::project, {}};
+/// The entry is there; so is the project, always.
+bool exists(const Project& project, const SetupAddress& address);
 
 /// Null when the entry is gone.
 const Setup* find_setup(const Project& project, const SetupAddress& address);
@@ -27,11 +33,11 @@ const SetupSchema* find_schema(const Project& project, const SetupAddress& addre
 /// The set-up with what it implies added (rows for names in equations); empty when its model adds nothing.
 std::optional<Setup> completed_setup(const Project& project, const SetupAddress& address);
 
-/// JSON pointer of the entry ("/assets/3"); empty when it is gone.
+/// JSON pointer of the entry ("/assets/3"); empty when it is gone, and of the project.
 std::string entry_path(const Project& project, const SetupAddress& address);
 /// JSON pointer of the entry's set-up ("/assets/3/setup"); empty when it is gone.
 std::string setup_path(const Project& project, const SetupAddress& address);
-/// The entry a JSON pointer points into; an empty id when it points elsewhere.
+/// The entry a JSON pointer points into, or the project itself; an empty id when there is no such entry.
 SetupAddress address_of_path(const Project& project, const std::string& path);
 
 AssetEntry* find_asset_entry(Project& project, const std::string& id);

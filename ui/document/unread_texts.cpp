@@ -47,15 +47,15 @@ void UnreadTexts::replace_under(const SetupAddress& entry, const std::string& pa
 Problems UnreadTexts::problems(const Project& project) const {
     Problems problems;
     for (const auto& [place, text] : texts_)
-        if (const std::string path = entry_path(project, place.entry); !path.empty())
-            problems.error(path + place.part, to_std(text.reason));
+        if (exists(project, place.entry))
+            problems.error(entry_path(project, place.entry) + place.part, to_std(text.reason));
     return problems;
 }
 
 UnreadTexts::Held UnreadTexts::held(const Project& project) const {
     Held held;
     for (const auto& [place, text] : texts_) {
-        if (entry_path(project, place.entry).empty()) continue;
+        if (place.entry.owner == SetupOwner::project || !exists(project, place.entry)) continue;
         const bool of_study = place.part.starts_with("/studies/");
         const bool of_analysis = place.entry.owner == SetupOwner::analysis;
         std::vector<std::string> users = of_analysis && !of_study

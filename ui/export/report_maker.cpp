@@ -43,14 +43,14 @@ FigurePainters report_painters(ScenePictures& scenes) {
 
 ReportMaker::ReportMaker(QObject* parent) : QObject(parent), job_(Execution::threads) {}
 
-void ReportMaker::make(MadeProject::Pointer made, std::vector<EvaluatedAnalysis> analyses, Use use,
-                       JobQueue::Failure failure) {
+void ReportMaker::make(Source source, Use use, JobQueue::Failure failure) {
     job_.cancel();
     job_.start(
-        [this, made = std::move(made), analyses = std::move(analyses),
+        [this, source = std::move(source),
          use = std::move(use)](const std::stop_token& stop) -> JobQueue::Delivery {
-            const ReportDocument document = build_report(*made, analyses);
-            ScenePictures scenes(analyses);
+            const ReportDocument document =
+                build_document(source.kind, *source.made, source.analyses, source.failed);
+            ScenePictures scenes(source.analyses);
             FigurePainters painters = report_painters(scenes);
             painters.paint_plot = [this, stop, paint = painters.paint_plot](
                                       QPainter& painter, const QRectF& area, const PlotSpecification& plot) {

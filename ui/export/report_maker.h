@@ -24,14 +24,19 @@ class ReportMaker : public QObject {
 public:
     explicit ReportMaker(QObject* parent = nullptr);
 
-    /// In the worker: what is to be done with the report; returns what is then called on the window's thread.
-    /// When `stop` is requested charts stay empty: what was made until then must not be used.
+    /// In the worker: what is to be done with the document; returns what is then called on the window's
+    /// thread. When `stop` is requested charts stay empty: what was made until then must not be used.
     using Use = std::function<JobQueue::Delivery(
         const ReportDocument& document, const FigurePainters& painters, const std::stop_token& stop)>;
     /// `failure`: what is done on the window's thread when there was no memory for it.
     /// A newer request takes the place of one that is still being made.
-    void make(MadeProject::Pointer made, std::vector<EvaluatedAnalysis> analyses, Use use,
-              JobQueue::Failure failure);
+    struct Source {
+        DocumentKind kind;
+        MadeProject::Pointer made;
+        std::vector<EvaluatedAnalysis> analyses;
+        std::vector<FailedAnalysis> failed;
+    };
+    void make(Source source, Use use, JobQueue::Failure failure);
     bool is_busy() const { return job_.is_busy(); }
     /// Gives up what is being made.
     void cancel() { job_.cancel(); }

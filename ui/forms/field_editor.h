@@ -19,6 +19,8 @@ public:
     virtual void set_value(const SetupValue& value) = 0;
     /// Problems of the field, in words; empty: none.
     virtual void set_complaint(const QString& complaint) = 0;
+    /// What an empty field says.
+    virtual void set_hint(const QString&) {}
     /// Where in the field problems are: JSON pointers relative to it ("/2/14-16").
     virtual void set_problem_places(const std::vector<std::string>&) {}
     /// Gives the focus to the field, or the part of it a JSON pointer relative to the field names.

@@ -27,6 +27,7 @@ public:
     TextEditor(const FieldSpec& field, QWidget* parent);
     void set_value(const SetupValue& value) override;
     void set_complaint(const QString& complaint) override;
+    void set_hint(const QString& hint) override { edit_->setPlaceholderText(hint); }
 
 private:
     QLineEdit* edit_;

@@ -38,17 +38,29 @@ QString filter_of(ReportFormat format) {
     return {};
 }
 
+/// "Customer (7.8.2.1 e)"
+QStringList missing_words(const Certificate& certificate) {
+    QStringList words;
+    for (const CertificateField& field : certificate_fields())
+        if (is_missing(field, certificate))
+            words << QStringLiteral("%1 (%2)").arg(QString::fromUtf8(field.title),
+                                                   QLatin1String(field.clause));
+    return words;
+}
+
 }  // namespace
 
 ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs& dialogs, QObject* parent)
     : QObject(parent),
       pdf_action(new QAction(icon(QStringLiteral("export")), tr("Report as &PDF …"), this)),
+      certificate_action(new QAction(icon(QStringLiteral("export")), tr("&Certificate as PDF …"), this)),
       document_(document),
       runner_(runner),
       dialogs_(dialogs),
       jobs_(Execution::threads) {
     pdf_action->setShortcut(Qt::CTRL | Qt::Key_P);
     connect(pdf_action, &QAction::triggered, this, [this] { ask_report(ReportFormat::pdf); });
+    connect(certificate_action, &QAction::triggered, this, &ExportActions::ask_certificate);
     connect(&runner_, &AnalysisRunner::idle, this, [this] {
         if (!runner_.is_busy()) go_on();
     });
@@ -61,6 +73,8 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
     menu->addAction(pdf_action);
     menu->addAction(tr("Report as &HTML …"), this, [this] { ask_report(ReportFormat::html); });
     menu->addAction(tr("Report as &Markdown …"), this, [this] { ask_report(ReportFormat::markdown); });
+    menu->addSeparator();
+    menu->addAction(certificate_action);
     menu->addSeparator();
     menu->addAction(tr("&Results and Tables …"), this, &ExportActions::ask_tables);
     return menu;
@@ -91,8 +105,8 @@ void ExportActions::go_on() {
     if (what && has_results()) what();
 }
 
-QString ExportActions::without_words() const {
-    const QStringList names = left_out(document_.project(), runner_);
+QString ExportActions::without_words(const std::vector<std::string>& analyses) const {
+    const QStringList names = left_out(document_.project(), analyses, runner_);
     return names.isEmpty() ? QString() : tr(", without %1: not up to date").arg(names.join(tr(", ")));
 }
 
@@ -102,6 +116,25 @@ void ExportActions::ask_report(ReportFormat format) {
     const QString ending = QString::fromLatin1(ending_of(format));
     const QString file = dialogs_.file_to_save(tr("Export Report"), suggested(ending), filter_of(format));
     if (!file.isEmpty()) export_report_to(file.endsWith(ending) ? file : file + ending, format);
+}
+
+void ExportActions::ask_certificate() {
+    finish_typing();
+    if (!has_results()) return;
+    const QStringList missing = missing_words(document_.project().certificate);
+    const QString question =
+        tr("The certificate does not state what ISO/IEC 17025 requires of it:\n\n%1\n\n"
+           "It says “not stated” in these places. They are fields of the project's page.")
+            .arg(missing.join(QLatin1Char('\n')));
+    if (!missing.isEmpty() && !dialogs_.confirm(question, tr("Export Anyway"))) {
+        emit certificate_wanted();
+        return;
+    }
+    const QString file =
+        dialogs_.file_to_save(tr("Export Certificate"), suggested(QStringLiteral("-certificate.pdf")),
+                              filter_of(ReportFormat::pdf));
+    const bool ends = file.endsWith(QStringLiteral(".pdf"));
+    if (!file.isEmpty()) export_certificate_to(ends ? file : file + QStringLiteral(".pdf"));
 }
 
 void ExportActions::ask_tables() {
@@ -115,43 +148,46 @@ void ExportActions::ask_tables() {
 }
 
 void ExportActions::export_report_to(const QString& file, ReportFormat format) {
-    when_finished([this, file, format] { write_report(file, format); });
+    when_finished([this, file, format] { write_document(DocumentKind::report, file, format); });
+}
+
+void ExportActions::export_certificate_to(const QString& file) {
+    when_finished([this, file] { write_document(DocumentKind::certificate, file, ReportFormat::pdf); });
 }
 
 void ExportActions::export_results_to(const QString& folder) {
     when_finished([this, folder] { write_results(folder); });
 }
 
-void ExportActions::write_report(const QString& file, ReportFormat format) {
+void ExportActions::write_document(DocumentKind kind, const QString& file, ReportFormat format) {
     if (is_busy()) {
         emit message(tr("A report is being written; wait until it is finished"));
         return;
     }
+    const QString without = without_words(reported_analyses(document_.project()));
     emit message(tr("Writing %1 …").arg(QFileInfo(file).fileName()));
     ReportTarget target;
     target.folder = to_path(QFileInfo(file).path());
     target.name = to_std(QFileInfo(file).completeBaseName());
     target.formats = {format};
-    const auto made = runner_.made();
-    const auto results = current_results(document_.project(), runner_);
+    const ReportMaker::Source source = document_source(kind, document_.project(), runner_);
     maker_.make(
-        made, results,
-        [this, file, target, made, results, failed = failed_results(document_.project(), runner_),
-         without = without_words()](const ReportDocument& report, const FigurePainters& painters,
-                                    const std::stop_token& stop) mutable -> JobQueue::Delivery {
+        source,
+        [this, file, target, source, without](const ReportDocument& report, const FigurePainters& painters,
+                                              const std::stop_token& stop) mutable -> JobQueue::Delivery {
             if (target.formats.front() == ReportFormat::pdf)
-                target.attached = report_data({*made, results, failed});
+                target.attached = report_data({*source.made, source.analyses, source.failed});
             const auto written = export_report(report, target, painters, stop);
             const QString problem = written ? QString() : to_qt(written.error().message);
             return [this, file, problem, without] { finish(file, problem, without); };
         },
-        [this, file, without = without_words()](const Error& error) {
-            finish(file, to_qt(error.message), without);
-        });
+        [this, file, without](const Error& error) { finish(file, to_qt(error.message), without); });
 }
 
 void ExportActions::write_results(const QString& folder) {
-    const QString without = without_words();
+    std::vector<std::string> all;
+    for (const AnalysisEntry& analysis : document_.project().analyses) all.push_back(analysis.id);
+    const QString without = without_words(all);
     jobs_.push(
         [this, folder, without, analyses = current_results(document_.project(), runner_),
          failed = failed_results(document_.project(), runner_),

@@ -24,26 +24,32 @@ public:
 
     QMenu* make_menu(QWidget* parent);
     QAction* pdf_action;
+    QAction* certificate_action;
 
     void ask_report(ReportFormat format);
+    /// Says first what ISO/IEC 17025 requires and is missing.
+    void ask_certificate();
     void ask_tables();
     void export_report_to(const QString& file, ReportFormat format);
+    void export_certificate_to(const QString& file);
     /// results.json and the CSV tables, into a folder.
     void export_results_to(const QString& folder);
     bool is_busy() const { return maker_.is_busy(); }
 
 signals:
     void message(const QString& text);
+    /// The user would rather state first what the certificate lacks.
+    void certificate_wanted();
     void finished(const QString& file, const QString& problem);
 
 private:
     /// Does it when no analysis runs any more: an export has the results, not what there is of them.
     void when_finished(const std::function<void()>& what);
     void go_on();
-    QString without_words() const;
+    QString without_words(const std::vector<std::string>& analyses) const;
     QString suggested(const QString& ending) const;
     bool has_results();
-    void write_report(const QString& file, ReportFormat format);
+    void write_document(DocumentKind kind, const QString& file, ReportFormat format);
     void write_results(const QString& folder);
     void finish(const QString& file, const QString& problem, const QString& without);
 

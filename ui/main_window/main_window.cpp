@@ -252,6 +252,8 @@ void MainWindow::connect_panes() {
     };
     connect(&files_, &FileActions::message, this, say);
     connect(exports_, &ExportActions::message, this, say);
+    connect(exports_, &ExportActions::certificate_wanted, this,
+            [this] { go_to(QStringLiteral("/certificate")); });
     connect(project_, &ProjectPane::message, this, say);
     connect(imports_, &ImportActions::message, this, say);
     connect(imports_, &ImportActions::imported, this, [this](const QString& asset) {
@@ -355,7 +357,7 @@ void MainWindow::count_problems() {
 
 void MainWindow::go_to(const QString& path) {
     const SetupAddress entry = address_of_path(document_.project(), to_std(path));
-    if (entry.id.empty()) return;
+    if (!exists(document_.project(), entry)) return;
     selection_.select_entry(entry);
     docks_[1]->show();
     properties_->focus_field(path);

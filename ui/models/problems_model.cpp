@@ -25,6 +25,13 @@ QString field_words(const SetupSchema* schema, const QStringList& parts) {
     return words;
 }
 
+QString words_of_project(const std::string& path) {
+    for (const CertificateField& field : certificate_fields())
+        if (path == pointer_of(field))
+            return ProblemsModel::tr("Project: certificate, %1").arg(QString::fromUtf8(field.title));
+    return path.starts_with("/report/") ? ProblemsModel::tr("Project: report") : to_qt(path);
+}
+
 /// "coverageProbability" -> "coverage probability"
 QString in_words(const QString& key) {
     QString words;
@@ -65,6 +72,7 @@ int ProblemsModel::columnCount(const QModelIndex& parent) const {
 
 QString ProblemsModel::place_words(const Project& project, const std::string& path) {
     const SetupAddress address = address_of_path(project, path);
+    if (address.owner == SetupOwner::project) return words_of_project(path);
     if (address.id.empty()) return to_qt(path);
     const std::string entry = entry_path(project, address);
     QString name = to_qt(address.id);

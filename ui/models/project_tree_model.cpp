@@ -23,7 +23,7 @@ std::array<ProjectTreeModel::Ids, ProjectTreeModel::category_count> ProjectTreeM
     std::array<Ids, category_count> ids;
     for (const AssetEntry& asset : document_.project().assets) {
         const AssetDescriptor* kind = find_asset_kind(asset.kind);
-        ids[kind ? static_cast<std::size_t>(kind->category) : std::size_t{artefacts}].push_back(asset.id);
+        ids[artefacts + (kind ? static_cast<std::size_t>(kind->category) : 0)].push_back(asset.id);
     }
     for (const AnalysisEntry& analysis : document_.project().analyses) ids[analyses].push_back(analysis.id);
     return ids;
@@ -33,6 +33,7 @@ void ProjectTreeModel::refresh() {
     const auto next = read();
     for (int category = 0; category < category_count; ++category)
         refresh_category(category, next[static_cast<std::size_t>(category)]);
+    emit dataChanged(index_of(project_row), index_of(project_row).siblingAtColumn(state_column));
 }
 
 void ProjectTreeModel::refresh_category(int category, const Ids& next) {
@@ -92,6 +93,7 @@ int ProjectTreeModel::columnCount(const QModelIndex&) const {
 }
 
 SetupAddress ProjectTreeModel::address(const QModelIndex& index) const {
+    if (is_category(index) && index.row() == project_row) return project_address;
     if (!index.isValid() || is_category(index)) return {};
     const std::size_t category = index.internalId() - 1;
     return {category == analyses ? SetupOwner::analysis : SetupOwner::asset,
@@ -99,7 +101,8 @@ SetupAddress ProjectTreeModel::address(const QModelIndex& index) const {
 }
 
 QModelIndex ProjectTreeModel::index_of(const SetupAddress& address) const {
-    for (int category = 0; category < category_count; ++category) {
+    if (address.owner == SetupOwner::project) return index_of(project_row);
+    for (int category = artefacts; category < category_count; ++category) {
         if ((category == analyses) != (address.owner == SetupOwner::analysis)) continue;
         const Ids& ids = ids_[static_cast<std::size_t>(category)];
         const auto found = std::find(ids.begin(), ids.end(), address.id);
@@ -136,10 +139,33 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const {
 
 QVariant ProjectTreeModel::category_data(int category, int column, int role) const {
     if (role == category_role) return category;
+    if (category == project_row) return project_data(column, role);
     if (role != Qt::DisplayRole || column != name_column) return {};
-    const std::array<QString, category_count> names{tr("Artefacts"), tr("Instruments"), tr("Robots"),
-                                                    tr("Points and frames"), tr("Analyses")};
+    const std::array<QString, category_count> names{QString(),    tr("Artefacts"),         tr("Instruments"),
+                                                    tr("Robots"), tr("Points and frames"), tr("Analyses")};
     return names[static_cast<std::size_t>(category)];
+}
+
+QVariant ProjectTreeModel::project_data(int column, int role) const {
+    const QString problems = problems_of(project_address);
+    const QString title = to_qt(document_.project().title);
+    switch (role) {
+        case Qt::DisplayRole:
+            if (column != name_column) return problems.isEmpty() ? QString() : tr("has problems");
+            return title.isEmpty() ? tr("Untitled project") : title;
+        case Qt::EditRole:
+            return title;
+        case Qt::ToolTipRole:
+            return (title.isEmpty() ? QString() : title + QLatin1Char('\n')) +
+                   (problems.isEmpty() ? tr("Title, notes, certificate and contents of the report")
+                                       : problems);
+        case problem_role:
+            return problems;
+        case worst_role:
+            return static_cast<int>(worst_of(project_address));
+        default:
+            return {};
+    }
 }
 
 QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int role) const {
@@ -169,19 +195,25 @@ QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int colu
 }
 
 Severity ProjectTreeModel::worst_of(const SetupAddress& address) const {
-    const std::string path = entry_path(document_.project(), address);
-    for (const Problem& problem : document_.problems().items())
-        if (problem.severity == Severity::error &&
-            (problem.path == path || problem.path.starts_with(path + '/')))
-            return Severity::error;
+    for (const Problem& problem : found_in(address))
+        if (problem.severity == Severity::error) return Severity::error;
     return Severity::warning;
 }
 
-QString ProjectTreeModel::problems_of(const SetupAddress& address) const {
+std::vector<Problem> ProjectTreeModel::found_in(const SetupAddress& address) const {
     const std::string path = entry_path(document_.project(), address);
+    std::vector<Problem> found;
+    for (const Problem& problem : document_.problems().items()) {
+        const bool inside = problem.path == path || problem.path.starts_with(path + '/');
+        const bool of_entry = problem.path.starts_with("/assets") || problem.path.starts_with("/analyses");
+        if (address.owner == SetupOwner::project ? !of_entry : inside) found.push_back(problem);
+    }
+    return found;
+}
+
+QString ProjectTreeModel::problems_of(const SetupAddress& address) const {
     QStringList messages;
-    for (const Problem& problem : document_.problems().items())
-        if (problem.path == path || problem.path.starts_with(path + '/')) messages << to_qt(problem.message);
+    for (const Problem& problem : found_in(address)) messages << to_qt(problem.message);
     return messages.join('\n');
 }
 
@@ -192,7 +224,8 @@ QVariant ProjectTreeModel::headerData(int section, Qt::Orientation orientation, 
 
 Qt::ItemFlags ProjectTreeModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags flags = QAbstractItemModel::flags(index);
-    const bool renames = index.isValid() && !is_category(index) && index.column() == name_column;
+    const bool category = is_category(index) && index.row() != project_row;
+    const bool renames = index.isValid() && !category && index.column() == name_column;
     return renames ? flags | Qt::ItemIsEditable : flags;
 }
 

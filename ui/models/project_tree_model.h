@@ -15,8 +15,8 @@ namespace covaria::ui {
 class ProjectTreeModel : public QAbstractItemModel {
     Q_OBJECT
 public:
-    /// Top-level rows, always there. The first four are the asset categories, in their order.
-    enum Category { artefacts, instruments, robots, points, analyses, category_count };
+    /// Top-level rows, always there: the project itself, the asset categories in their order, the analyses.
+    enum Category { project_row, artefacts, instruments, robots, points, analyses, category_count };
     enum Column { name_column, state_column, column_count };
 
     ProjectTreeModel(Document& document, AnalysisRunner& runner, QObject* parent = nullptr);
@@ -32,7 +32,7 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
     bool is_category(const QModelIndex& index) const { return index.isValid() && index.internalId() == 0; }
-    /// Empty id for a category.
+    /// Empty id for a category and for the project.
     SetupAddress address(const QModelIndex& index) const;
     QModelIndex index_of(const SetupAddress& address) const;
     QModelIndex index_of(Category category) const { return index(category, 0); }
@@ -47,8 +47,10 @@ private:
     void refresh_state(const QString& id);
     std::array<Ids, category_count> read() const;
     QVariant category_data(int category, int column, int role) const;
+    QVariant project_data(int column, int role) const;
     QVariant asset_data(const AssetEntry& asset, int column, int role) const;
     QVariant analysis_data(const AnalysisEntry& analysis, int column, int role) const;
+    std::vector<Problem> found_in(const SetupAddress& address) const;
     QString problems_of(const SetupAddress& address) const;
     Severity worst_of(const SetupAddress& address) const;
 

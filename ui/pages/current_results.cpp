@@ -33,10 +33,25 @@ std::vector<FailedAnalysis> failed_results(const Project& project, const Analysi
     return failed;
 }
 
-QStringList left_out(const Project& project, const AnalysisRunner& runner) {
+ReportMaker::Source document_source(DocumentKind kind, const Project& project, const AnalysisRunner& runner) {
+    ReportMaker::Source source{kind, runner.made(), current_results(project, runner), {}};
+    for (FailedAnalysis& failed : failed_results(project, runner))
+        if (project.report.has_analysis(failed.id)) source.failed.push_back(std::move(failed));
+    if (kind == DocumentKind::report) return source;
+    for (const AnalysisEntry& analysis : project.analyses) {
+        const AnalysisStatus& status = runner.status(to_qt(analysis.id));
+        if (project.report.has_analysis(analysis.id) && !status.is_current() &&
+            status.state != RunState::failed)
+            source.failed.push_back({analysis.id, analysis.name, {}, "not up to date"});
+    }
+    return source;
+}
+
+QStringList left_out(const Project& project, const std::vector<std::string>& analyses,
+                     const AnalysisRunner& runner) {
     QStringList names;
-    for (const AnalysisEntry& analysis : project.analyses)
-        if (!runner.status(to_qt(analysis.id)).is_current()) names << to_qt(analysis.name);
+    for (const std::string& id : analyses)
+        if (!runner.status(to_qt(id)).is_current()) names << to_qt(project.find_analysis(id)->name);
     return names;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/report/report.h"
+#include "ui/export/report_maker.h"
 #include "ui/run/analysis_runner.h"
 
 namespace covaria::ui {
@@ -15,7 +16,11 @@ std::vector<EvaluatedAnalysis> current_results(const Project& project, const Ana
 /// Analyses and studies of the project that failed, with the cause: what results.json lists beside the
 /// results.
 std::vector<FailedAnalysis> failed_results(const Project& project, const AnalysisRunner& runner);
-/// Names of the analyses that are not among them.
-QStringList left_out(const Project& project, const AnalysisRunner& runner);
+/// What a document of the project is made from: these results, and those that failed; of a certificate, which
+/// has no list of what is not in it, also analyses that are not up to date.
+ReportMaker::Source document_source(DocumentKind kind, const Project& project, const AnalysisRunner& runner);
+/// Names of those analyses that are not among them.
+QStringList left_out(const Project& project, const std::vector<std::string>& analyses,
+                     const AnalysisRunner& runner);
 
 }  // namespace covaria::ui

@@ -14,12 +14,15 @@ NotesPage::NotesPage(Document& document, SetupAddress entry, QWidget* parent)
     : QWidget(parent), document_(document), entry_(std::move(entry)) {
     name_ = new QLineEdit;
     notes_ = new QPlainTextEdit;
-    name_->setAccessibleName(tr("Name"));
+    const QString name = entry_.owner == SetupOwner::project ? tr("Title") : tr("Name");
+    name_->setObjectName(QStringLiteral("entry_name"));
+    notes_->setObjectName(QStringLiteral("entry_notes"));
+    name_->setAccessibleName(name);
     notes_->setAccessibleName(tr("Notes"));
     notes_->setToolTip(tr("Appear in the report"));
     notes_->setTabChangesFocus(true);
     auto* form = new QFormLayout(this);
-    form->addRow(tr("Name"), name_);
+    form->addRow(name, name_);
     form->addRow(tr("Notes"), notes_);
     refresh();
     connect(name_, &QLineEdit::editingFinished, this, &NotesPage::take_name);
@@ -41,9 +44,9 @@ void NotesPage::refresh() {
     const AssetEntry* asset = entry_.owner == SetupOwner::asset ? project.find_asset(entry_.id) : nullptr;
     const AnalysisEntry* analysis =
         entry_.owner == SetupOwner::analysis ? project.find_analysis(entry_.id) : nullptr;
-    if (!asset && !analysis) return;
-    const QString name = to_qt(asset ? asset->name : analysis->name);
-    const QString notes = to_qt(asset ? asset->notes : analysis->notes);
+    if (!exists(project, entry_)) return;
+    const QString name = to_qt(asset ? asset->name : analysis ? analysis->name : project.title);
+    const QString notes = to_qt(asset ? asset->notes : analysis ? analysis->notes : project.notes);
     if (name != name_->text() && !(name_->hasFocus() && name_->isModified())) name_->setText(name);
     const QSignalBlocker blocker(notes_);
     if (notes != notes_->toPlainText()) notes_->setPlainText(notes);

@@ -1,4 +1,4 @@
-// The name and the notes of an asset or an analysis.
+// The name and the notes of an asset or an analysis, or of the project.
 #pragma once
 
 #include <QWidget>

@@ -4,6 +4,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <algorithm>
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
@@ -106,12 +107,24 @@ void ProjectPane::keep_in_library(const SetupAddress& address) {
 void ProjectPane::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
     QTreeView::currentChanged(current, previous);
     const SetupAddress address = model_.address(current);
-    if (!address.id.empty()) selection_.select_entry(address);
+    if (exists(document_.project(), address)) selection_.select_entry(address);
     update_actions();
 }
 
 int ProjectPane::wanted_width() const {
-    return sizeHintForColumn(0) + sizeHintForColumn(1) + 2 * frameWidth() + 12;
+    int names = 0;
+    QStyleOptionViewItem option;
+    initViewItemOption(&option);
+    const auto take = [&](const QModelIndex& index, int depth) {
+        names = std::max(names, itemDelegate()->sizeHint(option, index).width() + depth * indentation());
+    };
+    for (int category = ProjectTreeModel::artefacts; category < ProjectTreeModel::category_count;
+         ++category) {
+        const QModelIndex above = model_.index(category, 0);
+        take(above, 1);
+        for (int row = 0; row < model_.rowCount(above); ++row) take(model_.index(row, 0, above), 2);
+    }
+    return names + sizeHintForColumn(1) + 2 * frameWidth() + 12;
 }
 
 void ProjectPane::follow_selection() {
@@ -120,8 +133,9 @@ void ProjectPane::follow_selection() {
 }
 
 void ProjectPane::update_actions() {
-    const bool entry = !model_.address(currentIndex()).id.empty();
-    for (QAction* action : {duplicate_action, rename_action, delete_action}) action->setEnabled(entry);
+    const SetupAddress address = model_.address(currentIndex());
+    for (QAction* action : {duplicate_action, delete_action}) action->setEnabled(!address.id.empty());
+    rename_action->setEnabled(exists(document_.project(), address));
 }
 
 void ProjectPane::contextMenuEvent(QContextMenuEvent* event) {

@@ -33,7 +33,7 @@ public:
     /// Copies an asset into the user's library.
     void keep_in_library(const SetupAddress& address);
 
-    /// That shows the names whole.
+    /// That shows the names of entries whole; a title may be longer.
     int wanted_width() const;
 
 signals:

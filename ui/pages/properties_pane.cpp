@@ -7,7 +7,9 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "ui/forms/certificate_form.h"
 #include "ui/forms/options_form.h"
+#include "ui/forms/report_form.h"
 #include "ui/forms/requirements_form.h"
 #include "ui/forms/setup_form.h"
 #include "ui/forms/studies_form.h"
@@ -49,6 +51,7 @@ void PropertiesPane::rebuild() {
     help_->start_over();
     delete tabs_;
     setup_ = nullptr;
+    certificate_ = nullptr;
     inputs_ = nullptr;
     options_ = nullptr;
     studies_ = nullptr;
@@ -57,6 +60,7 @@ void PropertiesPane::rebuild() {
     tabs_->setDocumentMode(true);
     static_cast<QVBoxLayout*>(layout())->insertWidget(0, tabs_, 1);
     const SetupAddress& entry = selection_.entry();
+    if (entry.owner == SetupOwner::project) return add_project_pages();
     if (!find_setup(document_.project(), entry)) {
         auto* hint =
             new QLabel(document_.project().assets.empty() && document_.project().analyses.empty()
@@ -82,6 +86,13 @@ void PropertiesPane::rebuild() {
     else
         add_analysis_pages(entry);
     add_notes_page(entry);
+}
+
+void PropertiesPane::add_project_pages() {
+    tabs_->addTab(new NotesPage(document_, project_address), tr("Project"));
+    certificate_ = new CertificateForm(document_);
+    tabs_->addTab(scrolled(certificate_), tr("Certificate"));
+    tabs_->addTab(scrolled(new ReportForm(document_)), tr("Report"));
 }
 
 void PropertiesPane::add_asset_pages(const SetupAddress& entry) {
@@ -130,6 +141,11 @@ void PropertiesPane::show_studies() {
 
 void PropertiesPane::focus_field(const QString& path) {
     const std::string field = to_std(path);
+    if (certificate_ && path.startsWith(QStringLiteral("/certificate"))) {
+        tabs_->setCurrentIndex(1);
+        if (!certificate_->focus_field(field)) certificate_->focus_next_missing();
+        return;
+    }
     if (studies_ && studies_->focus_field(field)) return tabs_->setCurrentIndex(3);
     if (requirements_ && requirements_->focus_field(field)) return tabs_->setCurrentIndex(4);
     if (setup_ && setup_->focus_field(field))

@@ -1,5 +1,6 @@
-// The properties of what is selected: an asset's set-up and evaluation, or an analysis' set-up, inputs,
-// correlations and options. Every form comes from a schema or from the model's input quantities.
+// The properties of what is selected: title, certificate and report of the project, an asset's set-up and
+// evaluation, or an analysis' set-up, inputs, correlations and options. Every form comes from a schema or
+// from the model's input quantities.
 #pragma once
 
 #include <QWidget>
@@ -14,6 +15,7 @@ class QTabWidget;
 
 namespace covaria::ui {
 
+class CertificateForm;
 class FieldHelp;
 class InputsPage;
 class OptionsForm;
@@ -36,6 +38,7 @@ public:
 
 private:
     void rebuild();
+    void add_project_pages();
     void add_asset_pages(const SetupAddress& entry);
     void add_analysis_pages(const SetupAddress& entry);
     void add_notes_page(const SetupAddress& entry);
@@ -49,6 +52,7 @@ private:
     FieldHelp* help_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     SetupForm* setup_ = nullptr;
+    CertificateForm* certificate_ = nullptr;
     InputsPage* inputs_ = nullptr;
     OptionsForm* options_ = nullptr;
     StudiesForm* studies_ = nullptr;

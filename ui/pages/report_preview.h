@@ -1,4 +1,4 @@
-// The report as it would be printed, page under page.
+// The report, or the certificate, as it would be printed, page under page.
 #pragma once
 
 #include <QImage>
@@ -9,7 +9,9 @@
 #include "ui/export/report_maker.h"
 #include "ui/run/analysis_runner.h"
 
+class QComboBox;
 class QLabel;
+class QListWidget;
 class QScrollArea;
 class QVBoxLayout;
 
@@ -24,6 +26,7 @@ public:
     void refresh();
     /// Another project: no page of the former one stays.
     void start_over();
+    DocumentKind kind() const;
     bool is_busy() const { return maker_.is_busy(); }
     std::size_t page_count() const { return pages_.size(); }
     /// As they are shown; the same as the pages of the PDF.
@@ -33,14 +36,22 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    QLayout* make_head();
     void mark_old();
+    QString kind_words() const;
+    QString page_words() const;
+    void go_to_page(int page);
+    void show_page_of(int position);
     void show_pages(const std::vector<QImage>& images);
 
     Document& document_;
     AnalysisRunner& runner_;
     bool old_ = true;
+    bool waiting_ = false;  ///< for the project of now to be made
     std::vector<QImage> pages_;
+    QComboBox* kind_;
     QLabel* state_;
+    QListWidget* list_;  ///< of the pages
     QScrollArea* area_;
     ReportMaker maker_;
 };

@@ -26,6 +26,7 @@ public:
         const double least = whole_run_fits_a_page ? needed : item.height;
         if (!at_top() && y_ + item.space_before + least > page_height_) break_page(item);
         if (!at_top()) y_ += item.space_before;
+        if (!item.heading.empty()) pages_.headings.push_back({item.heading, item.heading_level, page_, y_});
         put(item.height, item.paint);
     }
 

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace covaria::ui {
@@ -23,6 +24,8 @@ struct FlowItem {
     bool keep_with_next = false;
     PaintAt paint;
     std::shared_ptr<const RepeatedHead> head = {};  ///< of the table the item is a row of
+    std::string heading = {};                       ///< that a reader may go to
+    int heading_level = 0;
 };
 
 struct PlacedItem {
@@ -31,8 +34,16 @@ struct PlacedItem {
     PaintAt paint;
 };
 
+struct PlacedHeading {
+    std::string text;
+    int level = 1;
+    int page = 0;
+    double y = 0.0;  ///< from the top of the text area
+};
+
 struct FlowedPages {
     std::vector<PlacedItem> items;  ///< in order of pages
+    std::vector<PlacedHeading> headings = {};
     int pages = 1;
 };
 

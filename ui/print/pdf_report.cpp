@@ -7,8 +7,9 @@
 #include <QPdfWriter>
 #include <algorithm>
 
+#include "core/base/file_io.h"
 #include "core/base/version.h"
-#include "core/project/project_file.h"
+#include "ui/print/pdf_outline.h"
 #include "ui/print/report_pages.h"
 
 namespace covaria::ui {
@@ -52,8 +53,9 @@ Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& 
         pages.paint(page, painter);
     }
     if (!painter.end()) return fail(ErrorCode::io, "the PDF of the report could not be finished");
-    return archived_pdf(buffer.data().toStdString(), {document.title, std::string("Covaria ") + version()},
-                        options.attached);
+    const auto bookmarked = with_bookmarks(buffer.data().toStdString(), pages.bookmarks());
+    if (!bookmarked) return fail(bookmarked.error());
+    return archived_pdf(*bookmarked, {document.title, std::string("Covaria ") + version()}, options.attached);
 }
 
 Result<void> write_pdf(const ReportDocument& document, const PdfOptions& options,

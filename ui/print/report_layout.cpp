@@ -65,6 +65,8 @@ public:
                                  p.fillRect(QRectF(at.x(), at.y() + rule, width, line), PageStyle::rule());
                          },
                          {}});
+        items.back().heading = heading.text;
+        items.back().heading_level = heading.level;
     }
 
     void operator()(const ParagraphBlock& paragraph) {

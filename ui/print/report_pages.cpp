@@ -72,6 +72,17 @@ void ReportPages::paint(int page, QPainter& painter) const {
         if (item.page == page) item.paint(painter, style_.text_area().topLeft() + QPointF(0.0, item.y));
 }
 
+std::vector<Bookmark> ReportPages::bookmarks() const {
+    std::vector<Bookmark> bookmarks;
+    const double points = style_.points(1.0);
+    for (const PlacedHeading& heading : pages_.headings)
+        if (heading.level <= 2)
+            bookmarks.push_back(
+                {heading.text, heading.level, heading.page,
+                 (style_.sheet().height() - style_.text_area().top() - heading.y) / points + 4.0});
+    return bookmarks;
+}
+
 std::vector<QImage> page_images(const ReportDocument& document, const PdfOptions& options,
                                 int dots_per_inch) {
     QImage measure = blank_page(QSize(1, 1), printed_dots_per_inch);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/print/flow.h"
+#include "ui/print/pdf_outline.h"
 #include "ui/print/pdf_report.h"
 
 namespace covaria::ui {
@@ -20,6 +21,8 @@ public:
 
     int count() const { return pages_.pages; }
     void paint(int page, QPainter& painter) const;
+    /// Headings of the first two levels.
+    std::vector<Bookmark> bookmarks() const;
 
 private:
     const ReportDocument& document_;

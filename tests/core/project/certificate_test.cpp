@@ -114,6 +114,25 @@ TEST(Certificate, NothingIsCalibratedBeforeItIsThere) {
               std::string::npos);
 }
 
+TEST(Certificate, DatesInTheWrongOrderAreWarnedOf) {
+    Certificate certificate = full_certificate();
+    certificate.issued = "2026-04-16";
+    Problems problems;
+    check_certificate(certificate, problems);
+    EXPECT_FALSE(problems.has_errors()) << "such a project can be opened";
+    EXPECT_EQ(problems.items().size(), 1U);
+}
+
+TEST(Certificate, FormsGroupTheFieldsThatFilesHave) {
+    std::vector<std::string> grouped, listed;
+    for (const CertificateSection& section : certificate_sections()) {
+        EXPECT_NE(std::string(section.title), "");
+        for (const CertificateField& field : section.fields) grouped.push_back(pointer_of(field));
+    }
+    for (const CertificateField& field : certificate_fields()) listed.push_back(pointer_of(field));
+    EXPECT_EQ(grouped, listed);
+}
+
 TEST(Certificate, WhatTheStandardRequiresIsMissed) {
     EXPECT_EQ(messages(missing_in(full_certificate())), "");
     const std::string all = messages(missing_in({}));

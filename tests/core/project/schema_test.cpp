@@ -51,8 +51,10 @@ AnalysisEntry full_analysis() {
 TEST(JsonSchema, HasTheKeysThatAreWritten) {
     Project project;
     project.analyses.push_back(full_analysis());
-    const Json written = Json::parse(project_text(project))["analyses"][0];
-    const std::pair<const char*, Json> objects[] = {{"link", written["links"][0]},
+    project.report = {{"a"}, {"scene"}, true};
+    const Json whole = Json::parse(project_text(project)), written = whole["analyses"][0];
+    const std::pair<const char*, Json> objects[] = {{"report", whole["report"]},
+                                                    {"link", written["links"][0]},
                                                     {"inputEdit", written["inputs"][0]},
                                                     {"component", written["inputs"][0]["components"][0]},
                                                     {"correlation", written["correlations"][0]},

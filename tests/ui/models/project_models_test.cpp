@@ -62,7 +62,7 @@ TEST_F(ProjectModelsTest, AssetsStandInTheirCategory) {
         const std::string id = add_asset(document, kind.kind);
         const QModelIndex index = tree.index_of({SetupOwner::asset, id});
         ASSERT_TRUE(index.isValid());
-        EXPECT_EQ(index.parent().row(), static_cast<int>(kind.category));
+        EXPECT_EQ(index.parent().row(), ProjectTreeModel::artefacts + static_cast<int>(kind.category));
     }
 }
 
@@ -73,7 +73,44 @@ TEST_F(ProjectModelsTest, RenamesInTheTree) {
     EXPECT_TRUE(tree.setData(index, "Pose 7"));
     EXPECT_EQ(document.project().analyses[0].name, "Pose 7");
     EXPECT_FALSE(tree.setData(index, "  "));
-    EXPECT_FALSE(tree.flags(tree.index(0, 0)) & Qt::ItemIsEditable);
+    EXPECT_FALSE(tree.flags(tree.index_of(ProjectTreeModel::artefacts)) & Qt::ItemIsEditable);
+}
+
+TEST_F(ProjectModelsTest, TheFirstRowIsTheProject) {
+    ProjectTreeModel tree(document, runner);
+    QAbstractItemModelTester tester(&tree, fatal);
+    const QModelIndex project = tree.index(0, 0);
+    EXPECT_EQ(tree.address(project), project_address);
+    EXPECT_EQ(tree.index_of(project_address), project);
+    EXPECT_EQ(tree.rowCount(project), 0);
+    EXPECT_EQ(project.data().toString(), "Untitled project");
+    EXPECT_EQ(project.data(Qt::EditRole).toString(), "");
+    QSignalSpy changed(&tree, &QAbstractItemModel::dataChanged);
+    EXPECT_TRUE(tree.setData(project, "Gauge blocks"));
+    EXPECT_EQ(document.project().title, "Gauge blocks");
+    EXPECT_EQ(project.data().toString(), "Gauge blocks");
+    EXPECT_GT(changed.count(), 0);
+    document.undo_stack().undo();
+    EXPECT_EQ(document.project().title, "");
+}
+
+TEST_F(ProjectModelsTest, TheProjectShowsItsOwnProblemsOnly) {
+    add_analysis_entry("a");
+    ProjectTreeModel tree(document, runner);
+    const QModelIndex project = tree.index(0, 0);
+    found.error("/analyses/0/setup/x", "of the analysis");
+    document.check_now();
+    EXPECT_EQ(project.data(problem_role).toString(), "");
+    found.warning("/certificate/dates/issued", "issued too early");
+    document.apply("Edit", [](Project& changed) { changed.notes = "n"; });
+    document.check_now();
+    EXPECT_EQ(project.data(problem_role).toString(), "issued too early");
+    EXPECT_EQ(project.data(worst_role).toInt(), int(Severity::warning));
+    EXPECT_EQ(ProblemsModel::place_words(document.project(), "/certificate/dates/issued"),
+              "Project: certificate, Issued");
+    EXPECT_EQ(address_of_path(document.project(), "/certificate/dates/issued"), project_address);
+    EXPECT_TRUE(address_of_path(document.project(), "/analyses/7").id.empty());
+    EXPECT_FALSE(exists(document.project(), address_of_path(document.project(), "/analyses/7")));
 }
 
 TEST_F(ProjectModelsTest, TheTreeShowsStatesAndProblems) {

@@ -12,6 +12,7 @@
 
 #include "core/report/table_text.h"
 #include "tests/core/report/sample_report.h"
+#include "ui/print/pdf_outline.h"
 
 namespace covaria::ui::pdf_report_test {
 namespace {
@@ -159,6 +160,40 @@ TEST_F(PdfReport, IsAnArchiveThatCarriesItsFilesAndIsMadeTwiceWithEqualBytes) {
     int count = 0;
     for (; std::getline(fonts, line); ++count) EXPECT_EQ(line.substr(embedded, 3), "yes") << line;
     EXPECT_GT(count, 0);
+}
+
+TEST_F(PdfReport, BookmarksLeadToTheHeadings) {
+    const ReportDocument document = test::sample_report();
+    const std::string outline =
+        output_of("pdftohtml", {"-xml", "-i", "-stdout", "FILE"}, document, options());
+    const std::vector<std::string> pages = pages_of(text_of(document, options()));
+    std::size_t at = outline.find("<outline>"), count = 0;
+    ASSERT_NE(at, std::string::npos) << outline.substr(0, 2000);
+    for (const ReportBlock& block : document.blocks) {
+        const auto* heading = std::get_if<HeadingBlock>(&block);
+        if (!heading || heading->level > 2) continue;
+        const std::string title = heading->text.substr(heading->text.find("\u2002") + 3);
+        const std::string words = title.substr(0, title.find(' '));
+        at = outline.find("<item page=\"", at);
+        ASSERT_NE(at, std::string::npos) << title;
+        at += std::string("<item page=\"").size();
+        const std::size_t page = std::stoul(outline.substr(at, 6));
+        EXPECT_TRUE(contains(outline.substr(at, outline.find('\n', at) - at), words)) << title;
+        ASSERT_LE(page, pages.size());
+        EXPECT_TRUE(contains(pages[page - 1], words)) << title << " on page " << page;
+        ++count;
+    }
+    EXPECT_GT(count, 10U);
+    EXPECT_EQ(outline.find("<item page=", at), std::string::npos) << "no others";
+}
+
+TEST_F(PdfReport, ADocumentWithoutHeadingsHasNoBookmarks) {
+    const auto plain = pdf_bytes(ReportDocument{}, options());
+    ASSERT_TRUE(plain);
+    EXPECT_EQ(plain->find("/Outlines"), std::string::npos);
+    EXPECT_FALSE(with_bookmarks("no PDF", {{"a", 1, 0, 0.0}}));
+    EXPECT_FALSE(with_bookmarks(*plain, {{"a", 1, 1, 0.0}})) << "there is no second page";
+    EXPECT_EQ(*with_bookmarks(*plain, {}), *plain);
 }
 
 TEST_F(PdfReport, BothPaperSizes) {

@@ -1,0 +1,189 @@
+#include "core/report/report_body.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "core/report/report_extent.h"
+
+namespace covaria::report_parts {
+
+namespace {
+
+constexpr double frame_lines = 6.0;  // of an analysis: its heading, and what it is without
+
+/// One that is not there has no blocks.
+struct AnalysisChapter {
+    std::optional<ReportChapter> chapter;  ///< none: the results, which are always there
+    Blocks whole;
+    ShortenedChapter shortened = {};
+    bool left_out = false;  ///< for its length
+};
+
+using Chapters = std::vector<AnalysisChapter>;
+
+/// In the order of the report.
+Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evaluated,
+                     std::set<std::string>& shown_assets) {
+    using enum ReportChapter;
+    Chapters all;
+    const auto begin = [&](std::optional<ReportChapter> chapter) -> Blocks& {
+        all.push_back({chapter, {}});
+        return all.back().whole;
+    };
+    add_setup(begin(setup), source, evaluated);
+    Blocks& of_inputs = begin(inputs);
+    add_links(of_inputs, evaluated);
+    add_inputs(of_inputs, evaluated);
+    add_assets(begin(assets), source, evaluated, shown_assets);
+    add_budgets(begin(budgets), evaluated);
+    add_results(begin(std::nullopt), source, evaluated);
+    Blocks& of_influence = begin(influence);
+    add_sobol(of_influence, evaluated);
+    add_contributors(of_influence, evaluated);
+    add_model_evaluation(begin(evaluation), evaluated);
+    add_comparison(begin(comparison), evaluated);
+    add_regions(begin(regions), evaluated);
+    add_distributions(begin(distributions), evaluated);
+    add_scene(begin(scene), evaluated);
+    add_correlation(begin(correlation), evaluated);
+    add_studies(begin(studies), evaluated);
+    return all;
+}
+
+/// What a reader misses most comes first.
+int rank_of(const std::optional<ReportChapter>& chapter) {
+    using enum ReportChapter;
+    static const std::array order{budgets, setup,         evaluation, assets,    scene,       inputs,
+                                  studies, distributions, comparison, influence, correlation, regions};
+    if (!chapter) return -1;
+    return static_cast<int>(std::find(order.begin(), order.end(), *chapter) - order.begin());
+}
+
+std::string title_of(const AnalysisChapter& chapter) {
+    for (const ReportBlock& block : chapter.whole)
+        if (const auto* heading = std::get_if<HeadingBlock>(&block)) return heading->text;
+    return {};
+}
+
+/// Only words that lead to what is not there.
+bool says_nothing(const Blocks& blocks) {
+    return std::none_of(blocks.begin(), blocks.end(), [](const ReportBlock& block) {
+        return !std::holds_alternative<HeadingBlock>(block) && !std::holds_alternative<ParagraphBlock>(block);
+    });
+}
+
+double whole_lines(const Chapters& chapters) {
+    double lines = 0.0;
+    for (const AnalysisChapter& chapter : chapters) lines += lines_of(chapter.whole);
+    return lines;
+}
+
+class AnalysisBody {
+public:
+    AnalysisBody(const ReportContents& contents, const EvaluatedAnalysis& evaluated, Chapters chapters)
+        : contents_(contents), evaluated_(evaluated), chapters_(std::move(chapters)) {}
+
+    /// Shows as much as there is room for.
+    void fit(double lines) {
+        for (const Extent& extent : extents()) {
+            shorten_all(extent);
+            double needed = 0.0;
+            for (const AnalysisChapter& chapter : chapters_) needed += lines_of(chapter.shortened.body);
+            if (needed <= lines && extent.figures > 0) return;
+        }
+        leave_out(lines);
+    }
+
+    void add_body(Blocks& blocks) const {
+        blocks.push_back(HeadingBlock{1, evaluated_.analysis->name});
+        std::string left_out;
+        for (const AnalysisChapter& chapter : chapters_) {
+            if (chapter.left_out)
+                left_out += (left_out.empty() ? "" : ", ") + title_of(chapter);
+            else
+                blocks.insert(blocks.end(), chapter.shortened.body.begin(), chapter.shortened.body.end());
+        }
+        if (!left_out.empty())
+            blocks.push_back(ParagraphBlock{
+                (contents_.annex ? "In the annex: " : "In the annex, on request: ") + left_out + ".", true});
+    }
+
+    void add_annex(Blocks& blocks) const {
+        for (const AnalysisChapter& chapter : chapters_) {
+            const Blocks& rest = chapter.left_out ? chapter.whole : chapter.shortened.rest;
+            if (rest.empty()) continue;
+            blocks.push_back(HeadingBlock{2, evaluated_.analysis->name + ": " + title_of(chapter)});
+            for (const ReportBlock& block : rest) {
+                const auto* heading = std::get_if<HeadingBlock>(&block);
+                if (!heading || heading->level > 2) blocks.push_back(block);
+            }
+        }
+    }
+
+private:
+    void shorten_all(const Extent& extent) {
+        const std::string elsewhere =
+            contents_.annex ? "the annex has" : "the CSV tables, and the annex on request, have";
+        const std::vector<std::string> groups = groups_in_full(*evaluated_.result);
+        const std::string group = groups.size() == 1 ? groups.front() : "";
+        for (AnalysisChapter& chapter : chapters_) {
+            const bool other_budgets =
+                chapter.chapter == ReportChapter::budgets && extent.budget_rows != most_budget_rows;
+            Blocks blocks = chapter.whole;
+            if (other_budgets) {
+                blocks.clear();
+                add_budgets(blocks, evaluated_, extent.budget_rows);
+            }
+            chapter.shortened = shorten(blocks, extent, group, elsewhere);
+            if (other_budgets) chapter.shortened.rest = chapter.whole;
+        }
+    }
+
+    /// The results are there; others in their rank while they fit.
+    void leave_out(double lines) {
+        std::vector<AnalysisChapter*> ranked;
+        for (AnalysisChapter& chapter : chapters_) ranked.push_back(&chapter);
+        std::stable_sort(ranked.begin(), ranked.end(),
+                         [](const AnalysisChapter* a, const AnalysisChapter* b) {
+                             return rank_of(a->chapter) < rank_of(b->chapter);
+                         });
+        for (AnalysisChapter* chapter : ranked) {
+            const double needed = lines_of(chapter->shortened.body);
+            const bool empty = says_nothing(chapter->shortened.body) && !says_nothing(chapter->whole);
+            chapter->left_out = chapter->chapter && (needed > lines || empty);
+            if (!chapter->left_out) lines -= needed;
+        }
+    }
+
+    const ReportContents& contents_;
+    const EvaluatedAnalysis& evaluated_;
+    Chapters chapters_;
+};
+
+}  // namespace
+
+AnalysisChapters analysis_chapters(const ReportSource& source, const ReportContents& contents, double lines) {
+    std::set<std::string> shown_assets;
+    std::vector<AnalysisBody> bodies;
+    std::vector<double> needs;
+    for (const EvaluatedAnalysis& evaluated : source.analyses) {
+        Chapters chapters = chapters_of(source, evaluated, shown_assets);
+        std::erase_if(chapters, [&](const AnalysisChapter& one) {
+            return one.whole.empty() || (one.chapter && !contents.has(*one.chapter));
+        });
+        needs.push_back(whole_lines(chapters));
+        bodies.emplace_back(contents, evaluated, std::move(chapters));
+    }
+    const double lines_of_frames = frame_lines * double(bodies.size());
+    const std::vector<double> shares = shares_of(lines - lines_of_frames, needs);
+    AnalysisChapters all;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        bodies[i].fit(shares[i]);
+        bodies[i].add_body(all.body);
+        if (contents.annex) bodies[i].add_annex(all.annex);
+    }
+    return all;
+}
+
+}  // namespace covaria::report_parts

@@ -1,0 +1,177 @@
+#include "core/report/report_extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/in_quotes.h"
+
+namespace covaria::report_parts {
+
+namespace {
+
+constexpr double letters_of_line = 105.0;
+constexpr double letters_of_row = 118.0;
+constexpr double tolerated = 1.25;  // a table a little longer than the extent stays whole
+
+double lines_of_text(const std::string& text, double letters) {
+    return std::max(1.0, std::ceil(double(text.size()) / letters));
+}
+
+double lines_of_row(const std::vector<TableCell>& row) {
+    const double letters = letters_of_row / double(std::max<std::size_t>(row.size(), 1));
+    double most = 1.0;
+    for (const TableCell& cell : row)
+        if (const auto* text = std::get_if<std::string>(&cell))
+            most = std::max(most, lines_of_text(*text, std::max(letters, 9.0)));
+    return most;
+}
+
+/// On pages of print of 56 lines.
+struct LineCount {
+    double operator()(const HeadingBlock& block) const { return block.level <= 2 ? 3.0 : 2.0; }
+    double operator()(const ParagraphBlock& block) const {
+        return lines_of_text(block.text, letters_of_line) + 0.6;
+    }
+    double operator()(const ListBlock& block) const {
+        double lines = 0.6;
+        for (const std::string& item : block.items) lines += lines_of_text(item, letters_of_line);
+        return lines;
+    }
+    double operator()(const FactsBlock& block) const { return double(block.facts.size()) + 0.6; }
+    double operator()(const EquationBlock&) const { return 2.5; }
+    double operator()(const TableBlock& block) const {
+        double lines = 4.5;
+        for (const auto& row : block.table.rows) lines += 1.05 * lines_of_row(row);
+        for (const std::string& note : block.table.notes) lines += lines_of_text(note, letters_of_line);
+        return lines;
+    }
+    double operator()(const PlotBlock&) const { return 9.0; }  // two stand side by side
+    double operator()(const SceneBlock&) const { return 28.0; }
+    double operator()(const SignatureBlock&) const { return 12.0; }
+};
+
+bool is_subhead(const std::vector<TableCell>& row) {
+    return row.size() == 1;
+}
+
+/// Where the rows of a group begin; 0 where the table has none of it.
+std::size_t begin_of(const TableBlock& block, const std::string& group) {
+    for (std::size_t row = 0; row < block.table.rows.size() && !group.empty(); ++row)
+        if (const auto& cells = block.table.rows[row]; is_subhead(cells))
+            if (const auto* text = std::get_if<std::string>(&cells[0]); text && *text == group) return row;
+    return 0;
+}
+
+bool is_budget(const TableBlock& block) {
+    return block.table.id.starts_with("budget-");
+}
+
+std::string rows_note(const TableBlock& block, std::size_t begin, std::size_t shown, const std::string& group,
+                      const std::string& elsewhere) {
+    const std::string which =
+        begin > 0 ? "From " + in_quotes(group) + " on, which has the largest expanded uncertainties, "
+                  : "The first ";
+    return which + std::to_string(shown) + " of " + std::to_string(block.table.rows.size()) + " rows; " +
+           elsewhere + " all of them.";
+}
+
+class Shortening {
+public:
+    Shortening(const Extent& extent, const std::string& group, const std::string& elsewhere)
+        : extent_(extent), group_(group), elsewhere_(elsewhere) {}
+
+    void add(const ReportBlock& block) {
+        if (const auto* table = std::get_if<TableBlock>(&block)) return add_table(*table);
+        if (std::holds_alternative<PlotBlock>(block) && ++figures_ > extent_.figures)
+            out_.rest.push_back(block);
+        else
+            out_.body.push_back(block);
+    }
+
+    ShortenedChapter take() {
+        if (tables_ > extent_.tables || figures_ > extent_.figures)
+            out_.body.push_back(ParagraphBlock{words() + elsewhere_ + " the rest.", true});
+        return std::move(out_);
+    }
+
+private:
+    void add_table(const TableBlock& table) {
+        if (++tables_ > extent_.tables) return out_.rest.push_back(table);
+        const std::size_t rows = table.table.rows.size();
+        if (is_budget(table) || double(rows) <= tolerated * double(extent_.rows)) {
+            out_.body.push_back(table);
+            return;
+        }
+        TableBlock part = table;
+        std::size_t begin = begin_of(table, group_);
+        const std::size_t shown = std::min(extent_.rows, rows - begin);
+        const auto first = table.table.rows.begin() + static_cast<std::ptrdiff_t>(begin);
+        part.table.rows.assign(first, first + static_cast<std::ptrdiff_t>(shown));
+        if (is_subhead(part.table.rows.back())) part.table.rows.pop_back();
+        part.table.notes.push_back(rows_note(table, begin, part.table.rows.size(), group_, elsewhere_));
+        out_.body.push_back(std::move(part));
+        out_.rest.push_back(table);
+    }
+
+    std::string words() const {
+        std::string words = "Shown are ";
+        if (tables_ > extent_.tables)
+            words += std::to_string(extent_.tables) + " of " + std::to_string(tables_) + " tables" +
+                     (figures_ > extent_.figures ? " and " : "");
+        if (figures_ > extent_.figures)
+            words += std::to_string(extent_.figures) + " of " + std::to_string(figures_) + " charts";
+        return words + "; ";
+    }
+
+    const Extent& extent_;
+    const std::string &group_, &elsewhere_;
+    std::size_t tables_ = 0, figures_ = 0;
+    ShortenedChapter out_;
+};
+
+}  // namespace
+
+double lines_of(const Blocks& blocks) {
+    double lines = 0.0;
+    for (const ReportBlock& block : blocks) lines += std::visit(LineCount{}, block);
+    return lines;
+}
+
+const std::vector<Extent>& extents() {
+    static const std::vector<Extent> steps{{},           {24, 40, 8, 24}, {16, 12, 6, 12}, {12, 8, 4, 8},
+                                           {8, 3, 2, 6}, {6, 3, 0, 5}};
+    return steps;
+}
+
+ShortenedChapter shorten(const Blocks& chapter, const Extent& extent, const std::string& group,
+                         const std::string& elsewhere) {
+    Shortening shortening(extent, group, elsewhere);
+    for (const ReportBlock& block : chapter) shortening.add(block);
+    return shortening.take();
+}
+
+Blocks shortened_to(double lines, const Blocks& blocks, const std::string& elsewhere) {
+    Blocks shown;
+    for (Extent extent : extents()) {
+        extent.tables = Extent::all;
+        shown = shorten(blocks, extent, "", elsewhere).body;
+        if (lines_of(shown) <= lines) break;
+    }
+    return shown;
+}
+
+std::vector<double> shares_of(double room, const std::vector<double>& needs) {
+    std::vector<std::size_t> order(needs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return needs[a] < needs[b]; });
+    std::vector<double> shares(needs.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        shares[order[i]] = std::min(needs[order[i]], room / double(order.size() - i));
+        room -= shares[order[i]];
+    }
+    return shares;
+}
+
+}  // namespace covaria::report_parts

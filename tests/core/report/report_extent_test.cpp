@@ -1,0 +1,145 @@
+// What goes into a report, and how it becomes short: nothing is lost that the annex is asked for.
+#include "core/report/report_extent.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/report/sample_report.h"
+
+namespace covaria::report_extent_test {
+namespace {
+
+using namespace report_parts;
+
+std::vector<std::string> headings_of(const ReportDocument& document, int level) {
+    std::vector<std::string> headings;
+    for (const ReportBlock& block : document.blocks)
+        if (const auto* heading = std::get_if<HeadingBlock>(&block); heading && heading->level == level)
+            headings.push_back(heading->text.substr(heading->text.find("\u2002") + 3));
+    return headings;
+}
+
+bool has_heading(const ReportDocument& document, const std::string& title) {
+    for (const int level : {1, 2})
+        for (const std::string& heading : headings_of(document, level))
+            if (heading == title) return true;
+    return false;
+}
+
+std::size_t rows_of(const ReportDocument& document, const std::string& id) {
+    std::size_t rows = 0;
+    for (const ReportBlock& block : document.blocks)
+        if (const auto* table = std::get_if<TableBlock>(&block); table && table->table.id == id)
+            rows = std::max(rows, table->table.rows.size());
+    return rows;
+}
+
+std::size_t count_figures(const ReportDocument& document) {
+    std::size_t count = 0;
+    for (const ReportBlock& block : document.blocks) count += std::holds_alternative<PlotBlock>(block);
+    return count;
+}
+
+/// The sample, as often as asked for, under names of their own.
+struct Many {
+    explicit Many(int count, int poses = 13) {
+        test::SampleOptions options;
+        options.poses = poses;
+        Project project = test::sample_project();
+        const AnalysisEntry entry = project.analyses.front();
+        project.analyses.clear();
+        for (int i = 0; i < count; ++i) {
+            EvaluatedAnalysis one = test::sample_analysis(test::sample_result(options));
+            auto analysis = std::make_shared<PreparedAnalysis>(*one.analysis);
+            analysis->id = entry.id + std::to_string(i);
+            analysis->name = "Analysis " + std::to_string(i);
+            one.analysis = analysis;
+            analyses.push_back(one);
+            project.analyses.push_back(entry);
+            project.analyses.back().id = analysis->id;
+            project.analyses.back().name = analysis->name;
+        }
+        made = MadeProject::make(project);
+    }
+    ReportDocument report(const ReportContents& contents = {}) const {
+        return build_report(*made, analyses, {}, contents);
+    }
+    std::vector<EvaluatedAnalysis> analyses;
+    MadeProject::Pointer made;
+};
+
+TEST(ReportContents, AChapterThatIsLeftOutIsNotThere) {
+    const Many sample(1);
+    const ReportDocument whole = sample.report();
+    int there = 0;
+    for (const ReportChapterField& chapter : report_chapters()) {
+        ReportContents contents;
+        choose(contents.without_chapters, chapter.key, false);
+        EXPECT_FALSE(has_heading(sample.report(contents), chapter.title)) << chapter.key;
+        there += has_heading(whole, chapter.title);
+        EXPECT_TRUE(has_heading(sample.report(contents), "Results")) << chapter.key;
+    }
+    EXPECT_GE(there, 11) << "titles of the list are those of the report";
+}
+
+TEST(ReportContents, AnAnalysisThatIsLeftOutIsNamedAndNotShown) {
+    const Many sample(3);
+    ReportContents contents;
+    choose(contents.without_analyses, sample.analyses[1].analysis->id, false);
+    const ReportDocument report = sample.report(contents);
+    EXPECT_TRUE(has_heading(report, "Analysis 0"));
+    EXPECT_FALSE(has_heading(report, "Analysis 1"));
+    EXPECT_TRUE(has_heading(report, "Analysis 2"));
+    const auto& facts = std::get<FactsBlock>(report.blocks[0]).facts;
+    EXPECT_TRUE(std::any_of(facts.begin(), facts.end(), [](const auto& fact) {
+        return fact == std::pair<std::string, std::string>("Not in this report", "Analysis 1");
+    }));
+}
+
+TEST(ReportExtent, AShortReportIsWhole) {
+    const Many sample(1, 1);
+    const ReportDocument report = sample.report(), with_annex = sample.report({{}, {}, true});
+    EXPECT_EQ(report.blocks.size(), with_annex.blocks.size());
+    EXPECT_FALSE(has_heading(with_annex, "Annex")) << "nothing is left for it";
+}
+
+TEST(ReportExtent, ALongOneIsShortenedAndWholeInTheAnnex) {
+    for (const int count : {4, 14}) {
+        const Many sample(count, 60);
+        const ReportDocument body = sample.report(), all = sample.report({{}, {}, true});
+        EXPECT_LE(lines_of(body.blocks), 20.0 * lines_of_page) << count;
+        EXPECT_GT(lines_of(all.blocks), 3.0 * lines_of(body.blocks));
+        EXPECT_TRUE(has_heading(all, "Annex"));
+        for (const EvaluatedAnalysis& one : sample.analyses) {
+            EXPECT_TRUE(has_heading(body, one.analysis->name));
+            const std::string id = "results-" + one.analysis->id;
+            EXPECT_GT(rows_of(body, id), 5U) << "results are always there";
+            EXPECT_LT(rows_of(body, id), 31U);
+            EXPECT_EQ(rows_of(all, id), 60U * 7U) << "six of each pose under its name";
+        }
+        EXPECT_GE(count_figures(all), std::size_t(count) * 14);
+        EXPECT_LT(count_figures(body), count_figures(all));
+    }
+}
+
+TEST(ReportExtent, TheRowsShownAreOfTheGroupWithTheLargestUncertainties) {
+    const Many sample(4, 60);
+    const std::string group = groups_in_full(*sample.analyses[0].result).front();
+    const ReportDocument body = sample.report();
+    for (const ReportBlock& block : body.blocks) {
+        const auto* table = std::get_if<TableBlock>(&block);
+        if (!table || table->table.id != "results-" + sample.analyses[0].analysis->id) continue;
+        EXPECT_EQ(std::get<std::string>(table->table.rows[0][0]), group);
+        EXPECT_NE(table->table.notes.back().find("of 420 rows"), std::string::npos)
+            << table->table.notes.back();
+    }
+}
+
+TEST(ReportExtent, RoomGoesToThoseThatNeedIt) {
+    EXPECT_EQ(shares_of(100.0, {10.0, 200.0, 30.0, 300.0}), (std::vector<double>{10.0, 30.0, 30.0, 30.0}));
+    EXPECT_EQ(shares_of(100.0, {10.0, 200.0}), (std::vector<double>{10.0, 90.0}));
+    EXPECT_EQ(shares_of(100.0, {10.0, 20.0}), (std::vector<double>{10.0, 20.0}));
+    EXPECT_TRUE(shares_of(100.0, {}).empty());
+}
+
+}  // namespace
+}  // namespace covaria::report_extent_test

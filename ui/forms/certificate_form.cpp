@@ -1,0 +1,173 @@
+#include "ui/forms/certificate_form.h"
+
+#include <QApplication>
+#include <algorithm>
+
+#include "ui/forms/complaint.h"
+#include "ui/forms/date_editor.h"
+#include "ui/forms/form_labels.h"
+#include "ui/forms/prose_editor.h"
+#include "ui/forms/simple_editors.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+constexpr const char* standard = "ISO/IEC 17025";
+
+QString clause_words(const CertificateField& field) {
+    return QStringLiteral("%1 %2").arg(QLatin1String(standard), QLatin1String(field.clause));
+}
+
+/// The field as other forms know fields; named by its place in the project.
+FieldSpec spec_of(const CertificateField& field) {
+    FieldSpec spec;
+    spec.key = pointer_of(field);
+    spec.title = field.title;
+    spec.help = field.help;
+    if (*field.clause)
+        spec.help += to_std(QLatin1Char(' ') +
+                            (field.required ? CertificateForm::tr("Required by %1.")
+                                            : CertificateForm::tr("Asked for by %1 where it applies."))
+                                .arg(clause_words(field)));
+    return spec;
+}
+
+}  // namespace
+
+CertificateForm::CertificateForm(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      layout_(new QFormLayout(this)),
+      state_(new QLabel(this)),
+      next_(new QPushButton(tr("Next Missing"), this)) {
+    layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    layout_->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    add_head();
+    for (const CertificateSection& section : certificate_sections()) add_section(section);
+    refresh();
+    refresh_problems();
+    connect(&document_, &Document::project_changed, this, &CertificateForm::refresh);
+    connect(&document_, &Document::problems_changed, this, &CertificateForm::refresh_problems);
+}
+
+void CertificateForm::add_head() {
+    keep_room(*state_, 3);
+    state_->setObjectName(QStringLiteral("certificate_state"));
+    state_->setAccessibleName(tr("What the certificate lacks"));
+    next_->setObjectName(QStringLiteral("next_missing"));
+    next_->setToolTip(
+        tr("Goes to the next field that %1 requires and that is empty").arg(QLatin1String(standard)));
+    next_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    next_->setFocusPolicy(Qt::TabFocus);  // a click goes on from the field that has the focus
+    layout_->addRow(state_);
+    layout_->addRow(next_);
+    connect(next_, &QPushButton::clicked, this, &CertificateForm::focus_next_missing);
+}
+
+void CertificateForm::add_section(const CertificateSection& section) {
+    auto* label = new QLabel(tr(section.title), this);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    label->setContentsMargins(0, 10, 0, 0);
+    layout_->addRow(label);
+    for (const CertificateField& field : section.fields) add_field(certificate_field(field.member));
+}
+
+void CertificateForm::add_field(const CertificateField& field) {
+    FieldEditor* editor = make_editor(field);
+    QLabel* title = make_form_label(field.title, this);
+    title->setToolTip(help_text(spec_of(field)));
+    title->setBuddy(editor);
+    layout_->addRow(title, editor);
+    rows_.push_back({&field, editor});
+    connect(editor, &FieldEditor::edited, this, [this, &field](const SetupValue& value) {
+        const std::string* text = std::get_if<std::string>(&value);
+        write(field, text ? *text : std::string());
+    });
+}
+
+FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
+    const FieldSpec spec = spec_of(field);
+    switch (field.kind) {
+        case CertificateText::line:
+            return new TextEditor(spec, this);
+        case CertificateText::lines:
+            return new ProseEditor(spec, this);
+        case CertificateText::date:
+        case CertificateText::dates:
+            break;
+    }
+    const auto days =
+        field.kind == CertificateText::dates ? DateEditor::Days::interval : DateEditor::Days::one;
+    return new DateEditor(spec, days, document_, {project_address, spec.key}, this);
+}
+
+void CertificateForm::write(const CertificateField& field, const std::string& text) {
+    document_.apply(
+        tr("Change %1").arg(QString::fromUtf8(field.title)),
+        [&](Project& project) { project.certificate.*field.member = text; }, to_qt(pointer_of(field)));
+}
+
+void CertificateForm::refresh() {
+    const Certificate& certificate = document_.project().certificate;
+    QStringList missing;
+    int required = 0;
+    for (const Row& row : rows_) {
+        const std::string& text = certificate.*row.field->member;
+        row.editor->set_value(text.empty() ? SetupValue() : SetupValue(text));
+        const bool lacks = is_missing(*row.field, certificate);
+        row.editor->set_hint(lacks ? clause_words(*row.field) : QString());
+        if (row.field->required) ++required;
+        if (lacks) missing << QString::fromUtf8(row.field->title);
+    }
+    next_->setEnabled(!missing.isEmpty());
+    if (missing.isEmpty())
+        show_note(
+            *state_,
+            tr("Everything that %1 requires beside the results is stated.").arg(QLatin1String(standard)));
+    else if (missing.size() == required)
+        show_note(*state_, tr("For File › Export › Certificate. A clause of %1 stands where it requires "
+                              "something; a report needs none of it.")
+                               .arg(QLatin1String(standard)));
+    else
+        show_note(*state_, tr("%1 of %2 required texts are stated; missing: %3.")
+                               .arg(required - missing.size())
+                               .arg(required)
+                               .arg(missing.join(tr(", "))));
+}
+
+void CertificateForm::refresh_problems() {
+    for (const Row& row : rows_) {
+        QStringList messages;
+        for (const Problem& problem : document_.problems().items())
+            if (problem.path == pointer_of(*row.field)) messages << to_qt(problem.message);
+        row.editor->set_complaint(messages.join(QLatin1Char('\n')));
+    }
+}
+
+bool CertificateForm::focus_field(const std::string& path) {
+    for (const Row& row : rows_)
+        if (path == pointer_of(*row.field)) {
+            row.editor->focus_part({});
+            return true;
+        }
+    return false;
+}
+
+/// After the field with the focus, or from the first on.
+void CertificateForm::focus_next_missing() {
+    const auto has_focus = [](const Row& row) {
+        return row.editor->isAncestorOf(QApplication::focusWidget());
+    };
+    const auto start = std::find_if(rows_.begin(), rows_.end(), has_focus);
+    const std::size_t first = start == rows_.end() ? 0 : std::size_t(start - rows_.begin()) + 1;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Row& row = rows_[(first + i) % rows_.size()];
+        if (is_missing(*row.field, document_.project().certificate)) return row.editor->focus_part({});
+    }
+}
+
+}  // namespace covaria::ui
