@@ -30,11 +30,16 @@ struct Bound<Offered<C>> {
         member.id = std::get<std::string>(value);
         const AssetLibrary::Entry* entry = reading.assets.find(member.id);
         member.source = offers<C>(entry);
-        if (!member.source)
-            return reading.problems.error(
-                reading.place, "'" + member.id + "' does not offer '" + std::string(capability) + "'");
+        if (!member.source) return reading.problems.error(reading.place, "'" + member.id + "' " + lacking());
         member.asset = entry->asset;
         member.name = entry->name.empty() ? member.id : entry->name;
+    }
+    /// What is said of an asset that does not offer it: C::lacking, where C has words of its own.
+    static std::string lacking() {
+        if constexpr (requires { C::lacking; })
+            return C::lacking;
+        else
+            return "does not offer '" + std::string(capability) + "'";
     }
 };
 

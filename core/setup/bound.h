@@ -75,6 +75,15 @@ struct Bound<Eigen::Isometry3d> {
     }
 };
 
+/// A pose as typed.
+template <>
+struct Bound<PoseValue> {
+    static constexpr FieldKind kind = FieldKind::pose;
+    static void read(PoseValue& member, const SetupValue& value, FieldReading&) {
+        member = std::get<PoseValue>(value);
+    }
+};
+
 /// Nothing where nothing is given.
 template <class M>
 struct Bound<std::optional<M>> {

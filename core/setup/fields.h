@@ -24,6 +24,16 @@ struct ChoiceOf {
     std::string title;  ///< for people
 };
 
+/// What a field or column may have beside key, title and help; see FieldSpec.
+struct Further {
+    Unit unit = {};
+    Range range = {};
+    SetupValue default_value = {};  ///< of a field
+    bool optional = false;
+    std::size_t min_rows = 0;    ///< of a table
+    bool several_lines = false;  ///< of a text
+};
+
 namespace detail {
 
 template <class E>
@@ -47,6 +57,20 @@ E choice_of(const std::vector<ChoiceOf<E>>& choices, const SetupValue& given) {
     throw std::logic_error("a set-up that was not checked is read");
 }
 
+template <class Spec>
+Spec spec_of(std::string key, std::string title, std::string help, Further more) {
+    Spec spec{.key = std::move(key), .title = std::move(title), .help = std::move(help)};
+    spec.unit = more.unit;
+    spec.range = more.range;
+    spec.optional = more.optional;
+    if constexpr (std::is_same_v<Spec, FieldSpec>) {
+        spec.default_value = std::move(more.default_value);
+        spec.min_rows = more.min_rows;
+        spec.several_lines = more.several_lines;
+    }
+    return spec;
+}
+
 /// What stands in a cell, as the value of a field.
 SetupValue value_of_cell(const SetupCell& cell, const Unit& unit);
 std::string row_place(const std::string& table_place, std::size_t row);
@@ -57,7 +81,8 @@ struct Declaration {
     Spec spec;
     std::any member;  ///< M Owner::*
     std::function<void(Owner&, const SetupValue&, FieldReading&)> read;
-    std::any parts = {};  ///< std::vector<ChoiceOf<E>> of a choice, Columns<Row> of a table
+    std::any parts = {};      ///< std::vector<ChoiceOf<E>> of a choice, Columns<Row> of a table
+    std::size_t element = 0;  ///< of a member that has several
 };
 
 template <class Owner, class Spec, class M>
@@ -67,6 +92,29 @@ Declaration<Owner, Spec> declaration(M Owner::*member, Spec spec) {
     if constexpr (requires { Bound<M>::capability; }) spec.capabilities = {Bound<M>::capability};
     return {std::move(spec), member, [member](Owner& owner, const SetupValue& value, FieldReading& reading) {
                 Bound<M>::read(owner.*member, value, reading);
+            }};
+}
+
+/// Of one element of an array or vector.
+template <class Owner, class Spec, class A>
+Declaration<Owner, Spec> element_declaration(A Owner::*member, std::size_t element, Spec spec) {
+    using M = std::remove_pointer_t<decltype(std::declval<A&>().data())>;
+    spec.kind = Bound<M>::kind;
+    return {std::move(spec),
+            member,
+            [member, element](Owner& owner, const SetupValue& value, FieldReading& reading) {
+                Bound<M>::read((owner.*member).data()[element], value, reading);
+            },
+            {},
+            element};
+}
+
+/// That of a part of the owner, as one of the owner's.
+template <class Owner, class Spec, class P>
+Declaration<Owner, Spec> part_declaration(P Owner::*part, const Declaration<P, Spec>& one) {
+    return {one.spec, part,
+            [part, read = one.read](Owner& owner, const SetupValue& value, FieldReading& reading) {
+                read(owner.*part, value, reading);
             }};
 }
 
@@ -82,11 +130,18 @@ Declaration<Owner, Spec> choice_declaration(E Owner::*member, Spec spec,
             choices};
 }
 
-/// Index of the first declaration that is bound to the member.
 template <class Owner, class Spec, class M>
-std::size_t index_of(const std::vector<Declaration<Owner, Spec>>& all, M Owner::*member) {
+bool is_of(const Declaration<Owner, Spec>& one, M Owner::*member) {
+    const auto* own = std::any_cast<M Owner::*>(&one.member);
+    return own && *own == member;
+}
+
+/// Index of the declaration that is bound to the member, or to this element of it.
+template <class Owner, class Spec, class M>
+std::size_t index_of(const std::vector<Declaration<Owner, Spec>>& all, M Owner::*member,
+                     std::size_t element = 0) {
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (const auto* own = std::any_cast<M Owner::*>(&all[i].member); own && *own == member) return i;
+        if (all[i].element == element && is_of(all[i], member)) return i;
     throw std::logic_error("a member of a set-up has no field");
 }
 
@@ -94,9 +149,8 @@ std::size_t index_of(const std::vector<Declaration<Owner, Spec>>& all, M Owner::
 template <class Declared, class E>
 std::string word_of(const Declared& decides, const E& value) {
     if constexpr (std::is_same_v<E, bool>)
-        return value ? "true" : "false";
-    else
-        return key_of(std::any_cast<const std::vector<ChoiceOf<E>>&>(decides.parts), value);
+        if (!decides.parts.has_value()) return value ? "true" : "false";
+    return key_of(std::any_cast<const std::vector<ChoiceOf<E>>&>(decides.parts), value);
 }
 
 }  // namespace detail
@@ -111,18 +165,30 @@ public:
         all_.push_back(detail::declaration(member, std::move(spec)));
         return *this;
     }
+    template <class M>
+    Columns& add(M Row::*member, std::string key, std::string title, std::string help, Further more = {}) {
+        return add(member, detail::spec_of<ColumnSpec>(std::move(key), std::move(title), std::move(help),
+                                                       std::move(more)));
+    }
     template <class E>
-    Columns& choice(E Row::*member, ColumnSpec spec, const std::vector<ChoiceOf<E>>& choices) {
-        all_.push_back(detail::choice_declaration(member, std::move(spec), choices));
+    Columns& choice(E Row::*member, std::string key, std::string title, std::string help,
+                    const std::vector<ChoiceOf<E>>& choices, Further more = {}) {
+        all_.push_back(detail::choice_declaration(
+            member,
+            detail::spec_of<ColumnSpec>(std::move(key), std::move(title), std::move(help), std::move(more)),
+            choices));
         return *this;
     }
-    /// Three columns, x, y, z.
-    Columns& vector(Eigen::Vector3d Row::*member, const std::array<ColumnSpec, 3>& specs) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            all_.push_back(
-                {specs[axis], member, [member, axis](Row& row, const SetupValue& value, FieldReading&) {
-                     (row.*member)[static_cast<Eigen::Index>(axis)] = std::get<Quantity>(value).si();
-                 }});
+    /// A column for each element of a vector or array.
+    template <class A, std::size_t N>
+    Columns& each(A Row::*member, const std::array<ColumnSpec, N>& specs) {
+        for (std::size_t i = 0; i < N; ++i) all_.push_back(detail::element_declaration(member, i, specs[i]));
+        return *this;
+    }
+    /// The columns of a struct within the row.
+    template <class P>
+    Columns& part(P Row::*member, const Columns<P>& columns) {
+        for (const auto& one : columns.all_) all_.push_back(detail::part_declaration(member, one));
         return *this;
     }
 
@@ -132,8 +198,8 @@ public:
         return specs;
     }
     template <class M>
-    const std::string& key(M Row::*member) const {
-        return all_[detail::index_of(all_, member)].spec.key;
+    const std::string& key(M Row::*member, std::size_t element = 0) const {
+        return all_[detail::index_of(all_, member, element)].spec.key;
     }
     /// `reading.place`: that of the table.
     std::vector<Row> read(const SetupTable& table, const FieldReading& reading) const {
@@ -150,46 +216,74 @@ public:
     }
 
 private:
+    template <class>
+    friend class Columns;
     std::vector<detail::Declaration<Row, ColumnSpec>> all_;
 };
 
 /// The fields of the set-up `S`, in the order in which they are declared. The kind of a field follows from
-/// the type of its member (core/setup/bound.h); key, title, unit, range, default and help are the
-/// FieldSpec's.
+/// the type of its member (core/setup/bound.h).
 template <class S>
 class Fields {
 public:
+    /// The heading of the fields that follow.
+    Fields& section(std::string heading) {
+        section_ = std::move(heading);
+        return *this;
+    }
     template <class M>
     Fields& add(M S::*member, FieldSpec spec) {
-        all_.push_back(detail::declaration(member, std::move(spec)));
-        return *this;
+        return append(detail::declaration(member, std::move(spec)));
+    }
+    template <class M>
+    Fields& add(M S::*member, std::string key, std::string title, std::string help, Further more = {}) {
+        return add(member, detail::spec_of<FieldSpec>(std::move(key), std::move(title), std::move(help),
+                                                      std::move(more)));
     }
     template <class E>
-    Fields& choice(E S::*member, FieldSpec spec, const std::vector<ChoiceOf<E>>& choices,
-                   const std::type_identity_t<E>& default_choice) {
-        spec.default_value = std::string(detail::key_of(choices, default_choice));
-        all_.push_back(detail::choice_declaration(member, std::move(spec), choices));
-        return *this;
+    Fields& choice(E S::*member, std::string key, std::string title, std::string help,
+                   const std::vector<ChoiceOf<E>>& choices, const std::type_identity_t<E>& default_choice) {
+        return append(detail::choice_declaration(
+            member,
+            detail::spec_of<FieldSpec>(
+                std::move(key), std::move(title), std::move(help),
+                {.default_value = std::string(detail::key_of(choices, default_choice))}),
+            choices));
     }
     template <class Row>
-    Fields& table(std::vector<Row> S::*member, FieldSpec spec, const Columns<Row>& columns) {
+    Fields& table(std::vector<Row> S::*member, std::string key, std::string title, std::string help,
+                  const Columns<Row>& columns, Further more = {}) {
+        FieldSpec spec =
+            detail::spec_of<FieldSpec>(std::move(key), std::move(title), std::move(help), std::move(more));
         spec.kind = FieldKind::table;
         spec.columns = columns.specs();
-        all_.push_back({std::move(spec), member,
-                        [member, columns](S& setup, const SetupValue& value, FieldReading& reading) {
-                            setup.*member = columns.read(std::get<SetupTable>(value), reading);
-                        },
-                        columns});
+        return append({std::move(spec), member,
+                       [member, columns](S& setup, const SetupValue& value, FieldReading& reading) {
+                           setup.*member = columns.read(std::get<SetupTable>(value), reading);
+                       },
+                       columns});
+    }
+    /// A field for each element of an array.
+    template <class A, std::size_t N>
+    Fields& each(A S::*member, const std::array<FieldSpec, N>& specs) {
+        for (std::size_t i = 0; i < N; ++i) append(detail::element_declaration(member, i, specs[i]));
         return *this;
     }
-    /// The fields of `members` are shown, needed and read only where `decides` has one of the values.
+    /// The fields of a struct within the set-up; `fields` has their places.
+    template <class P>
+    Fields& part(P S::*member, const Fields<P>& fields) {
+        for (const auto& one : fields.all_) append(detail::part_declaration(member, one));
+        return *this;
+    }
+    /// The fields of `members` are shown, needed and read only where `decides` has one of the values. A field
+    /// of a part that has a condition of its own keeps it.
     template <class E, class... M>
     Fields& shown_where(E S::*decides, std::initializer_list<std::type_identity_t<E>> values,
                         M S::*... members) {
         const auto& deciding = all_[detail::index_of(all_, decides)];
         Condition condition{deciding.spec.key, {}};
         for (const E& value : values) condition.values.push_back(detail::word_of(deciding, value));
-        ((all_[detail::index_of(all_, members)].spec.shown_if = condition), ...);
+        (set_condition(members, condition), ...);
         return *this;
     }
 
@@ -221,13 +315,31 @@ public:
         return detail::row_place(place(table), row);
     }
     template <class Row, class M>
-    std::string place(std::vector<Row> S::*table, std::size_t row, M Row::*column) const {
-        const auto& parts = all_[detail::index_of(all_, table)].parts;
-        return place(table, row) + "/" + std::any_cast<const Columns<Row>&>(parts).key(column);
+    std::string place(std::vector<Row> S::*table, std::size_t row, M Row::*column,
+                      std::size_t element = 0) const {
+        return place(table, row) + "/" + columns(table).key(column, element);
+    }
+    template <class Row>
+    const Columns<Row>& columns(std::vector<Row> S::*table) const {
+        return std::any_cast<const Columns<Row>&>(all_[detail::index_of(all_, table)].parts);
     }
 
 private:
+    template <class>
+    friend class Fields;
+    Fields& append(detail::Declaration<S, FieldSpec> one) {
+        if (one.spec.section.empty()) one.spec.section = section_;
+        all_.push_back(std::move(one));
+        return *this;
+    }
+    template <class M>
+    void set_condition(M S::*member, const Condition& condition) {
+        (void)detail::index_of(all_, member);
+        for (auto& one : all_)
+            if (detail::is_of(one, member) && !one.spec.shown_if) one.spec.shown_if = condition;
+    }
     std::vector<detail::Declaration<S, FieldSpec>> all_;
+    std::string section_;
 };
 
 }  // namespace covaria

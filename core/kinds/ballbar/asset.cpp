@@ -43,13 +43,9 @@ Columns<FurtherSupport> further_columns() {
         .add(&FurtherSupport::L_1, length("L_1"))
         .add(&FurtherSupport::L_2, length("L_2"))
         .add(&FurtherSupport::L_3, length("L_3"))
-        .add(&FurtherSupport::z,
-             {.key = "z", .title = "z", .unit = mm, .help = "Height above the first three supports."})
-        .add(&FurtherSupport::u_z, {.key = "u_z",
-                                    .title = "u_z",
-                                    .unit = mm,
-                                    .range = {.low = 0.0},
-                                    .help = "Standard uncertainty of the height."});
+        .add(&FurtherSupport::z, "z", "z", "Height above the first three supports.", {.unit = mm})
+        .add(&FurtherSupport::u_z, "u_z", "u_z", "Standard uncertainty of the height.",
+             {.unit = mm, .range = {.low = 0.0}});
 }
 
 void add_supports(Fields<StatedBallbars>& fields) {
@@ -68,29 +64,20 @@ void add_supports(Fields<StatedBallbars>& fields) {
              length("length_13", "Support 1 to support 3", "Measured length between supports 1 and 3."))
         .add(&StatedBallbars::length_23,
              length("length_23", "Support 2 to support 3", "Measured length between supports 2 and 3."))
-        .table(&StatedBallbars::further,
-               {.key = "further_supports",
-                .title = "Further supports",
-                .help = "Supports 4, 5 ...: their lengths to the first three, and their height above the "
-                        "plane of these. More than three lengths are adjusted by least squares.",
-                .optional = true,
-                .section = "Supports"},
-               further_columns())
-        .choice(&StatedBallbars::side,
-                {.key = "side",
-                 .title = "The ball is",
-                 .help = "Three lengths meet in two points, mirror images in the plane of the supports: on "
-                         "which side of it the ball is (sign of the root of Eq 3).",
-                 .section = "Supports"},
+        .section("Supports")
+        .table(&StatedBallbars::further, "further_supports", "Further supports",
+               "Supports 4, 5 ...: their lengths to the first three, and their height above the "
+               "plane of these. More than three lengths are adjusted by least squares.",
+               further_columns(), {.optional = true})
+        .choice(&StatedBallbars::side, "side", "The ball is",
+                "Three lengths meet in two points, mirror images in the plane of the supports: on "
+                "which side of it the ball is (sign of the root of Eq 3).",
                 {{1.0, "positive", "on the side of +z"}, {-1.0, "negative", "on the side of −z"}}, 1.0)
-        .add(&StatedBallbars::placement,
-             {.key = "placement",
-              .title = "Place in the robot's frame",
-              .help =
-                  "Where the instrument's frame is in the robot's: origin in support 1, x towards support 2, "
-                  "z normal to the plane of the first three supports, on the left of the way 1-2-3.",
-              .default_value = PoseValue{},
-              .section = "Placement"});
+        .section("Placement")
+        .add(&StatedBallbars::placement, "placement", "Place in the robot's frame",
+             "Where the instrument's frame is in the robot's: origin in support 1, x towards support 2, "
+             "z normal to the plane of the first three supports, on the left of the way 1-2-3.",
+             {.default_value = PoseValue{}});
 }
 
 FieldSpec figure(const char* key, const char* title, const char* unit, const char* help,

@@ -42,31 +42,20 @@ const std::vector<ChoiceOf<Law>>& laws() {
 
 void add_position(Fields<StatedRepeatability>& fields) {
     const char* const section = "Positioning";
-    fields
-        .add(&StatedRepeatability::position,
-             {.key = "repeatability",
-              .title = "Repeatability",
-              .help = "The robot's figure for the scatter of a position that it is sent to again and again.",
-              .unit = Unit::of("mm"),
-              .range = {.low = 0.0},
-              .section = section})
-        .choice(
-            &StatedRepeatability::figure,
-            {.key = "figure",
-             .title = "The figure is",
-             .help = "A largest distance from the mean position, or RP of ISO 9283: the mean distance plus "
-                     "three times its standard deviation. A normal law has no largest distance, so its "
-                     "figure is always RP.",
-             .section = section},
-            {{PositionFigure::largest, "largest", "the largest distance r"},
-             {PositionFigure::iso_9283, "iso-9283", "RP of ISO 9283: mean + 3 s"}},
-            PositionFigure::largest)
-        .choice(&StatedRepeatability::law,
-                {.key = "law",
-                 .title = "Deviation of a position",
-                 .help = "How the distance from the mean position is distributed; all directions are equally "
-                         "probable.",
-                 .section = section},
+    fields.section(section)
+        .add(&StatedRepeatability::position, "repeatability", "Repeatability",
+             "The robot's figure for the scatter of a position that it is sent to again and again.",
+             {.unit = Unit::of("mm"), .range = {.low = 0.0}})
+        .choice(&StatedRepeatability::figure, "figure", "The figure is",
+                "A largest distance from the mean position, or RP of ISO 9283: the mean distance plus "
+                "three times its standard deviation. A normal law has no largest distance, so its "
+                "figure is always RP.",
+                {{PositionFigure::largest, "largest", "the largest distance r"},
+                 {PositionFigure::iso_9283, "iso-9283", "RP of ISO 9283: mean + 3 s"}},
+                PositionFigure::largest)
+        .choice(&StatedRepeatability::law, "law", "Deviation of a position",
+                "How the distance from the mean position is distributed; all directions are equally "
+                "probable.",
                 laws(), Law::uniform_radius)
         .shown_where(&StatedRepeatability::law, {Law::uniform_radius, Law::ball, Law::sphere},
                      &StatedRepeatability::figure);
@@ -76,20 +65,15 @@ const Fields<StatedRepeatability>& repeatability_fields() {
     static const Fields<StatedRepeatability> fields = [] {
         Fields<StatedRepeatability> made;
         add_position(made);
-        made.add(&StatedRepeatability::orientation,
-                 {.key = "orientation_repeatability",
-                  .title = "Orientation",
-                  .help = "Figure for the scatter of the orientation about each axis of the flange; 0: none.",
-                  .unit = Unit::of("deg"),
+        made.section("Orientation")
+            .add(&StatedRepeatability::orientation, "orientation_repeatability", "Orientation",
+                 "Figure for the scatter of the orientation about each axis of the flange; 0: none.",
+                 {.unit = Unit::of("deg"),
                   .range = {.low = 0.0},
-                  .default_value = Quantity{0.0, Unit::of("deg")},
-                  .section = "Orientation"});
-        made.choice(&StatedRepeatability::angle_figure,
-                    {.key = "orientation_figure",
-                     .title = "The angle is",
-                     .help = "A standard uncertainty, RP of ISO 9283 for an angle (three times its standard "
-                             "deviation), or a limit that is not exceeded.",
-                     .section = "Orientation"},
+                  .default_value = Quantity{0.0, Unit::of("deg")}});
+        made.choice(&StatedRepeatability::angle_figure, "orientation_figure", "The angle is",
+                    "A standard uncertainty, RP of ISO 9283 for an angle (three times its standard "
+                    "deviation), or a limit that is not exceeded.",
                     {{AngleFigure::standard, "standard", "standard uncertainty (normal)"},
                      {AngleFigure::iso_9283, "iso-9283", "RP of ISO 9283: ± 3 s (normal)"},
                      {AngleFigure::limit, "limit", "limit, rectangular: divided by √3"}},

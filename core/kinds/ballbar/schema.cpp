@@ -13,9 +13,7 @@ using Place = StatedTcp::Place;
 
 const std::vector<ChoiceOf<int>> axes{{0, "x", "x"}, {1, "y", "y"}, {2, "z", "z"}};
 
-ColumnSpec axis_column() {
-    return {.key = "axis", .title = "axis", .help = "Axis of the flange about which the robot turns."};
-}
+const char* const axis_help = "Axis of the flange about which the robot turns.";
 
 std::array<ColumnSpec, 3> coordinates() {
     std::array<ColumnSpec, 3> columns;
@@ -30,24 +28,15 @@ std::array<ColumnSpec, 3> coordinates() {
 }
 
 void add_measurement(Fields<StatedTcp>& fields) {
-    fields
-        .add(&StatedTcp::ballbars, {.key = "ballbars",
-                                    .title = "Ballbars",
-                                    .help = "The set of telescopic ballbars that measures the points.",
-                                    .section = "Measurement"})
-        .add(
-            &StatedTcp::robot,
-            {.key = "robot",
-             .title = "Robot",
-             .help = "Gives the repeatability with which the robot goes to the points; none: an ideal robot.",
-             .optional = true,
-             .section = "Measurement"})
-        .choice(&StatedTcp::task,
-                {.key = "evaluation",
-                 .title = "Evaluation",
-                 .help = "The tool centre point from a planned procedure or from measured points; or only "
-                         "the points as the ballbars measure them.",
-                 .section = "Measurement"},
+    fields.section("Measurement")
+        .add(&StatedTcp::ballbars, "ballbars", "Ballbars",
+             "The set of telescopic ballbars that measures the points.")
+        .add(&StatedTcp::robot, "robot", "Robot",
+             "Gives the repeatability with which the robot goes to the points; none: an ideal robot.",
+             {.optional = true})
+        .choice(&StatedTcp::task, "evaluation", "Evaluation",
+                "The tool centre point from a planned procedure or from measured points; or only "
+                "the points as the ballbars measure them.",
                 {{Task::plan, "plan", "tool centre point, planned procedure"},
                  {Task::measured, "measured", "tool centre point, measured points"},
                  {Task::points, "points", "points alone"}},
@@ -65,14 +54,11 @@ FieldSpec tool_field(const char* key, const char* axis) {
 }
 
 void add_flange(Fields<StatedTcp>& fields) {
-    fields
-        .add(&StatedTcp::flange,
-             {.key = "flange",
-              .title = "Flange",
-              .help = "Pose of the flange in the robot's frame before it turns; its origin is the centre "
-                      "of the sphere on which the ball moves.",
-              .default_value = PoseValue{},
-              .section = "Procedure"})
+    fields.section("Procedure")
+        .add(&StatedTcp::flange, "flange", "Flange",
+             "Pose of the flange in the robot's frame before it turns; its origin is the centre "
+             "of the sphere on which the ball moves.",
+             {.default_value = PoseValue{}})
         .add(&StatedTcp::tool_x, tool_field("tool_x", "x"))
         .add(&StatedTcp::tool_y, tool_field("tool_y", "y"))
         .add(&StatedTcp::tool_z, tool_field("tool_z", "z"));
@@ -80,59 +66,41 @@ void add_flange(Fields<StatedTcp>& fields) {
 
 Columns<Rotation> rotation_columns() {
     return Columns<Rotation>()
-        .choice(&Rotation::axis, axis_column(), axes)
-        .add(&Rotation::start,
-             {.key = "start", .title = "start", .unit = deg, .help = "Angle at the first point."})
-        .add(&Rotation::span,
-             {.key = "span",
-              .title = "span",
-              .unit = deg,
-              .help = "Angle from the first point to the last; negative: turned the other way."})
-        .add(&Rotation::points, {.key = "points",
-                                 .title = "points",
-                                 .range = {.low = 3.0, .high = 200.0},
-                                 .help = "Number of points, equally spaced from the first to the last."});
+        .choice(&Rotation::axis, "axis", "axis", axis_help, axes)
+        .add(&Rotation::start, "start", "start", "Angle at the first point.", {.unit = deg})
+        .add(&Rotation::span, "span", "span",
+             "Angle from the first point to the last; negative: turned the other way.", {.unit = deg})
+        .add(&Rotation::points, "points", "points",
+             "Number of points, equally spaced from the first to the last.",
+             {.range = {.low = 3.0, .high = 200.0}});
 }
 
 Columns<Measured> measured_columns() {
     return Columns<Measured>()
-        .choice(&Measured::axis, axis_column(), axes)
-        .add(&Measured::angle,
-             {.key = "angle", .title = "angle", .unit = deg, .help = "Commanded angle of rotation."})
-        .vector(&Measured::p_B, coordinates());
+        .choice(&Measured::axis, "axis", "axis", axis_help, axes)
+        .add(&Measured::angle, "angle", "angle", "Commanded angle of rotation.", {.unit = deg})
+        .each(&Measured::p_B, coordinates());
 }
 
 Columns<Place> place_columns() {
     return Columns<Place>()
-        .add(&Place::name, {.key = "name", .title = "name", .help = "Name of the point, unique."})
-        .vector(&Place::p_B, coordinates());
+        .add(&Place::name, "name", "name", "Name of the point, unique.")
+        .each(&Place::p_B, coordinates());
 }
 
 void add_points(Fields<StatedTcp>& fields) {
-    fields
-        .table(
-            &StatedTcp::rotations,
-            {.key = "sequences",
-             .title = "Rotations",
-             .help = "Two or three rotations of the flange about its own axes, its origin held in place: the "
-                     "ball traces an arc in each.",
-             .min_rows = 2,
-             .section = "Procedure"},
-            rotation_columns())
-        .table(&StatedTcp::measured,
-               {.key = "measured_points",
-                .title = "Measured points",
-                .help = "Points as measured, each with the axis of its rotation and the commanded angle, "
-                        "typed or from a CSV file.",
-                .section = "Procedure"},
+    fields.section("Procedure")
+        .table(&StatedTcp::rotations, "sequences", "Rotations",
+               "Two or three rotations of the flange about its own axes, its origin held in place: the "
+               "ball traces an arc in each.",
+               rotation_columns(), {.min_rows = 2})
+        .table(&StatedTcp::measured, "measured_points", "Measured points",
+               "Points as measured, each with the axis of its rotation and the commanded angle, "
+               "typed or from a CSV file.",
                measured_columns())
-        .table(&StatedTcp::places,
-               {.key = "points",
-                .title = "Points",
-                .help = "Places of the ball that are measured, typed or from a CSV file.",
-                .min_rows = 1,
-                .section = "Procedure"},
-               place_columns());
+        .table(&StatedTcp::places, "points", "Points",
+               "Places of the ball that are measured, typed or from a CSV file.", place_columns(),
+               {.min_rows = 1});
 }
 
 std::vector<ChoiceOf<FrameRule>> frame_choices() {
@@ -142,20 +110,14 @@ std::vector<ChoiceOf<FrameRule>> frame_choices() {
 }
 
 void add_fit(Fields<StatedTcp>& fields) {
-    fields
-        .choice(&StatedTcp::frame,
-                {.key = "frame",
-                 .title = "Axes of the flange",
-                 .help = "Measured axes are not exactly perpendicular: which one is kept as measured. A "
-                         "third measured axis then only helps the sphere and the mean.",
-                 .section = "Fit"},
+    fields.section("Fit")
+        .choice(&StatedTcp::frame, "frame", "Axes of the flange",
+                "Measured axes are not exactly perpendicular: which one is kept as measured. A "
+                "third measured axis then only helps the sphere and the mean.",
                 frame_choices(), frame_rules[0])
-        .choice(&StatedTcp::geometric_sphere,
-                {.key = "sphere",
-                 .title = "Centre of the flange",
-                 .help = "Sphere through all points by linear least squares, or refined to least distances "
-                         "from it.",
-                 .section = "Fit"},
+        .choice(&StatedTcp::geometric_sphere, "sphere", "Centre of the flange",
+                "Sphere through all points by linear least squares, or refined to least distances "
+                "from it.",
                 {{true, "geometric", "sphere, geometric fit from the linear one"},
                  {false, "linear", "sphere, linear fit"}},
                 true);

@@ -13,16 +13,11 @@ namespace covaria {
 namespace {
 
 using force::Calibration;
-
-struct Housing {
-    Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();
-    double diameter = 0.0, height = 0.0;
-};
+using force::StatedSensor;
 
 class ForceSensor : public Asset, public ForceSensorSource {
 public:
-    ForceSensor(Calibration calibration, const Housing& housing)
-        : calibration_(std::move(calibration)), housing_(housing) {
+    explicit ForceSensor(Calibration calibration) : calibration_(std::move(calibration)) {
         for (std::size_t c = 0; c < calibration_.series.size(); ++c)
             for (const force::Run& run : calibration_.series[c].runs)
                 for (const force::StepReading& r : run.increasing) increasing_.push_back({c, r.load, r.net});
@@ -35,8 +30,8 @@ public:
     bool has_signs() const override { return calibration_.has_signs; }
     const std::vector<LoadedReading>& increasing() const override { return increasing_; }
     double paper_expanded_uncertainty(std::size_t channel) const override { return calibration_.U(channel); }
-    const Eigen::Isometry3d& placement() const override { return housing_.X_WS; }
-    double height() const override { return housing_.height; }
+    const Eigen::Isometry3d& placement() const override { return calibration_.placement; }
+    double height() const override { return calibration_.height; }
 
     std::vector<DataTable> evaluation() const override { return force::calibration_tables(calibration_); }
     std::vector<PlotSpecification> figures() const override {
@@ -49,93 +44,74 @@ public:
         LayoutBody body{.name = "sensor", .kind = BodyKind::plate};
         constexpr int corners = 48;
         for (int i = 0; i < corners; ++i) {
-            const double angle = 2.0 * std::numbers::pi * i / corners, r = 0.5 * housing_.diameter;
-            body.outline_W.push_back(housing_.X_WS *
+            const double angle = 2.0 * std::numbers::pi * i / corners, r = 0.5 * calibration_.diameter;
+            body.outline_W.push_back(calibration_.placement *
                                      Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 0.0));
         }
-        body.thickness = housing_.height;
+        body.thickness = calibration_.height;
         layout.bodies.push_back(std::move(body));
         layout.frames.push_back(
-            {.name = "sensor", .X_WF = housing_.X_WS, .source = {.path = "/placement", .draggable = true}});
+            {.name = "sensor",
+             .X_WF = calibration_.placement,
+             .source = {.path = force::sensor_fields().place(&StatedSensor::placement), .draggable = true}});
         return layout;
     }
 
 private:
     Calibration calibration_;
-    Housing housing_;
     std::vector<LoadedReading> increasing_;
 };
 
-bool read_channels(const SetupReader& setup, Calibration& calibration, Problems& problems) {
-    for (std::size_t row = 0; row < setup.rows("channels"); ++row) {
-        const std::string path = "/channels/rows/" + std::to_string(row);
+bool make_channels(Calibration& calibration, Problems& problems) {
+    using Channel = StatedSensor::Channel;
+    for (std::size_t row = 0; row < calibration.stated_channels.size(); ++row) {
+        const Channel& stated = calibration.stated_channels[row];
+        const auto cell = [&](auto column) {
+            return force::sensor_fields().place(&StatedSensor::stated_channels, row, column);
+        };
         ForceChannel channel;
-        channel.axis = axis_index(setup.cell_text("channels", row, "axis"));
+        channel.axis = stated.axis;
+        channel.runs = std::max(2, calibration.plan.runs);
+        channel.degrees_of_freedom = channel.runs - 1.0;
         const std::string key = channel.kind().key;
-        const char* const column = channel.kind().is_moment ? "rated_moment" : "rated_force";
+        const auto rated = channel.kind().is_moment ? &Channel::rated_moment : &Channel::rated_force;
         if (calibration.channel_of(channel.axis))
-            problems.error(path + "/axis", "channel " + key + " is listed twice");
-        else if (setup.cell_empty("channels", row, column))
-            problems.error(path + "/" + column, "channel " + key + " needs its rated load, a " +
-                                                    (channel.kind().is_moment ? "moment" : "force"));
-        else
-            channel.rated_load = setup.cell_number("channels", row, column);
+            problems.error(cell(&Channel::axis), "channel " + key + " is listed twice");
+        else if (!(stated.*rated))
+            problems.error(cell(rated), "channel " + key + " needs its rated load, a " +
+                                            (channel.kind().is_moment ? "moment" : "force"));
+        channel.rated_load = (stated.*rated).value_or(0.0);
         calibration.channels.push_back(channel);
     }
     return !problems.has_errors();
 }
 
-bool read_calibrator(const SetupReader& setup, const AssetLibrary& assets, Calibration& calibration,
-                     Problems& problems) {
-    const AssetLibrary::Entry* entry = assets.find(setup.text("calibrator"));
-    if (!offers<ForceCalibratorSource>(entry)) {
-        problems.error("/calibrator", "'" + setup.text("calibrator") + "' is no calibration machine");
-        return false;
-    }
-    calibration.calibrator_name = entry->name.empty() ? setup.text("calibrator") : entry->name;
+bool take_calibrator(Calibration& calibration, Problems& problems) {
     for (ForceChannel& channel : calibration.channels) {
-        const auto u = offers<ForceCalibratorSource>(entry->asset)->relative_uncertainty(channel.axis);
+        const auto u = calibration.calibrator->relative_uncertainty(channel.axis);
         if (!u)
-            problems.error("/calibrator", calibration.calibrator_name +
-                                              " states no uncertainty of its load on " + channel.kind().key +
-                                              ": add it to its certificate");
+            problems.error(force::sensor_fields().place(&StatedSensor::calibrator),
+                           calibration.calibrator.name + " states no uncertainty of its load on " +
+                               channel.kind().key + ": add it to its certificate");
         channel.u_calibrator = u.value_or(0.0);
     }
     return !problems.has_errors();
 }
 
-void read_rest(const SetupReader& setup, Calibration& calibration) {
-    calibration.stated_u_b.resize(calibration.size());
-    calibration.resolution = setup.number("resolution");
-    if (setup.has("range")) calibration.range = setup.number("range");
-    calibration.k = setup.number("coverage_factor");
-    calibration.rows_are_loads = setup.text("interference_rows") == "load";
-    calibration.from_readings = setup.text("data") == "readings";
-    calibration.has_signs = calibration.from_readings || setup.flag("has_signs");
-    calibration.plan = {setup.integer("preloads"), setup.integer("runs"),     setup.integer("steps"),
-                        setup.flag("decreasing"),  setup.number("free_time"), setup.number("load_time")};
-    for (ForceChannel& channel : calibration.channels) {
-        channel.runs = std::max(2, calibration.plan.runs);
-        channel.degrees_of_freedom = channel.runs - 1.0;
-    }
-}
-
 std::unique_ptr<Asset> create_sensor(const SetupReader& setup, const AssetLibrary& assets,
                                      Problems& problems) {
-    Calibration calibration;
-    if (!read_channels(setup, calibration, problems)) return nullptr;
-    if (!read_calibrator(setup, assets, calibration, problems)) return nullptr;
-    read_rest(setup, calibration);
+    Calibration calibration{force::sensor_fields().read(setup, assets, problems), {}, {}, {}, {}, {}};
+    if (!make_channels(calibration, problems) || !take_calibrator(calibration, problems)) return nullptr;
+    calibration.stated_u_b.resize(calibration.size());
+    calibration.has_signs = calibration.has_signs || calibration.from_readings;
     if (calibration.from_readings) {
-        force::read_series(setup, calibration, problems);
+        force::read_series(calibration, problems);
         if (!problems.has_errors()) force::evaluate_series(calibration, problems);
     } else {
-        force::read_summary(setup, calibration, problems);
+        force::read_summary(calibration, problems);
     }
     if (problems.has_errors()) return nullptr;
-    force::read_stated(setup, calibration);
-    const Housing housing{setup.pose("placement"), setup.number("diameter"), setup.number("height")};
-    return std::make_unique<ForceSensor>(std::move(calibration), housing);
+    return std::make_unique<ForceSensor>(std::move(calibration));
 }
 
 std::vector<std::string> sensor_notes() {
@@ -175,7 +151,7 @@ AssetDescriptor force_sensor_kind() {
          "Journal of the KSPE 3 (3)"}};
     d.notes = sensor_notes();
     d.capabilities = {ForceSensorSource::capability};
-    d.schema = force::sensor_schema();
+    d.schema = force::sensor_fields().schema();
     d.create = create_sensor;
     return d;
 }

@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "core/base/data_table.h"
+#include "core/kinds/force/axis_fields.h"
 #include "core/kinds/force/force_sensor.h"
-#include "core/model/asset.h"
+#include "core/model/offered.h"
 #include "core/text/plot_specification.h"
 
 namespace covaria::force {
@@ -57,32 +58,79 @@ struct StepStatistics {
     double decreasing_mean = 0.0;  ///< NaN where there is none
 };
 
-/// Values that a certificate or a paper states, to be compared. Not a number: not stated.
-struct StatedRow {
-    std::size_t channel = 0;
-    std::vector<double> values;  ///< in the order of the table's columns, SI
-};
-struct Stated {
-    std::vector<std::string> headers, titles;  ///< keys, and words for people
-    std::vector<Unit> units;
-    std::vector<StatedRow> rows;
+/// Quantities that a certificate states of a channel, in the order of the table's columns.
+enum class Figure {
+    rated_output,
+    zero_error,
+    u_A,
+    u_B,
+    hysteresis,
+    interference,
+    u_c,
+    U,
+    U_relative,  ///< by the rated output (Eq 12b)
+    U_load,      ///< as a load (Eq 12c), without unit
+    count
 };
 
-struct Calibration {
-    std::vector<ForceChannel> channels;
-    std::vector<std::optional<double>> stated_u_b;  ///< taken instead of Eq 8, where given
-    Plan plan;
+/// What was stated of the channel or load of an axis; places without a figure are empty.
+template <std::size_t N>
+struct AxisRow {
+    std::size_t axis = 0;
+    std::array<std::optional<double>, N> figures;
+};
+using Interference = AxisRow<most_channels>;
+using StatedFigures = AxisRow<static_cast<std::size_t>(Figure::count)>;
+using StatedInterference = AxisRow<most_channels + 1>;  ///< the last: largest of the row
+
+/// The set-up as typed, SI.
+struct StatedSensor {
+    struct Channel {
+        std::size_t axis = 0;
+        std::optional<double> rated_force, rated_moment;
+    };
+    enum class Phase { zero_before, load, increasing, decreasing, zero_after };
+    struct Reading {
+        std::size_t loaded_axis = 0;
+        bool preload = false;
+        int run = 0;
+        Phase phase = Phase::load;
+        int step = 0;
+        double load = 0.0;  ///< in load_unit
+        std::string load_unit;
+        std::optional<double> time;
+        AxisFigures indicated;
+    };
+    struct Summary {
+        std::size_t axis = 0;
+        double rated_output = 0.0, zero_error = 0.0, u_A = 0.0, hysteresis = 0.0;
+        std::optional<double> u_B;
+    };
+    std::vector<Channel> stated_channels;
+    Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
+    double diameter = 0.0, height = 0.0;  ///< of the housing
     double resolution = 0.0;
     std::optional<double> range;  ///< of the indicator
-    double k = 2.0;               ///< coverage factor of Eq 12
-    bool rows_are_loads = false;  ///< of Tables 2 and 4; else rows are sensors
+    Offered<ForceCalibratorSource> calibrator;
     bool from_readings = true;
+    std::vector<Reading> readings;
+    std::vector<Summary> summary;
+    std::vector<Interference> interference;
     bool has_signs = true;
-    std::string calibrator_name;
-    Eigen::MatrixXd rated_outputs;  ///< rows: channels, columns: loads
+    Plan plan;
+    double k = 2.0;                     ///< coverage factor of Eq 12
+    bool rows_are_loads = false;        ///< of Tables 2 and 4; else rows are sensors
+    std::vector<StatedFigures> stated;  ///< to be compared
+    std::vector<StatedInterference> stated_interference;
+};
+const Fields<StatedSensor>& sensor_fields();
+
+struct Calibration : StatedSensor {
+    std::vector<ForceChannel> channels;
+    std::vector<std::optional<double>> stated_u_b;  ///< taken instead of Eq 8, where given
+    Eigen::MatrixXd rated_outputs;                  ///< rows: channels, columns: loads
     std::vector<Series> series;
     std::vector<std::vector<StepStatistics>> steps;
-    Stated stated, stated_interference;
 
     std::size_t size() const { return channels.size(); }
     std::optional<std::size_t> channel_of(std::size_t axis) const;
@@ -96,15 +144,12 @@ struct Calibration {
     double U(std::size_t h) const;                     ///< Eq 12a
 };
 
-SetupSchema sensor_schema();
-
 /// The readings of the table, by channel and run; `problems` gets what is missing or cannot be.
-void read_series(const SetupReader& setup, Calibration& calibration, Problems& problems);
+void read_series(Calibration& calibration, Problems& problems);
 /// Eqs 1 to 4, 7, 10, 11 and what they need.
 void evaluate_series(Calibration& calibration, Problems& problems);
 /// Rated outputs, zero errors ... as typed.
-void read_summary(const SetupReader& setup, Calibration& calibration, Problems& problems);
-void read_stated(const SetupReader& setup, Calibration& calibration);
+void read_summary(Calibration& calibration, Problems& problems);
 
 std::vector<DataTable> calibration_tables(const Calibration& calibration);
 DataTable stated_table(const Calibration& calibration);

@@ -66,10 +66,12 @@ private:
     }
 
     bool refuse(const std::string& message) {
-        problems_.error("/readings", message);
+        problems_.error(sensor_fields().place(&StatedSensor::readings), message);
         return false;
     }
-    void warn(const std::string& message) { problems_.warning("/readings", message); }
+    void warn(const std::string& message) {
+        problems_.warning(sensor_fields().place(&StatedSensor::readings), message);
+    }
 
     void collect_steps() {
         for (const Run& run : series().runs)
@@ -237,16 +239,16 @@ void check_response(const Calibration& calibration, Problems& problems) {
         const double own = std::abs(calibration.channels[h].rated_output);
         const std::string name = calibration.channels[h].kind().key;
         if (own <= 20.0 * calibration.resolution || own == 0.0) {
-            problems.error("/readings", "channel " + name +
-                                            " does not respond to its load: " + text_in_millivolts(own) +
-                                            " at the rated load; look at its cable and its column");
+            problems.error(sensor_fields().place(&StatedSensor::readings),
+                           "channel " + name + " does not respond to its load: " + text_in_millivolts(own) +
+                               " at the rated load; look at its cable and its column");
             continue;
         }
         for (std::size_t c = 0; c < calibration.size(); ++c)
             if (c != h && std::abs(calibration.rated_outputs(at(h), at(c))) >= own) {
-                problems.error("/readings", "channel " + name + " responds to " +
-                                                calibration.channels[c].kind().key +
-                                                " more than to its own load: are columns exchanged?");
+                problems.error(sensor_fields().place(&StatedSensor::readings),
+                               "channel " + name + " responds to " + calibration.channels[c].kind().key +
+                                   " more than to its own load: are columns exchanged?");
                 break;
             }
     }

@@ -12,10 +12,6 @@ namespace {
 
 constexpr int most_messages = 8;
 
-std::string path_of(std::size_t row) {
-    return "/readings/rows/" + std::to_string(row);
-}
-
 /// "Nm" is what indicators write; the program's units are products.
 std::string unit_text(std::string text) {
     std::erase(text, ' ');
@@ -25,19 +21,22 @@ std::string unit_text(std::string text) {
     return known == products.end() ? text : known->second;
 }
 
+using Reading = StatedSensor::Reading;
+using Phase = StatedSensor::Phase;
+
 class SeriesReader {
 public:
-    SeriesReader(const SetupReader& setup, Calibration& calibration, Problems& problems)
-        : setup_(setup), calibration_(calibration), problems_(problems) {}
+    SeriesReader(Calibration& calibration, Problems& problems)
+        : calibration_(calibration), problems_(problems) {}
 
     void read() {
         calibration_.series.assign(calibration_.size(), {});
-        for (std::size_t row = 0; row < setup_.rows("readings"); ++row) {
+        for (row_ = 0; row_ < calibration_.readings.size(); ++row_) {
             if (messages_ >= most_messages) return;
-            read_row(row);
+            read_row(calibration_.readings[row_]);
         }
-        if (setup_.rows("readings") == 0)
-            problems_.error("/readings",
+        if (calibration_.readings.empty())
+            problems_.error(sensor_fields().place(&StatedSensor::readings),
                             "there are no readings: import them from a CSV file, or choose summary tables");
         for (Series& series : calibration_.series)
             for (std::vector<Run>* runs : {&series.preloads, &series.runs})
@@ -45,28 +44,23 @@ public:
     }
 
 private:
-    void refuse(std::size_t row, const std::string& column, const std::string& message) {
-        problems_.error(path_of(row) + "/" + column, message);
+    template <class M>
+    void refuse(M Reading::*column, const std::string& message, std::size_t element = 0) {
+        problems_.error(sensor_fields().place(&StatedSensor::readings, row_, column, element), message);
         ++messages_;
     }
 
-    std::string text(std::size_t row, const char* column) const {
-        return setup_.cell_text("readings", row, column);
-    }
-
-    void read_row(std::size_t row) {
-        const std::string axis = text(row, "loaded_axis");
-        const auto channel = calibration_.channel_of(axis_index(axis));
+    void read_row(const Reading& row) {
+        const auto channel = calibration_.channel_of(row.loaded_axis);
         if (!channel)
-            return refuse(row, "loaded_axis",
-                          "the sensor has no channel " + axis + ": list it among its channels");
+            return refuse(&Reading::loaded_axis, std::string("the sensor has no channel ") +
+                                                     force_axes[row.loaded_axis].key +
+                                                     ": list it among its channels");
         const auto load = load_of(row, calibration_.channels[*channel]);
         const auto readings = readings_of(row);
         if (!load || !readings) return;
         Series& series = calibration_.series[*channel];
-        const bool preload = text(row, "series") == "preload";
-        const int number = static_cast<int>(setup_.cell_number("readings", row, "run"));
-        put(row, run_of(preload ? series.preloads : series.runs, number), *load, *readings);
+        put(row, run_of(row.preload ? series.preloads : series.runs, row.run), *load, *readings);
     }
 
     static Run& run_of(std::vector<Run>& runs, int number) {
@@ -77,28 +71,28 @@ private:
         return runs.back();
     }
 
-    std::optional<double> load_of(std::size_t row, const ForceChannel& channel) {
+    std::optional<double> load_of(const Reading& row, const ForceChannel& channel) {
         Unit unit = channel.load_unit();
         const std::string name = channel.kind().key;
-        if (!setup_.cell_empty("readings", row, "load_unit")) {
-            const std::string given = text(row, "load_unit");
+        if (const std::string& given = row.load_unit; !given.empty()) {
             const Result<Unit> parsed = Unit::parse(unit_text(given));
             if (!parsed) {
-                refuse(row, "load_unit", "'" + given + "' is no unit of a load: " + parsed.error().message);
+                refuse(&Reading::load_unit,
+                       "'" + given + "' is no unit of a load: " + parsed.error().message);
                 return {};
             }
             if (parsed->dimension() != unit.dimension()) {
-                refuse(row, "load_unit",
-                       name + (channel.kind().is_moment ? " is a moment" : " is a force") +
-                           ", but its load is in " + given +
-                           ": are forces and moments, or their units, exchanged?");
+                refuse(&Reading::load_unit, name +
+                                                (channel.kind().is_moment ? " is a moment" : " is a force") +
+                                                ", but its load is in " + given +
+                                                ": are forces and moments, or their units, exchanged?");
                 return {};
             }
             unit = *parsed;
         }
-        const double load = unit.to_si(setup_.cell_number("readings", row, "load"));
+        const double load = unit.to_si(row.load);
         if (std::abs(load) > 1.2 * channel.rated_load) {
-            refuse(row, "load",
+            refuse(&Reading::load,
                    "a load of " + quantity_words(channel.load_unit().from_si(load), channel.load_unit()) +
                        " is more than 1.2 times the rated load of " + name + ", " +
                        quantity_words(channel.load_unit().from_si(channel.rated_load), channel.load_unit()) +
@@ -108,47 +102,45 @@ private:
         return load;
     }
 
-    std::optional<Readings> readings_of(std::size_t row) {
+    std::optional<Readings> readings_of(const Reading& row) {
         Readings readings{};
         for (std::size_t h = 0; h < calibration_.size(); ++h) {
-            const char* const key = calibration_.channels[h].kind().key;
-            if (setup_.cell_empty("readings", row, key)) {
-                refuse(row, key, std::string("channel ") + key + " has no reading in this row");
+            const ForceChannel& channel = calibration_.channels[h];
+            const std::optional<double>& indicated = row.indicated[channel.axis];
+            const std::string name = std::string("channel ") + channel.kind().key;
+            if (!indicated) {
+                refuse(&Reading::indicated, name + " has no reading in this row", channel.axis);
                 return {};
             }
-            readings[h] = setup_.cell_number("readings", row, key);
+            readings[h] = *indicated;
             if (calibration_.range && std::abs(readings[h]) >= *calibration_.range) {
-                refuse(row, key,
-                       std::string("channel ") + key + " indicates " + readable_number(1e3 * readings[h]) +
-                           " mV/V, which is the end of the indicator's range: the reading is saturated");
+                refuse(&Reading::indicated,
+                       name + " indicates " + readable_number(1e3 * readings[h]) +
+                           " mV/V, which is the end of the indicator's range: the reading is saturated",
+                       channel.axis);
                 return {};
             }
         }
         return readings;
     }
 
-    void put(std::size_t row, Run& run, double load, const Readings& readings) {
-        const std::string phase = text(row, "phase");
-        const double time =
-            setup_.cell_empty("readings", row, "t") ? std::nan("") : setup_.cell_number("readings", row, "t");
-        if (phase == "zero_before" || phase == "zero_after") {
-            auto& zero = phase == "zero_before" ? run.zero_before : run.zero_after;
-            if (zero) return refuse(row, "phase", "this run has its unloaded reading already");
+    void put(const Reading& row, Run& run, double load, const Readings& readings) {
+        const double time = row.time.value_or(std::nan(""));
+        if (row.phase == Phase::zero_before || row.phase == Phase::zero_after) {
+            const bool before = row.phase == Phase::zero_before;
+            auto& zero = before ? run.zero_before : run.zero_after;
+            if (zero) return refuse(&Reading::phase, "this run has its unloaded reading already");
             zero = readings;
-            (phase == "zero_before" ? run.time_before : run.time_after) = time;
+            (before ? run.time_before : run.time_after) = time;
             return;
         }
-        StepReading reading;
-        reading.step = static_cast<int>(setup_.cell_number("readings", row, "step"));
-        reading.load = load;
-        reading.net = readings;
-        reading.time = time;
-        std::vector<StepReading>& steps = phase == "decreasing" ? run.decreasing : run.increasing;
+        const StepReading reading{row.step, load, readings, time};
+        std::vector<StepReading>& steps = row.phase == Phase::decreasing ? run.decreasing : run.increasing;
         for (const StepReading& known : steps)
             if (known.step == reading.step)
-                return refuse(row, "step",
+                return refuse(&Reading::step,
                               "step " + std::to_string(reading.step) + " of this run is given twice");
-        steps.push_back(std::move(reading));
+        steps.push_back(reading);
     }
 
     /// Net values (Eq 1), in the order of the loads.
@@ -162,9 +154,9 @@ private:
         }
     }
 
-    const SetupReader& setup_;
     Calibration& calibration_;
     Problems& problems_;
+    std::size_t row_ = 0;  ///< that is read
     int messages_ = 0;
 };
 
@@ -176,78 +168,48 @@ const StepReading* Run::decreasing_at(int step) const {
     return nullptr;
 }
 
-void read_series(const SetupReader& setup, Calibration& calibration, Problems& problems) {
-    SeriesReader(setup, calibration, problems).read();
+void read_series(Calibration& calibration, Problems& problems) {
+    SeriesReader(calibration, problems).read();
 }
 
-void read_summary(const SetupReader& setup, Calibration& calibration, Problems& problems) {
+void read_summary(Calibration& calibration, Problems& problems) {
     const std::size_t n = calibration.size();
-    calibration.rated_outputs.setZero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    Eigen::MatrixXd& outputs = calibration.rated_outputs;
+    outputs.setZero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
     std::vector<bool> stated(n, false), crossed(n, false);
-    for (std::size_t row = 0; row < setup.rows("summary"); ++row) {
-        const auto h = calibration.channel_of(axis_index(setup.cell_text("summary", row, "axis")));
+    for (const StatedSensor::Summary& row : calibration.summary) {
+        const auto h = calibration.channel_of(row.axis);
         if (!h) continue;
         stated[*h] = true;
         ForceChannel& channel = calibration.channels[*h];
-        channel.rated_output = setup.cell_number("summary", row, "rated_output");
-        channel.zero = setup.cell_number("summary", row, "zero_error");
-        channel.u_a = setup.cell_number("summary", row, "u_A");
-        channel.hysteresis = setup.cell_number("summary", row, "hysteresis");
-        if (!setup.cell_empty("summary", row, "u_B"))
-            calibration.stated_u_b[*h] = setup.cell_number("summary", row, "u_B");
+        channel.rated_output = row.rated_output;
+        channel.zero = row.zero_error;
+        channel.u_a = row.u_A;
+        channel.hysteresis = row.hysteresis;
+        calibration.stated_u_b[*h] = row.u_B;
         const auto i = static_cast<Eigen::Index>(*h);
-        calibration.rated_outputs(i, i) = channel.rated_output;
+        outputs(i, i) = channel.rated_output;
     }
-    for (std::size_t row = 0; row < setup.rows("interference"); ++row) {
-        const auto h = calibration.channel_of(axis_index(setup.cell_text("interference", row, "axis")));
+    for (const Interference& row : calibration.interference) {
+        const auto h = calibration.channel_of(row.axis);
         if (!h) continue;
         crossed[*h] = true;
         for (std::size_t c = 0; c < n; ++c) {
-            const char* const key = calibration.channels[c].kind().key;
-            if (c == *h || setup.cell_empty("interference", row, key)) continue;
+            const std::optional<double>& figure = row.figures[calibration.channels[c].axis];
+            if (c == *h || !figure) continue;
             const auto i = static_cast<Eigen::Index>(*h), j = static_cast<Eigen::Index>(c);
-            (calibration.rows_are_loads ? calibration.rated_outputs(j, i) : calibration.rated_outputs(i, j)) =
-                setup.cell_number("interference", row, key);
+            (calibration.rows_are_loads ? outputs(j, i) : outputs(i, j)) = *figure;
         }
     }
     for (std::size_t h = 0; h < n; ++h) {
         const std::string name = calibration.channels[h].kind().key;
-        if (!stated[h]) problems.error("/summary", "channel " + name + " has no row in the summary");
+        if (!stated[h])
+            problems.error(sensor_fields().place(&StatedSensor::summary),
+                           "channel " + name + " has no row in the summary");
         if (!crossed[h])
-            problems.warning("/interference",
+            problems.warning(sensor_fields().place(&StatedSensor::interference),
                              name + " has no row in the table of interference: taken as zero");
     }
-}
-
-namespace {
-
-Stated stated_values(const SetupReader& setup, const std::string& table, const FieldSpec& field,
-                     const Calibration& calibration) {
-    Stated stated;
-    for (std::size_t c = 1; c < field.columns.size(); ++c) {
-        stated.headers.push_back(field.columns[c].key);
-        stated.titles.push_back(field.columns[c].title);
-        stated.units.push_back(field.columns[c].unit);
-    }
-    for (std::size_t row = 0; row < setup.rows(table); ++row) {
-        const auto h = calibration.channel_of(axis_index(setup.cell_text(table, row, "axis")));
-        if (!h) continue;
-        StatedRow values{*h, {}};
-        for (const std::string& key : stated.headers)
-            values.values.push_back(setup.cell_empty(table, row, key) ? std::nan("")
-                                                                      : setup.cell_number(table, row, key));
-        stated.rows.push_back(std::move(values));
-    }
-    return stated;
-}
-
-}  // namespace
-
-void read_stated(const SetupReader& setup, Calibration& calibration) {
-    static const SetupSchema schema = sensor_schema();
-    calibration.stated = stated_values(setup, "stated", *schema.find("stated"), calibration);
-    calibration.stated_interference =
-        stated_values(setup, "stated_interference", *schema.find("stated_interference"), calibration);
 }
 
 }  // namespace covaria::force

@@ -19,12 +19,13 @@ int decimals_of(double value) {
 }
 
 /// Half of the last printed digit of a column, SI.
-double half_digit(const Stated& stated, std::size_t column) {
+template <class Row>
+double half_digit(const std::vector<Row>& rows, std::size_t column, const Unit& unit) {
     int decimals = 0;
-    for (const StatedRow& row : stated.rows)
-        if (!std::isnan(row.values[column]))
-            decimals = std::max(decimals, decimals_of(stated.units[column].from_si(row.values[column])));
-    return stated.units[column].interval_to_si(0.5 * std::pow(10.0, -decimals));
+    for (const Row& row : rows)
+        if (row.figures[column])
+            decimals = std::max(decimals, decimals_of(unit.from_si(*row.figures[column])));
+    return unit.interval_to_si(0.5 * std::pow(10.0, -decimals));
 }
 
 struct Compared {
@@ -49,8 +50,9 @@ public:
     }
 
     DataTable build() {
-        const Stated& stated = calibration_.stated;
-        for (std::size_t c = 0; c < stated.headers.size(); ++c) add_quantity(c);
+        const auto columns = sensor_fields().columns(&StatedSensor::stated).specs();
+        for (std::size_t c = 1; c < columns.size(); ++c)
+            add_quantity(static_cast<Figure>(c - 1), columns[c].title, columns[c].unit);
         add_interference();
         table_.notes.push_back(
             "Reproduces: equal in all printed digits. Inside rounding: what it is computed from was rounded, "
@@ -59,74 +61,75 @@ public:
     }
 
 private:
-    double computed(const std::string& key, std::size_t h) const {
+    /// In the order of Figure.
+    std::array<double, static_cast<std::size_t>(Figure::count)> computed(std::size_t h) const {
         const ForceChannel& channel = calibration_.channels[h];
-        const double relative = calibration_.U(h) / std::abs(channel.rated_output);
-        if (key == "rated_output") return channel.rated_output;
-        if (key == "zero_error") return channel.zero;
-        if (key == "u_A") return channel.u_a;
-        if (key == "u_B") return calibration_.u_b_computed(h);
-        if (key == "hysteresis") return channel.hysteresis;
-        if (key == "interference") return calibration_.largest_interference(h);
-        if (key == "u_c") return calibration_.u_c(h);
-        if (key == "U") return calibration_.U(h);
-        return key == "U_relative" ? relative : relative * channel.rated_load;
+        const double U = calibration_.U(h), U_relative = U / std::abs(channel.rated_output);
+        return {channel.rated_output, channel.zero,
+                channel.u_a,          calibration_.u_b_computed(h),
+                channel.hysteresis,   calibration_.largest_interference(h),
+                calibration_.u_c(h),  U,
+                U_relative,           U_relative * channel.rated_load};
     }
 
     /// Of values computed from a summary, whose last digit is rounded: u_c depends on two such values, U on
     /// those and two more, with k.
-    double rounding(const std::string& key, std::size_t h) const {
+    double rounding(Figure figure, std::size_t h) const {
         if (calibration_.from_readings) return 0.0;
-        const double digit = half_of("u_A");
+        const double digit = half_of(Figure::u_A);
         const ForceChannel& channel = calibration_.channels[h];
         const double of_U = (2.0 + calibration_.k) * digit;
-        if (key == "u_c" || key == "u_B") return digit;
-        if (key == "U") return of_U;
-        if (key == "U_relative") return of_U / std::abs(channel.rated_output);
-        if (key == "U_load") return of_U / std::abs(channel.rated_output) * channel.rated_load;
+        if (figure == Figure::u_c || figure == Figure::u_B) return digit;
+        if (figure == Figure::U) return of_U;
+        if (figure == Figure::U_relative) return of_U / std::abs(channel.rated_output);
+        if (figure == Figure::U_load) return of_U / std::abs(channel.rated_output) * channel.rated_load;
         return 0.0;
     }
 
-    double half_of(const std::string& key) const {
-        const auto& headers = calibration_.stated.headers;
-        const auto found = std::find(headers.begin(), headers.end(), key);
-        const auto column = static_cast<std::size_t>(found - headers.begin());
-        return column < headers.size() ? half_digit(calibration_.stated, column) : 0.0;
+    double half_of(Figure figure) const {
+        const auto c = static_cast<std::size_t>(figure);
+        return half_digit(calibration_.stated, c,
+                          sensor_fields().columns(&StatedSensor::stated).specs()[c + 1].unit);
     }
 
-    void add_quantity(std::size_t c) {
-        const Stated& stated = calibration_.stated;
+    void add_quantity(Figure figure, const std::string& title, const Unit& unit) {
         std::vector<Compared> rows;
-        for (const StatedRow& row : stated.rows)
-            if (!std::isnan(row.values[c]))
-                rows.push_back({calibration_.channels[row.channel].kind().key, row.values[c],
-                                computed(stated.headers[c], row.channel), half_digit(stated, c),
-                                rounding(stated.headers[c], row.channel)});
-        add(stated.titles[c], stated.units[c], rows);
+        for (const StatedFigures& row : calibration_.stated) {
+            const auto h = calibration_.channel_of(row.axis);
+            const auto c = static_cast<std::size_t>(figure);
+            if (h && row.figures[c])
+                rows.push_back({force_axes[row.axis].key, *row.figures[c], computed(*h)[c], half_of(figure),
+                                rounding(figure, *h)});
+        }
+        add(title, unit, rows);
     }
 
     void add_interference() {
-        const Stated& stated = calibration_.stated_interference;
+        const Unit percent = Unit::of("%");
+        const auto half = [&](std::size_t column) {
+            return half_digit(calibration_.stated_interference, column, percent);
+        };
         std::vector<Compared> cells, largest;
-        for (const StatedRow& row : stated.rows) {
-            const ForceChannel& channel = calibration_.channels[row.channel];
-            const double output = std::abs(channel.rated_output);
-            const double rounding = half_of("interference") / output;
+        for (const StatedInterference& row : calibration_.stated_interference) {
+            const auto h = calibration_.channel_of(row.axis);
+            if (!h) continue;
+            const std::string name = force_axes[row.axis].key;
+            const double output = std::abs(calibration_.channels[*h].rated_output);
+            const double rounding = half_of(Figure::interference) / output;
             for (std::size_t c = 0; c < calibration_.size(); ++c) {
                 const std::size_t column = calibration_.channels[c].axis;
-                if (c == row.channel || std::isnan(row.values[column])) continue;
+                if (c == *h || !row.figures[column]) continue;
                 const double e =
-                    std::abs(calibration_.rated_outputs(Eigen::Index(row.channel), Eigen::Index(c))) / output;
-                cells.push_back({std::string(channel.kind().key) + ", " + calibration_.channels[c].kind().key,
-                                 row.values[column], e, half_digit(stated, column), rounding});
+                    std::abs(calibration_.rated_outputs(Eigen::Index(*h), Eigen::Index(c))) / output;
+                cells.push_back(
+                    {name + ", " + force_axes[column].key, *row.figures[column], e, half(column), rounding});
             }
-            if (const double value = row.values[most_channels]; !std::isnan(value))
-                largest.push_back({channel.kind().key, value,
-                                   calibration_.largest_interference(row.channel) / output,
-                                   half_digit(stated, most_channels), rounding});
+            if (const auto& value = row.figures[most_channels])
+                largest.push_back({name, *value, calibration_.largest_interference(*h) / output,
+                                   half(most_channels), rounding});
         }
-        add("interference, percent", Unit::of("%"), cells);
-        add("largest interference, percent", Unit::of("%"), largest);
+        add("interference, percent", percent, cells);
+        add("largest interference, percent", percent, largest);
     }
 
     /// One line for all that reproduce, one for each other value.

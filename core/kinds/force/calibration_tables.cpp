@@ -198,7 +198,7 @@ DataTable parts_table(const Calibration& calibration) {
                               calibration.u_zero(h), calibration.u_b_computed(h)});
         any_stated = any_stated || calibration.stated_u_b[h].has_value();
     }
-    table.notes.push_back("Calibration machine: " + calibration.calibrator_name + ".");
+    table.notes.push_back("Calibration machine: " + calibration.calibrator.name + ".");
     if (any_stated)
         table.notes.push_back("Table 3 takes the Type B standard uncertainties that are stated, not these.");
     return table;
@@ -215,7 +215,7 @@ std::vector<DataTable> calibration_tables(const Calibration& calibration) {
     tables.push_back(InterferenceTable(calibration, true).build());
     tables.push_back(parts_table(calibration));
     if (calibration.from_readings) tables.push_back(steps_table(calibration));
-    if (!calibration.stated.rows.empty() || !calibration.stated_interference.rows.empty())
+    if (!calibration.stated.empty() || !calibration.stated_interference.empty())
         tables.push_back(stated_table(calibration));
     return tables;
 }

@@ -1,47 +1,37 @@
 // A machine that loads a multi-axis force/moment sensor one axis after the other (Kim, Eq. 5).
 #include "core/kinds/force/assets.h"
-#include "core/kinds/force/force_sensor.h"
+#include "core/kinds/force/axis_fields.h"
 
 namespace covaria {
 
 namespace {
 
-std::vector<Choice> axis_choices() {
-    std::vector<Choice> choices;
-    for (const ForceAxis& axis : force_axes) choices.push_back({axis.key, axis.key});
-    return choices;
-}
-
-SetupSchema calibrator_schema() {
-    FieldSpec table{.key = "loads",
-                    .title = "Uncertainty of its loads",
-                    .kind = FieldKind::table,
-                    .help =
-                        "One row for each axis that the machine loads: the relative expanded uncertainty of "
-                        "its certificate and the coverage factor.",
-                    .min_rows = 1,
-                    .section = "Certificate"};
-    table.columns = {{.key = "axis",
-                      .title = "axis",
-                      .kind = FieldKind::choice,
-                      .choices = axis_choices(),
-                      .help = "Force or moment."},
-                     {.key = "U",
-                      .title = "U",
-                      .unit = Unit::of("1"),
-                      .range = {.low = 0.0, .high = 1.0},
-                      .help = "Relative expanded uncertainty of the load: a ratio, not %."},
-                     {.key = "k",
-                      .title = "k",
-                      .range = {.low = 0.0, .low_open = true},
-                      .optional = true,
-                      .help = "Coverage factor; empty: 2."}};
-    return SetupSchema({table});
-}
-
 struct CertifiedLoad {
+    std::size_t axis = 0;
     double U = 0.0, k = 2.0;
 };
+
+struct Certificate {
+    std::vector<CertifiedLoad> loads;
+};
+
+const Fields<Certificate>& calibrator_fields() {
+    static const auto fields =
+        Fields<Certificate>()
+            .section("Certificate")
+            .table(&Certificate::loads, "loads", "Uncertainty of its loads",
+                   "One row for each axis that the machine loads: the relative expanded uncertainty of its "
+                   "certificate and the coverage factor.",
+                   Columns<CertifiedLoad>()
+                       .choice(&CertifiedLoad::axis, "axis", "axis", "Force or moment.", axis_choices())
+                       .add(&CertifiedLoad::U, "U", "U",
+                            "Relative expanded uncertainty of the load: a ratio, not %.",
+                            {.unit = Unit::of("1"), .range = {.low = 0.0, .high = 1.0}})
+                       .add(&CertifiedLoad::k, "k", "k", "Coverage factor; empty: 2.",
+                            {.range = {.low = 0.0, .low_open = true}, .optional = true}),
+                   {.min_rows = 1});
+    return fields;
+}
 
 class ForceCalibrator : public Asset, public ForceCalibratorSource {
 public:
@@ -73,18 +63,18 @@ private:
     std::array<std::optional<CertifiedLoad>, most_channels> loads_;
 };
 
-std::unique_ptr<Asset> create_calibrator(const SetupReader& setup, const AssetLibrary&, Problems& problems) {
+std::unique_ptr<Asset> create_calibrator(const SetupReader& setup, const AssetLibrary& assets,
+                                         Problems& problems) {
+    const Certificate certificate = calibrator_fields().read(setup, assets, problems);
     std::array<std::optional<CertifiedLoad>, most_channels> loads;
-    for (std::size_t row = 0; row < setup.rows("loads"); ++row) {
-        const std::size_t axis = axis_index(setup.cell_text("loads", row, "axis"));
-        if (loads[axis]) {
-            problems.error("/loads/rows/" + std::to_string(row) + "/axis",
-                           "axis " + std::string(force_axes[axis].key) + " is listed twice");
+    for (std::size_t row = 0; row < certificate.loads.size(); ++row) {
+        const CertifiedLoad& load = certificate.loads[row];
+        if (loads[load.axis]) {
+            problems.error(calibrator_fields().place(&Certificate::loads, row, &CertifiedLoad::axis),
+                           "axis " + std::string(force_axes[load.axis].key) + " is listed twice");
             return nullptr;
         }
-        loads[axis] =
-            CertifiedLoad{setup.cell_number("loads", row, "U"),
-                          setup.cell_empty("loads", row, "k") ? 2.0 : setup.cell_number("loads", row, "k")};
+        loads[load.axis] = load;
     }
     return std::make_unique<ForceCalibrator>(loads);
 }
@@ -104,7 +94,7 @@ AssetDescriptor force_calibrator_kind() {
         "The uncertainty of a load is common to all readings under loads on that axis: it does not average "
         "out in the calibration matrix."};
     d.capabilities = {ForceCalibratorSource::capability};
-    d.schema = calibrator_schema();
+    d.schema = calibrator_fields().schema();
     d.create = create_calibrator;
     return d;
 }

@@ -41,8 +41,8 @@ public:
     std::vector<PlotSpecification> figures() const override { return force_channels::figures(setup_); }
 
     Layout layout(std::span<const double>) const override {
-        Layout layout = setup_.asset->layout();
-        const Eigen::Isometry3d& X_WS = setup_.sensor().placement();
+        Layout layout = setup_.sensor.asset->layout();
+        const Eigen::Isometry3d& X_WS = setup_.sensor->placement();
         for (LayoutFrame& frame : layout.frames) frame.source = {};
         layout.points.push_back({.name = "", .p_W = X_WS.translation()});
         for (const ForceChannel& channel : setup_.channels()) {
@@ -127,7 +127,7 @@ ModelDescriptor force_channels_model() {
     d.notes = channel_notes();
     d.help_page = "force-moment-channels.md";
     d.example = "force-moment-sensor.covaria";
-    d.schema = force_channels::schema();
+    d.schema = force_channels::fields().schema();
     d.create = create_channels;
     return d;
 }

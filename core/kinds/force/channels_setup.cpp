@@ -9,69 +9,44 @@
 
 namespace covaria::force_channels {
 
-SetupSchema schema() {
-    return SetupSchema(
-        {{.key = "sensor",
-          .title = "Sensor",
-          .kind = FieldKind::reference,
-          .help = "The calibrated multi-axis sensor.",
-          .capabilities = {ForceSensorSource::capability},
-          .section = "Sensor"},
-         {.key = "other_loads",
-          .title = "Loads on the other axes",
-          .kind = FieldKind::choice,
-          .help =
-              "What acts on the other axes while a channel is read. Unknown loads are rectangular between "
-              "minus and plus the rated load, one and the same for all channels.",
-          .default_value = std::string("all"),
-          .choices = {{"none", "none: one component alone"},
-                      {"largest", "unknown on one axis, that with the largest interference"},
-                      {"all", "unknown on all other axes"}},
-          .section = "Use"},
-         {.key = "repeatability",
-          .title = "Repeatability",
-          .kind = FieldKind::choice,
-          .help = "The largest standard deviation of all steps, as in the paper, or that pooled over the "
-                  "steps, which has more degrees of freedom.",
-          .default_value = std::string("largest"),
-          .choices = {{"largest", "largest of the steps"}, {"pooled", "pooled over the steps"}},
-          .section = "Method"},
-         {.key = "type_a",
-          .title = "Type A in Monte Carlo",
-          .kind = FieldKind::choice,
-          .help = "Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM "
-                  "101 6.4.9). With n = 3 the latter has no standard deviation: only coverage intervals then "
-                  "mean something.",
-          .default_value = std::string("normal"),
-          .choices = {{"normal", "normal"}, {"student-t", "scaled and shifted t"}},
-          .section = "Method"},
-         {.key = "coverage_factor",
-          .title = "Coverage factor of the comparison",
-          .help = "k of the GUM's columns in the table beside the paper's.",
-          .range = {.low = 0.0, .high = 10.0, .low_open = true},
-          .default_value = Quantity{2.0, Unit()},
-          .section = "Method"}});
+const Fields<ChannelSetup>& fields() {
+    static const auto fields =
+        Fields<ChannelSetup>()
+            .section("Sensor")
+            .add(&ChannelSetup::sensor, "sensor", "Sensor", "The calibrated multi-axis sensor.")
+            .section("Use")
+            .choice(
+                &ChannelSetup::others, "other_loads", "Loads on the other axes",
+                "What acts on the other axes while a channel is read. Unknown loads are "
+                "rectangular between minus and plus the rated load, one and the same for all "
+                "channels.",
+                {{OtherLoads::none, "none", "none: one component alone"},
+                 {OtherLoads::largest, "largest", "unknown on one axis, that with the largest interference"},
+                 {OtherLoads::all, "all", "unknown on all other axes"}},
+                OtherLoads::all)
+            .section("Method")
+            .choice(&ChannelSetup::pooled, "repeatability", "Repeatability",
+                    "The largest standard deviation of all steps, as in the paper, or that pooled "
+                    "over the steps, which has more degrees of freedom.",
+                    {{false, "largest", "largest of the steps"}, {true, "pooled", "pooled over the steps"}},
+                    false)
+            .choice(&ChannelSetup::student_t, "type_a", "Type A in Monte Carlo",
+                    "Normal, with its degrees of freedom in the law of propagation, or a "
+                    "t-distribution (JCGM 101 6.4.9). With n = 3 the latter has no standard "
+                    "deviation: only coverage intervals then mean something.",
+                    {{false, "normal", "normal"}, {true, "student-t", "scaled and shifted t"}}, false)
+            .add(&ChannelSetup::k, "coverage_factor", "Coverage factor of the comparison",
+                 "k of the GUM's columns in the table beside the paper's.",
+                 {.range = {.low = 0.0, .high = 10.0, .low_open = true},
+                  .default_value = Quantity{2.0, Unit()}});
+    return fields;
 }
 
 std::optional<ChannelSetup> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems) {
-    ChannelSetup read;
-    read.sensor_id = setup.text("sensor");
-    const AssetLibrary::Entry* entry = assets.find(read.sensor_id);
-    if (!offers<ForceSensorSource>(entry)) {
-        problems.error("/sensor", "'" + read.sensor_id + "' is no force/moment sensor");
-        return {};
-    }
-    read.asset = entry->asset;
-    read.sensor_name = entry->name.empty() ? read.sensor_id : entry->name;
-    const std::string others = setup.text("other_loads");
-    read.others = others == "none"      ? OtherLoads::none
-                  : others == "largest" ? OtherLoads::largest
-                                        : OtherLoads::all;
-    read.pooled = setup.text("repeatability") == "pooled";
-    read.student_t = setup.text("type_a") == "student-t";
-    read.k = setup.number("coverage_factor");
+    ChannelSetup read = fields().read(setup, assets, problems);
+    if (!read.sensor) return {};
     if (read.pooled && !(read.channels()[0].pooled_degrees_of_freedom > 0.0))
-        problems.warning("/repeatability",
+        problems.warning(fields().place(&ChannelSetup::pooled),
                          "the sensor's calibration is a summary: there are no steps to pool "
                          "over, so the largest standard deviation is taken");
     return read;
@@ -106,7 +81,7 @@ Single single_component(const ChannelSetup& setup, std::size_t h) {
     const double u_a = u_repeatability(setup, channel);
     const double variance =
         square(u_a) + square(channel.u_calibrator * channel.rated_output) +
-        (square(setup.sensor().resolution()) + square(channel.zero) + square(channel.hysteresis)) / 12.0;
+        (square(setup.sensor->resolution()) + square(channel.zero) + square(channel.hysteresis)) / 12.0;
     Single single{std::sqrt(variance), infinity};
     if (u_a > 0.0)
         single.degrees_of_freedom =
@@ -152,9 +127,9 @@ private:
                 .name = name + " of " + key,
                 .unit = Unit::of("mV/V"),
                 .distribution = std::move(distribution),
-                .origin = setup_.sensor_name + ": " + origin,
-                .contributor = setup_.sensor_id,
-                .contributor_name = setup_.sensor_name,
+                .origin = setup_.sensor.name + ": " + origin,
+                .contributor = setup_.sensor.id,
+                .contributor_name = setup_.sensor.name,
                 .tags = {{"source", name}}};
     }
 
@@ -184,7 +159,7 @@ private:
             {repeatability(channel),
              component(channel, "machine", "calibration machine",
                        Distribution::normal(channel.u_calibrator * std::abs(channel.rated_output)), "Eq 5"),
-             component(channel, "resolution", "resolution", limits(setup_.sensor().resolution()), "Eq 6"),
+             component(channel, "resolution", "resolution", limits(setup_.sensor->resolution()), "Eq 6"),
              component(channel, "zero", "non-zero", limits(channel.zero), "Eq 7"),
              component(channel, "hysteresis", "hysteresis", limits(channel.hysteresis),
                        "Eq 10, as a rectangular distribution over the loop")});

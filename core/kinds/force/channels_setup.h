@@ -1,14 +1,14 @@
 // The set-up of "force-moment channels", read; its input quantities, tables and charts.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/kinds/force/force_sensor.h"
-#include "core/model/asset.h"
+#include "core/model/offered.h"
 #include "core/quantity/input_quantity.h"
+#include "core/setup/fields.h"
 
 namespace covaria::force_channels {
 
@@ -20,18 +20,16 @@ enum class OtherLoads {
 };
 
 struct ChannelSetup {
-    std::shared_ptr<const Asset> asset;
-    std::string sensor_id, sensor_name;
+    Offered<ForceSensorSource> sensor;
     OtherLoads others = OtherLoads::all;
     bool pooled = false;     ///< standard deviation pooled over the steps
     bool student_t = false;  ///< Type A by a t-distribution in Monte Carlo (JCGM 101 6.4.9)
     double k = 2.0;          ///< of the comparison
 
-    const ForceSensorSource& sensor() const { return *offers<ForceSensorSource>(asset); }
-    const std::vector<ForceChannel>& channels() const { return sensor().channels(); }
+    const std::vector<ForceChannel>& channels() const { return sensor->channels(); }
     std::size_t size() const { return channels().size(); }
     double e(std::size_t h, std::size_t c) const {
-        return sensor().rated_outputs()(static_cast<Eigen::Index>(h), static_cast<Eigen::Index>(c));
+        return sensor->rated_outputs()(static_cast<Eigen::Index>(h), static_cast<Eigen::Index>(c));
     }
     /// The channel to which h answers most; h itself if there is no other.
     std::size_t strongest(std::size_t h) const;
@@ -39,7 +37,7 @@ struct ChannelSetup {
     bool interferes(std::size_t h, std::size_t c) const;
 };
 
-SetupSchema schema();
+const Fields<ChannelSetup>& fields();
 std::optional<ChannelSetup> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems);
 
 /// Standard uncertainty of a net reading at rated load and its effective degrees of freedom (JCGM 100 G.4):

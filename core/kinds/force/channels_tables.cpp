@@ -21,7 +21,7 @@ std::vector<Comparison> comparisons(const ChannelSetup& setup) {
         const double output = std::abs(channel.rated_output);
         const Single single = single_component(setup, h);
         const double k95 = t_quantile(0.975, single.degrees_of_freedom);
-        rows.push_back({channel.kind().key, setup.sensor().paper_expanded_uncertainty(h) / output,
+        rows.push_back({channel.kind().key, setup.sensor->paper_expanded_uncertainty(h) / output,
                         setup.k * combined(setup, h, OtherLoads::all) / output,
                         setup.k * combined(setup, h, OtherLoads::largest) / output, k95 * single.u / output,
                         single.degrees_of_freedom, k95, worst_case(setup, h) / output});
@@ -85,7 +85,7 @@ DataTable parts_table(const ChannelSetup& setup) {
         const double u_a = setup.pooled ? channel.s_single(true) / std::sqrt(channel.runs) : channel.u_a;
         table.rows.push_back(
             {std::string(channel.kind().key), u_a, channel.u_calibrator * std::abs(channel.rated_output),
-             setup.sensor().resolution() / root12, channel.zero / root12, channel.hysteresis / root12,
+             setup.sensor->resolution() / root12, channel.zero / root12, channel.hysteresis / root12,
              std::sqrt(std::max(0.0, all * all - single * single)), all});
     }
     if (!setup.pooled)

@@ -28,13 +28,12 @@ inline constexpr std::array<ForceAxis, 6> force_axes{{{"Fx", "F_x", "N", false},
                                                       {"My", "M_y", "N*m", true},
                                                       {"Mz", "M_z", "N*m", true}}};
 inline constexpr std::size_t most_channels = force_axes.size();
-/// Of a key that is known to be one.
-std::size_t axis_index(const std::string& key);
 
 /// A machine that loads one axis after the other.
 class ForceCalibratorSource : public Capability {
 public:
     static constexpr const char* capability = "force-calibrator";
+    static constexpr const char* lacking = "is no calibration machine";
     /// Relative standard uncertainty U/k of its load on an axis; empty: it does not load that axis.
     virtual std::optional<double> relative_uncertainty(std::size_t axis) const = 0;
 };
@@ -70,6 +69,7 @@ struct LoadedReading {
 class ForceSensorSource : public Capability {
 public:
     static constexpr const char* capability = "force-sensor";
+    static constexpr const char* lacking = "is no force/moment sensor";
     virtual const std::vector<ForceChannel>& channels() const = 0;
     virtual double resolution() const = 0;  ///< of the indicator
     /// e(h, c): net output of channel h under the rated load on the axis of channel c alone.

@@ -32,9 +32,9 @@ public:
     std::vector<PlotSpecification> figures() const override { return force_loads::figures(setup_); }
 
     Layout layout(std::span<const double> x) const override {
-        Layout layout = setup_.asset->layout();
+        Layout layout = setup_.sensor.asset->layout();
         for (LayoutFrame& frame : layout.frames) frame.source = {};
-        layout.points.push_back({.name = "", .p_W = setup_.sensor().placement().translation()});
+        layout.points.push_back({.name = "", .p_W = setup_.sensor->placement().translation()});
         std::vector<double> y(outputs_.size());
         if (!evaluate(x, y)) return layout;
         for (std::size_t k = 0; k < setup_.cases.size(); ++k)
@@ -106,7 +106,7 @@ private:
         std::snprintf(text, sizeof text, "%s %.4g %s", moment ? "M" : "F", value.norm(),
                       moment ? "N·m" : "N");
         vector.name = text;
-        const Eigen::Isometry3d& X_WS = setup_.sensor().placement();
+        const Eigen::Isometry3d& X_WS = setup_.sensor->placement();
         vector.at_W = X_WS.translation();
         vector.vector_W = X_WS.linear() * value;
         vector.R_WQ = X_WS.linear();
@@ -171,7 +171,7 @@ ModelDescriptor force_loads_model() {
     d.notes = load_notes();
     d.help_page = "force-moment-loads.md";
     d.example = "force-moment-sensor.covaria";
-    d.schema = force_loads::schema();
+    d.schema = force_loads::fields().schema();
     d.create = create_loads;
     return d;
 }

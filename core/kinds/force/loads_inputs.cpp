@@ -33,7 +33,7 @@ private:
                 .name = std::move(name),
                 .unit = unit,
                 .distribution = std::move(distribution),
-                .origin = setup_.sensor_name + ": " + origin};
+                .origin = setup_.sensor.name + ": " + origin};
     }
 
     /// The machine's load deviates alike in all readings under it: a whole column.
@@ -67,7 +67,7 @@ private:
     /// repeatability that the channel states.
     void rest_on_residuals(std::size_t component, std::size_t h, std::size_t c) {
         if (std::isinf(inputs_.components[component].degrees_of_freedom)) return;
-        const bool stated = setup_.sensor().increasing().empty();
+        const bool stated = setup_.sensor->increasing().empty();
         inputs_.rest_on_estimate(stated ? (setup_.pooled ? "largest " : "repeatability of ") + key(h)
                                         : "residuals of " + pair(h, c),
                                  component);
@@ -148,7 +148,7 @@ private:
                           .group = one.name,
                           .source = one.source},
             {repeatability(k, h),
-             of_reading(k, h, "resolution", "resolution", limits(setup_.sensor().resolution()), "Eq 6"),
+             of_reading(k, h, "resolution", "resolution", limits(setup_.sensor->resolution()), "Eq 6"),
              of_reading(k, h, "zero", "non-zero", limits(channel.zero), "Eq 7"),
              of_reading(k, h, "hysteresis", "hysteresis", limits(part * channel.hysteresis),
                         setup_.full_hysteresis ? "Eq 10, full width of the loop"

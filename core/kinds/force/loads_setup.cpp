@@ -63,13 +63,14 @@ void check_condition(LoadsSetup& setup, Problems& problems) {
     setup.condition = s[s.size() - 1] > 0.0 ? s[0] / s[s.size() - 1] : infinity;
     const std::string alike = channels_alike(setup, svd.matrixV().col(s.size() - 1));
     if (!(setup.condition < singular))
-        return problems.error("/sensor",
+        return problems.error(fields().place(&LoadsSetup::sensor),
                               "the calibration matrix is singular: the channels answer to loads on " + alike +
                                   " alike, so these cannot be told apart");
     if (setup.condition > badly_conditioned)
-        problems.warning("/sensor", "the calibration matrix has the condition number " +
-                                        readable_number(std::round(setup.condition)) + ": loads on " + alike +
-                                        " are hardly told apart");
+        problems.warning(fields().place(&LoadsSetup::sensor),
+                         "the calibration matrix has the condition number " +
+                             readable_number(std::round(setup.condition)) + ": loads on " + alike +
+                             " are hardly told apart");
 }
 
 /// Rows by decreasing pivots, as partial pivoting would choose them at the estimates.
@@ -89,76 +90,81 @@ std::vector<std::size_t> row_order(Eigen::MatrixXd m) {
 
 class CaseReader {
 public:
-    CaseReader(const SetupReader& setup, LoadsSetup& read, Problems& problems)
-        : setup_(setup), read_(read), table_(read.by_loads ? "loads" : "readings"), problems_(problems) {}
+    CaseReader(LoadsSetup& setup, Problems& problems)
+        : setup_(setup),
+          table_(setup.by_loads ? &LoadsSetup::loads : &LoadsSetup::readings),
+          problems_(problems) {}
 
     void run() {
-        if (setup_.rows(table_) == 0)
-            return problems_.error("/" + table_, read_.by_loads ? "add a row of loads to be evaluated"
-                                                                : "add a row of readings to be decoupled");
-        for (std::size_t row = 0; row < setup_.rows(table_); ++row) add(row);
+        if ((setup_.*table_).empty())
+            return problems_.error(fields().place(table_), setup_.by_loads
+                                                               ? "add a row of loads to be evaluated"
+                                                               : "add a row of readings to be decoupled");
+        for (std::size_t row = 0; row < (setup_.*table_).size(); ++row) add(row, (setup_.*table_)[row]);
     }
 
 private:
-    void add(std::size_t row) {
-        Case added;
-        added.source = "/" + table_ + "/rows/" + std::to_string(row);
-        added.name = setup_.cell_text(table_, row, "name");
-        for (const Case& known : read_.cases)
-            if (known.name == added.name)
-                return problems_.error(added.source + "/name", "two cases are called '" + added.name + "'");
-        const auto n = Eigen::Index(read_.size());
-        Eigen::VectorXd& given = read_.by_loads ? added.l : added.v;
-        given.setZero(n);
-        for (std::size_t c = 0; c < read_.size(); ++c) {
-            const ForceChannel& channel = read_.channels()[c];
-            const char* const key = channel.kind().key;
-            const double rated = read_.by_loads ? channel.rated_load : channel.rated_output;
-            if (!setup_.cell_empty(table_, row, key))
-                given[Eigen::Index(c)] = setup_.cell_number(table_, row, key) / rated;
-            else if (!read_.by_loads)
-                problems_.error(added.source + "/" + key,
-                                std::string("channel ") + key + " has no reading: all channels are needed");
-        }
-        refuse_other_axes(row, added.source);
-        complete(added);
-        read_.cases.push_back(std::move(added));
+    std::string cell(std::size_t row, std::size_t axis) const {
+        return fields().place(table_, row, &LoadsSetup::Given::figures, axis);
     }
 
-    void refuse_other_axes(std::size_t row, const std::string& source) {
+    void add(std::size_t row, const LoadsSetup::Given& given) {
+        Case added;
+        added.source = fields().place(table_, row);
+        added.name = given.name;
+        for (const Case& known : setup_.cases)
+            if (known.name == added.name)
+                return problems_.error(fields().place(table_, row, &LoadsSetup::Given::name),
+                                       "two cases are called '" + added.name + "'");
+        Eigen::VectorXd& figures = setup_.by_loads ? added.l : added.v;
+        figures.setZero(Eigen::Index(setup_.size()));
+        for (std::size_t c = 0; c < setup_.size(); ++c) {
+            const ForceChannel& channel = setup_.channels()[c];
+            const double rated = setup_.by_loads ? channel.rated_load : channel.rated_output;
+            if (const auto& figure = given.figures[channel.axis])
+                figures[Eigen::Index(c)] = *figure / rated;
+            else if (!setup_.by_loads)
+                problems_.error(cell(row, channel.axis), std::string("channel ") + channel.kind().key +
+                                                             " has no reading: all channels are needed");
+        }
+        refuse_other_axes(row, given);
+        complete(added);
+        setup_.cases.push_back(std::move(added));
+    }
+
+    void refuse_other_axes(std::size_t row, const LoadsSetup::Given& given) {
         for (std::size_t axis = 0; axis < most_channels; ++axis) {
-            const char* const key = force_axes[axis].key;
-            const bool known = std::any_of(read_.channels().begin(), read_.channels().end(),
+            const bool known = std::any_of(setup_.channels().begin(), setup_.channels().end(),
                                            [&](const ForceChannel& c) { return c.axis == axis; });
-            if (!known && !setup_.cell_empty(table_, row, key))
-                problems_.error(source + "/" + key, std::string("the sensor has no channel ") + key);
+            if (!known && given.figures[axis])
+                problems_.error(cell(row, axis),
+                                std::string("the sensor has no channel ") + force_axes[axis].key);
         }
     }
 
     void complete(Case& added) {
-        if (!read_.by_loads) {
-            added.l = decoupled(read_, added.v);
+        if (!setup_.by_loads) {
+            added.l = decoupled(setup_, added.v);
             if (!added.l.allFinite())
                 return problems_.error(added.source,
                                        "no load gives these readings by the calibration matrix");
         } else {
-            const auto n = Eigen::Index(read_.size());
-            added.v = read_.A() * added.l;
-            for (Eigen::Index h = 0; read_.quadratic && h < n; ++h)
+            const auto n = Eigen::Index(setup_.size());
+            added.v = setup_.A() * added.l;
+            for (Eigen::Index h = 0; setup_.quadratic && h < n; ++h)
                 for (Eigen::Index c = 0; c < n; ++c)
-                    added.v[h] += read_.element(std::size_t(h), std::size_t(c)).b * added.l[c] * added.l[c];
+                    added.v[h] += setup_.element(std::size_t(h), std::size_t(c)).b * added.l[c] * added.l[c];
         }
         Eigen::Index most = 0;
         if (added.l.cwiseAbs().maxCoeff(&most) > 1.001)
             problems_.warning(added.source,
-                              "the load on " + std::string(read_.channels()[std::size_t(most)].kind().key) +
+                              "the load on " + std::string(setup_.channels()[std::size_t(most)].kind().key) +
                                   " is " + readable_number(std::round(100.0 * std::abs(added.l[most]))) +
                                   " % of its rated load: the calibration says nothing about it");
     }
 
-    const SetupReader& setup_;
-    LoadsSetup& read_;
-    std::string table_;
+    LoadsSetup& setup_;
+    std::vector<LoadsSetup::Given> LoadsSetup::*table_;
     Problems& problems_;
 };
 
@@ -178,17 +184,18 @@ double LoadsSetup::scale(std::size_t h, std::size_t c, int power) const {
 void fit_matrix(LoadsSetup& setup, Problems& problems) {
     const std::size_t n = setup.size();
     std::vector<Regression> regressions(n * n);
-    for (const LoadedReading& r : setup.sensor().increasing())
+    for (const LoadedReading& r : setup.sensor->increasing())
         for (std::size_t h = 0; h < n; ++h)
             regressions[h * n + r.loaded].add(r.load / setup.channels()[r.loaded].rated_load,
                                               r.net[h] / setup.channels()[h].rated_output);
     setup.elements.assign(n * n, {});
-    const bool summary = setup.sensor().increasing().empty();
+    const bool summary = setup.sensor->increasing().empty();
     for (std::size_t i = 0; i < n * n && !summary; ++i) {
         const auto element = regressions[i].fit(setup.quadratic);
         if (!element)
-            return problems.error("/matrix", "loads on " + std::string(setup.channels()[i % n].kind().key) +
-                                                 " are too few for this calibration matrix");
+            return problems.error(fields().place(&LoadsSetup::quadratic),
+                                  "loads on " + std::string(setup.channels()[i % n].kind().key) +
+                                      " are too few for this calibration matrix");
         setup.elements[i] = *element;
     }
     for (std::size_t h = 0; h < n && summary; ++h)
@@ -196,7 +203,7 @@ void fit_matrix(LoadsSetup& setup, Problems& problems) {
             const ForceChannel& channel = setup.channels()[h];
             Element& element = setup.element(h, c);
             element.a =
-                setup.sensor().rated_outputs()(Eigen::Index(h), Eigen::Index(c)) / channel.rated_output;
+                setup.sensor->rated_outputs()(Eigen::Index(h), Eigen::Index(c)) / channel.rated_output;
             element.aa = channel.u_a / std::abs(channel.rated_output);
             element.degrees_of_freedom = channel.degrees_of_freedom;
         }
@@ -218,31 +225,19 @@ Eigen::VectorXd decoupled(const LoadsSetup& setup, const Eigen::VectorXd& v) {
 }
 
 std::optional<LoadsSetup> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems) {
-    LoadsSetup read;
-    read.sensor_id = setup.text("sensor");
-    const AssetLibrary::Entry* entry = assets.find(read.sensor_id);
-    if (!offers<ForceSensorSource>(entry)) {
-        problems.error("/sensor", "'" + read.sensor_id + "' is no force/moment sensor");
-        return {};
-    }
-    read.asset = entry->asset;
-    read.sensor_name = entry->name.empty() ? read.sensor_id : entry->name;
-    read.quadratic = setup.text("matrix") == "quadratic";
-    read.by_loads = setup.text("given") == "loads";
-    read.pooled = setup.text("repeatability") == "pooled";
-    read.student_t = setup.text("type_a") == "student-t";
-    read.full_hysteresis = setup.text("hysteresis") == "full";
-    if (!read.sensor().has_signs())
-        problems.error("/sensor",
-                       "the interference of " + read.sensor_name +
+    LoadsSetup read = fields().read(setup, assets, problems);
+    if (!read.sensor) return {};
+    if (!read.sensor->has_signs())
+        problems.error(fields().place(&LoadsSetup::sensor),
+                       "the interference of " + read.sensor.name +
                            " is known without signs: it cannot be compensated. Give raw readings, or "
                            "a table with signs");
-    else if (read.quadratic && read.sensor().increasing().empty())
-        problems.error("/matrix",
-                       "quadratic terms need raw readings; " + read.sensor_name + " has a summary only");
+    else if (read.quadratic && read.sensor->increasing().empty())
+        problems.error(fields().place(&LoadsSetup::quadratic),
+                       "quadratic terms need raw readings; " + read.sensor.name + " has a summary only");
     else
         fit_matrix(read, problems);
-    if (!problems.has_errors()) CaseReader(setup, read, problems).run();
+    if (!problems.has_errors()) CaseReader(read, problems).run();
     if (problems.has_errors()) return {};
     return read;
 }

@@ -4,13 +4,12 @@
 // identity. A row is a channel, a column the axis that is loaded.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/kinds/force/force_sensor.h"
-#include "core/model/asset.h"
+#include "core/kinds/force/axis_fields.h"
+#include "core/model/offered.h"
 #include "core/quantity/input_quantity.h"
 
 namespace covaria::force_loads {
@@ -32,21 +31,26 @@ struct Element {
 };
 
 struct LoadsSetup {
-    std::shared_ptr<const Asset> asset;
-    std::string sensor_id, sensor_name;
+    /// A row of a table of cases: readings or loads, SI.
+    struct Given {
+        std::string name;
+        AxisFigures figures;
+    };
+    Offered<ForceSensorSource> sensor;
+    bool by_loads = true;  ///< cases are given by their loads
+    std::vector<Given> readings, loads;
     bool quadratic = false;
-    bool by_loads = false;  ///< cases are given by their loads
     bool pooled = false;
     bool student_t = false;
-    bool full_hysteresis = false;   ///< whatever the load; else in proportion to it
+    bool full_hysteresis = false;  ///< whatever the load; else in proportion to it
+
     std::vector<Element> elements;  ///< row by row
     std::vector<std::size_t> rows;  ///< order in which rows are eliminated
     double condition = 0.0;         ///< of A
     std::vector<Case> cases;
     std::size_t first_element = 0, first_reading = 0;  ///< input quantities
 
-    const ForceSensorSource& sensor() const { return *offers<ForceSensorSource>(asset); }
-    const std::vector<ForceChannel>& channels() const { return sensor().channels(); }
+    const std::vector<ForceChannel>& channels() const { return sensor->channels(); }
     std::size_t size() const { return channels().size(); }
     const Element& element(std::size_t h, std::size_t c) const { return elements[h * size() + c]; }
     Element& element(std::size_t h, std::size_t c) { return elements[h * size() + c]; }
@@ -55,7 +59,7 @@ struct LoadsSetup {
     double scale(std::size_t h, std::size_t c, int power = 1) const;
 };
 
-SetupSchema schema();
+const Fields<LoadsSetup>& fields();
 std::optional<LoadsSetup> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems);
 /// Elements by least squares through zero; refuses a matrix that cannot be inverted.
 void fit_matrix(LoadsSetup& setup, Problems& problems);

@@ -16,80 +16,48 @@ using Summary = StatedGroups::Summary;
 
 Columns<Observation> observation_columns() {
     return Columns<Observation>()
-        .add(&Observation::group, {.key = "group", .title = "group", .help = "Day, instrument or operator."})
-        .add(&Observation::value,
-             {.key = "value", .title = "value", .help = "Observed value, in the unit of the quantity."});
+        .add(&Observation::group, "group", "group", "Day, instrument or operator.")
+        .add(&Observation::value, "value", "value", "Observed value, in the unit of the quantity.");
 }
 
 Columns<Summary> summary_columns() {
     return Columns<Summary>()
-        .add(&Summary::group, {.key = "group", .title = "group", .help = "Day, instrument or operator."})
-        .add(&Summary::mean, {.key = "mean",
-                              .title = "mean",
-                              .help = "Of the observations of the group, in the unit of the quantity."})
-        .add(&Summary::s, {.key = "s",
-                           .title = "s",
-                           .range = {.low = 0.0},
-                           .help = "Experimental standard deviation of a single observation of the group."})
-        .add(&Summary::n,
-             {.key = "n",
-              .title = "n",
-              .range = {.low = 1.0, .high = 1e6},
-              .optional = true,
-              .help = "Number of observations in the group; empty: observations per group, as below."});
+        .add(&Summary::group, "group", "group", "Day, instrument or operator.")
+        .add(&Summary::mean, "mean", "mean", "Of the observations of the group, in the unit of the quantity.")
+        .add(&Summary::s, "s", "s", "Experimental standard deviation of a single observation of the group.",
+             {.range = {.low = 0.0}})
+        .add(&Summary::n, "n", "n",
+             "Number of observations in the group; empty: observations per group, as below.",
+             {.range = {.low = 1.0, .high = 1e6}, .optional = true});
 }
 
 void add_quantity(Fields<StatedGroups>& fields) {
-    fields
-        .add(&StatedGroups::symbol, {.key = "symbol",
-                                     .title = "Symbol",
-                                     .help = "Of the measured quantity.",
-                                     .default_value = std::string("V"),
-                                     .section = "Quantity"})
-        .add(&StatedGroups::name, {.key = "name",
-                                   .title = "Name",
-                                   .help = "What is measured.",
-                                   .default_value = std::string("measured quantity"),
-                                   .section = "Quantity"})
-        .add(&StatedGroups::unit, {.key = "unit",
-                                   .title = "Unit",
-                                   .help = "In which the observations are given.",
-                                   .default_value = std::string("1"),
-                                   .section = "Quantity"});
+    fields.section("Quantity")
+        .add(&StatedGroups::symbol, "symbol", "Symbol", "Of the measured quantity.",
+             {.default_value = std::string("V")})
+        .add(&StatedGroups::name, "name", "Name", "What is measured.",
+             {.default_value = std::string("measured quantity")})
+        .add(&StatedGroups::unit, "unit", "Unit", "In which the observations are given.",
+             {.default_value = std::string("1")});
 }
 
 void add_observations(Fields<StatedGroups>& fields) {
-    fields
-        .choice(&StatedGroups::data,
-                {.key = "data",
-                 .title = "Data",
-                 .help = "Every observation, or mean and standard deviation of each group.",
-                 .section = "Observations"},
+    fields.section("Observations")
+        .choice(&StatedGroups::data, "data", "Data",
+                "Every observation, or mean and standard deviation of each group.",
                 {{Data::observations, "observations", "observations"},
                  {Data::summary, "summary", "means and standard deviations"}},
                 Data::observations)
-        .table(&StatedGroups::observations,
-               {.key = "observations",
-                .title = "Observations",
-                .help = "Observations with the day, instrument or operator they belong to, typed, pasted or "
-                        "from a CSV file.",
-                .min_rows = 4,
-                .section = "Observations"},
-               observation_columns())
-        .table(&StatedGroups::summaries,
-               {.key = "groups",
-                .title = "Groups",
-                .help = "Mean and experimental standard deviation of the observations of each group.",
-                .min_rows = 2,
-                .section = "Observations"},
-               summary_columns())
-        .add(&StatedGroups::per_group,
-             {.key = "per_group",
-              .title = "Observations per group",
-              .help = "Number of observations in each group whose row does not say it.",
-              .range = {.low = 2.0, .high = 1e6},
-              .default_value = Quantity{5.0, Unit{}},
-              .section = "Observations"})
+        .table(&StatedGroups::observations, "observations", "Observations",
+               "Observations with the day, instrument or operator they belong to, typed, pasted or "
+               "from a CSV file.",
+               observation_columns(), {.min_rows = 4})
+        .table(&StatedGroups::summaries, "groups", "Groups",
+               "Mean and experimental standard deviation of the observations of each group.",
+               summary_columns(), {.min_rows = 2})
+        .add(&StatedGroups::per_group, "per_group", "Observations per group",
+             "Number of observations in each group whose row does not say it.",
+             {.range = {.low = 2.0, .high = 1e6}, .default_value = Quantity{5.0, Unit{}}})
         .shown_where(&StatedGroups::data, {Data::observations}, &StatedGroups::observations)
         .shown_where(&StatedGroups::data, {Data::summary}, &StatedGroups::summaries,
                      &StatedGroups::per_group);
@@ -100,19 +68,16 @@ const Fields<StatedGroups>& group_fields() {
         Fields<StatedGroups> made;
         add_quantity(made);
         add_observations(made);
-        made.choice(
-            &StatedGroups::between,
-            {.key = "between",
-             .title = "Effect of the groups",
-             .help = "Included: u of the mean of the groups' means from their scatter. By components of "
-                     "variance: the same for groups of one size, else groups with more observations have "
-                     "more weight. Not included: all observations count as independent, which the F-test "
-                     "in the evaluation must allow.",
-             .section = "Evaluation"},
-            {{Between::included, "included", "included"},
-             {Between::components, "components", "by components of variance"},
-             {Between::none, "none", "not included"}},
-            Between::included);
+        made.section("Evaluation")
+            .choice(&StatedGroups::between, "between", "Effect of the groups",
+                    "Included: u of the mean of the groups' means from their scatter. By components of "
+                    "variance: the same for groups of one size, else groups with more observations have "
+                    "more weight. Not included: all observations count as independent, which the F-test "
+                    "in the evaluation must allow.",
+                    {{Between::included, "included", "included"},
+                     {Between::components, "components", "by components of variance"},
+                     {Between::none, "none", "not included"}},
+                    Between::included);
         return made;
     }();
     return fields;

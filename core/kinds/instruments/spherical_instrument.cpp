@@ -17,28 +17,19 @@ namespace {
 
 constexpr double earth_radius = 6.371e6;  // m
 
-struct Specification {
-    double distance_constant = 0.0;  ///< a, m
-    double distance_scale = 0.0;     ///< b of a + b L
-    double azimuth = 0.0;            ///< rad
-    double elevation = 0.0;          ///< rad
-    double across = 0.0;             ///< constant part across the line of sight, m
-    std::string meaning;
-
-    double figure(Observable observable, const Eigen::Vector3d& v) const {
-        const double distance = v.norm();
-        const double level = std::max(v.head<2>().norm(), near_zenith * distance);
-        switch (observable) {
-            case Observable::distance:
-                return distance_constant + distance_scale * distance;
-            case Observable::azimuth:
-                return azimuth + across / level;
-            case Observable::elevation:
-                return elevation + across / distance;
-        }
-        return 0.0;
+double figure_of(const StatedInstrument& stated, Observable observable, const Eigen::Vector3d& v) {
+    const double distance = v.norm();
+    const double level = std::max(v.head<2>().norm(), near_zenith * distance);
+    switch (observable) {
+        case Observable::distance:
+            return stated.distance_constant + stated.distance_scale * distance;
+        case Observable::azimuth:
+            return stated.angle_azimuth + stated.across_constant / level;
+        case Observable::elevation:
+            return stated.angle_elevation + stated.across_constant / distance;
     }
-};
+    return 0.0;
+}
 
 const char* name_of(Observable observable) {
     static constexpr const char* names[] = {"distance", "azimuth", "elevation"};
@@ -69,20 +60,21 @@ double effect_of_refraction(Observable o, const Eigen::Vector3d& v) {
     return o == Observable::elevation ? v.norm() / (2.0 * earth_radius) : 0.0;
 }
 
-struct SharedField {
-    const char* key;
+struct SharedDeviation {
+    double StatedInstrument::*u;
+    const char* id;
     const char* name;
     const char* unit;
     double (*effect)(Observable, const Eigen::Vector3d&);
 };
-constexpr SharedField shared_fields[] = {
-    {"u_scale", "scale of distances", "ppm", effect_of_scale},
-    {"u_zero", "zero offset of distances", "mm", effect_of_zero},
-    {"u_index", "index of the elevation", "arcsec", effect_of_index},
-    {"u_collimation", "collimation", "arcsec", effect_of_collimation},
-    {"u_axis_tilt", "squareness of the axes", "arcsec", effect_of_axis_tilt},
-    {"u_beam_offset", "offset of the beam", "mm", effect_of_beam_offset},
-    {"u_refraction", "coefficient of refraction", "1", effect_of_refraction}};
+constexpr SharedDeviation shared_deviations[] = {
+    {&StatedInstrument::u_scale, "scale", "scale of distances", "ppm", effect_of_scale},
+    {&StatedInstrument::u_zero, "zero", "zero offset of distances", "mm", effect_of_zero},
+    {&StatedInstrument::u_index, "index", "index of the elevation", "arcsec", effect_of_index},
+    {&StatedInstrument::u_collimation, "collimation", "collimation", "arcsec", effect_of_collimation},
+    {&StatedInstrument::u_axis_tilt, "axis_tilt", "squareness of the axes", "arcsec", effect_of_axis_tilt},
+    {&StatedInstrument::u_beam_offset, "beam_offset", "offset of the beam", "mm", effect_of_beam_offset},
+    {&StatedInstrument::u_refraction, "refraction", "coefficient of refraction", "1", effect_of_refraction}};
 
 UncertaintyComponent typed_component(const std::string& id, const std::string& name, const char* unit,
                                      double u, const std::string& shape) {
@@ -94,13 +86,12 @@ UncertaintyComponent typed_component(const std::string& id, const std::string& n
 }
 
 /// Everything the set-up says, in SI.
-struct SensorData {
+struct SensorData : StatedInstrument {
+    explicit SensorData(StatedInstrument stated) : StatedInstrument(std::move(stated)) {}
     Station station;
     std::array<bool, 3> reads{};
     std::string glyph;
-    Specification specification;
     std::array<UncertaintyComponent, 6> station_components;
-    std::vector<StationCorrelation> correlations;
     std::vector<SystematicDeviation> systematic;
     FieldOfView view;
 
@@ -124,13 +115,12 @@ public:
     const FieldOfView& field_of_view() const override { return data_.view; }
 
     UncertaintyComponent reading(Observable observable, const Eigen::Vector3d& v) const override {
-        const Specification& s = data_.specification;
         const char* const units[] = {"mm", "arcsec", "arcsec"};
         return {.id = name_of(observable),
                 .name = name_of(observable),
                 .unit = Unit::of(units[static_cast<int>(observable)]),
-                .distribution = specified_distribution(s.meaning, s.figure(observable, v)),
-                .origin = "instrument: " + meaning_words(s.meaning)};
+                .distribution = specified_distribution(data_.meaning, figure_of(data_, observable, v)),
+                .origin = "instrument: " + meaning_words(data_.meaning)};
     }
 
 private:
@@ -219,7 +209,7 @@ public:
 
     Layout layout() const override {
         Layout layout;
-        const LayoutSource source{"/station", true};
+        const LayoutSource source{sensor_fields().place(&StatedInstrument::placement), true};
         const Eigen::Isometry3d X_WS = sensor_.station().X_WS();
         layout.bodies.push_back({.name = "instrument",
                                  .kind = BodyKind::instrument,
@@ -260,85 +250,78 @@ private:
     SphericalSource source_;
 };
 
-std::array<bool, 3> readings_of(const SetupReader& setup) {
-    const std::string kind = setup.text("kind");
-    if (kind == "camera") return {false, true, true};
-    if (kind == "distance-meter") return {true, false, false};
-    if (kind == "generic")
-        return {setup.flag("reads_distance"), setup.flag("reads_azimuth"), setup.flag("reads_elevation")};
+std::array<bool, 3> readings_of(const StatedInstrument& stated) {
+    if (stated.kind == InstrumentKind::camera) return {false, true, true};
+    if (stated.kind == InstrumentKind::distance_meter) return {true, false, false};
+    if (stated.kind == InstrumentKind::generic)
+        return {stated.reads_distance, stated.reads_azimuth, stated.reads_elevation};
     return {true, true, true};
 }
 
-std::size_t coordinate_index(const std::string& symbol) {
-    std::size_t i = 0;
-    while (symbol != station_coordinates()[i].symbol) ++i;  // a checked choice
-    return i;
+/// As layouts name it.
+std::string glyph_of(InstrumentKind kind) {
+    constexpr const char* glyphs[] = {"total-station", "tracker",        "scanner",
+                                      "camera",        "distance-meter", "total-station"};
+    return glyphs[static_cast<std::size_t>(kind)];
 }
 
-void read_station(const SetupReader& setup, SensorData& data, Problems& problems) {
-    data.station.coordinates = setup.pose_coordinates("station");
-    data.station.angles = setup.text("station_angles") == "xyz" ? StationAngles::xyz : StationAngles::zyx;
+void take_station(SensorData& data, Problems& problems) {
+    data.station = {data.placement.coordinates_si(), data.angles};
     for (std::size_t i = 0; i < 6; ++i) {
         const StationCoordinate& c = station_coordinates()[i];
         data.station_components[i] =
             typed_component(std::string("station.") + c.symbol, std::string("station, ") + c.name, c.unit,
-                            setup.number(c.key), setup.text("station_distribution"));
+                            data.u_station[i], data.station_distribution);
     }
-    if (setup.rows("station_correlation") > 0 && setup.text("station_distribution") != "normal")
+    if (!data.correlations.empty() && data.station_distribution != "normal")
         problems.error(
-            "/station_distribution",
+            sensor_fields().place(&StatedInstrument::station_distribution),
             "correlated coordinates of a station are combinations of independent deviations, which "
             "are normal: leave the distribution normal, or the correlation out");
-    for (std::size_t row = 0; row < setup.rows("station_correlation"); ++row) {
-        const std::size_t first = coordinate_index(setup.cell_text("station_correlation", row, "first"));
-        const std::size_t second = coordinate_index(setup.cell_text("station_correlation", row, "second"));
-        if (first == second)
-            return problems.error(
-                "/station_correlation/rows/" + std::to_string(row),
-                "a coordinate of the station is correlated with itself; name two different ones");
-        data.correlations.push_back({first, second, setup.cell_number("station_correlation", row, "r")});
-    }
+    for (std::size_t row = 0; row < data.correlations.size(); ++row)
+        if (data.correlations[row].first == data.correlations[row].second) {
+            data.correlations.resize(row);
+            problems.error(sensor_fields().place(&StatedInstrument::correlations, row),
+                           "a coordinate of the station is correlated with itself; name two different ones");
+        }
 }
 
-void read_view(const SetupReader& setup, SensorData& data, Problems& problems) {
-    FieldOfView& view = data.view;
-    view.nearest = setup.number("view_nearest");
-    if (setup.has("view_farthest")) view.farthest = setup.number("view_farthest");
-    if (setup.has("view_azimuth")) view.azimuth = 0.5 * setup.number("view_azimuth");
-    if (setup.has("view_elevation")) view.elevation = 0.5 * setup.number("view_elevation");
-    if (!(view.nearest < view.farthest))
-        problems.error("/view_farthest",
+void take_view(SensorData& data, Problems& problems) {
+    data.view.nearest = data.view_nearest;
+    data.view.farthest = data.view_farthest;
+    if (data.view_azimuth) data.view.azimuth = 0.5 * *data.view_azimuth;
+    if (data.view_elevation) data.view.elevation = 0.5 * *data.view_elevation;
+    if (!(data.view_nearest < data.view_farthest))
+        problems.error(sensor_fields().place(&StatedInstrument::view_farthest),
                        "the range ends before it begins: the longest distance must be "
                        "greater than the shortest");
 }
 
-std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLibrary&, Problems& problems) {
-    SensorData data;
-    data.reads = readings_of(setup);
+std::unique_ptr<Asset> create_instrument(const SetupReader& setup, const AssetLibrary& assets,
+                                         Problems& problems) {
+    SensorData data(sensor_fields().read(setup, assets, problems));
+    data.reads = readings_of(data);
     if (!data.reads[0] && !data.reads[1] && !data.reads[2]) {
-        problems.error("/reads_distance", "the sensor reads nothing: choose a distance or an angle");
+        problems.error(sensor_fields().place(&StatedInstrument::reads_distance),
+                       "the sensor reads nothing: choose a distance or an angle");
         return nullptr;
     }
-    data.glyph = setup.text("kind") == "generic" ? "total-station" : setup.text("kind");
-    data.specification = {setup.number("distance_constant"), setup.number("distance_scale"),
-                          setup.number("angle_azimuth"),     setup.number("angle_elevation"),
-                          setup.number("across_constant"),   setup.text("meaning")};
-    read_station(setup, data, problems);
-    read_view(setup, data, problems);
+    data.glyph = glyph_of(data.kind);
+    take_station(data, problems);
+    take_view(data, problems);
     const bool angles = data.reads[1] || data.reads[2];
-    for (const SharedField& field : shared_fields) {
+    for (const SharedDeviation& shared : shared_deviations) {
         const bool applies =
-            field.effect == effect_of_scale || field.effect == effect_of_zero ? data.reads[0] : angles;
-        const double u = setup.number(field.key);
+            shared.effect == effect_of_scale || shared.effect == effect_of_zero ? data.reads[0] : angles;
+        const double u = data.*shared.u;
         if (!applies || u == 0.0) continue;
-        data.systematic.push_back({typed_component(std::string(field.key).substr(2), field.name, field.unit,
-                                                   u, setup.text("distribution")),
-                                   field.effect});
+        data.systematic.push_back(
+            {typed_component(shared.id, shared.name, shared.unit, u, data.distribution), shared.effect});
     }
     auto instrument = std::make_unique<SphericalInstrument>(std::move(data));
     if (!has_valid_correlation(*offers<SensorSource>(instrument)))
         problems.error(
-            "/station_correlation",
+            sensor_fields().place(&StatedInstrument::correlations),
             "these coefficients are not possible together: their matrix has a negative eigenvalue");
     return instrument;
 }
@@ -364,7 +347,7 @@ AssetDescriptor spherical_instrument_kind() {
         "Scale, zero, index, collimation, squareness, beam offset and refraction are shared by all readings.",
         "Only a sensor that reads a distance and both angles can say by itself where a point is."};
     d.capabilities = {PointUncertaintySource::capability, SensorSource::capability};
-    d.schema = sensor_schema();
+    d.schema = sensor_fields().schema();
     d.create = create_instrument;
     return d;
 }

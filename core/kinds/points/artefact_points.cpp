@@ -15,10 +15,35 @@ namespace {
 
 constexpr std::array<const char*, 3> coordinates{"x", "y", "z"};
 
+/// Which coordinates define the frame: their errors say nothing.
+enum class Excluded { three_two_one, by_point, none };
+
 struct CalibratedPoint {
     std::string name;
-    Eigen::Vector3d position;
-    std::array<bool, 3> defines{};  ///< coordinates that define the frame: their errors say nothing
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    std::string defines;  ///< coordinates that define the frame, by_point
+};
+
+struct MeasuredPoint {
+    std::string point;
+    int run = 0;
+    Eigen::Vector3d indicated = Eigen::Vector3d::Zero();
+};
+
+struct CoordinateComponents {
+    std::size_t coordinate = 0;
+    PrintedComponents printed;
+};
+
+struct StatedArtefact {
+    std::vector<CalibratedPoint> points;
+    bool from_observations = true;
+    std::vector<MeasuredPoint> observations;
+    std::vector<CoordinateComponents> components;
+    Excluded excluded = Excluded::three_two_one;
+    StatedBias bias;
+    MeasuredArtefact measured;
+    bool by_distance = true;  ///< L_max of Eq 3
 };
 
 /// Eq 1 for one measured point; coordinates that define the frame are empty.
@@ -28,213 +53,182 @@ struct ObservedErrors {
     std::array<std::optional<double>, 3> e;
 };
 
-std::vector<FieldSpec> table_fields() {
-    const Unit mm = Unit::of("mm");
-    const auto length = [&](const char* key, const char* help) {
-        return ColumnSpec{.key = key, .title = key, .unit = mm, .help = help};
-    };
-    FieldSpec points{
-        .key = "points",
-        .title = "Calibrated points",
-        .kind = FieldKind::table,
-        .help = "The artefact's points with their calibrated coordinates in the artefact's frame.",
-        .optional = true,
-        .section = "Artefact"};
-    points.columns = {
-        {.key = "name", .title = "point", .kind = FieldKind::text, .help = "Name of the point."},
-        length("x", "Calibrated coordinate x."),
-        length("y", "Calibrated coordinate y."),
-        length("z", "Calibrated coordinate z."),
-        {.key = "defines",
-         .title = "defines",
-         .kind = FieldKind::text,
-         .optional = true,
-         .help = "Coordinates that define the frame (\"xyz\", \"yz\"), when they are named by "
-                 "point."}};
-    FieldSpec observations{.key = "observations",
-                           .title = "Observations",
-                           .kind = FieldKind::table,
-                           .help =
-                               "Measured coordinates in the artefact's frame: one row for each point and "
-                               "run, typed or from a CSV file.",
-                           .optional = true,
-                           .shown_if = from_observations(),
-                           .section = "Evaluation"};
-    observations.columns = {
-        {.key = "point", .title = "point", .kind = FieldKind::text, .help = "Name of a calibrated point."},
-        {.key = "run", .title = "run", .kind = FieldKind::integer, .help = "Number of the repetition."},
-        length("x", "Indicated coordinate x."),
-        length("y", "Indicated coordinate y."),
-        length("z", "Indicated coordinate z.")};
-    FieldSpec components{.key = "components",
-                         .title = "Components of uncertainty",
-                         .kind = FieldKind::table,
-                         .help = "One row for each coordinate, as Table 1 of the paper prints them.",
-                         .optional = true,
-                         .shown_if = from_components(),
-                         .section = "Evaluation"};
-    components.columns = {{.key = "coordinate",
-                           .title = "coordinate",
-                           .kind = FieldKind::choice,
-                           .choices = {{"x", "x"}, {"y", "y"}, {"z", "z"}},
-                           .help = "Coordinate of the row."}};
-    for (const ColumnSpec& column : component_columns()) components.columns.push_back(column);
-    return {points, observations, components};
+std::array<ColumnSpec, 3> coordinate_columns(const std::string& sort) {
+    std::array<ColumnSpec, 3> columns;
+    for (std::size_t i = 0; i < 3; ++i)
+        columns[i] = {.key = coordinates[i],
+                      .title = coordinates[i],
+                      .unit = Unit::of("mm"),
+                      .help = sort + " coordinate " + coordinates[i] + "."};
+    return columns;
 }
 
-FieldSpec exclusion_field() {
-    return {.key = "excluded",
-            .title = "Coordinates that define the frame",
-            .kind = FieldKind::choice,
-            .help =
-                "Errors of these coordinates are zero by construction of the frame and are left out of the "
-                "statistics.",
-            .default_value = std::string("three-two-one"),
-            .choices = {{"three-two-one", "first point x, y, z; second y, z; third z"},
-                        {"by-point", "as the points' column 'defines' says"},
-                        {"none", "none"}},
-            .shown_if = from_observations(),
-            .section = "Evaluation"};
+void add_points(Fields<StatedArtefact>& fields) {
+    fields.section("Artefact")
+        .table(&StatedArtefact::points, "points", "Calibrated points",
+               "The artefact's points with their calibrated coordinates in the artefact's frame.",
+               Columns<CalibratedPoint>()
+                   .add(&CalibratedPoint::name, "name", "point", "Name of the point.")
+                   .each(&CalibratedPoint::position, coordinate_columns("Calibrated"))
+                   .add(&CalibratedPoint::defines, "defines", "defines",
+                        "Coordinates that define the frame (\"xyz\", \"yz\"), when they are named by point.",
+                        {.optional = true}),
+               {.optional = true});
+    add_evaluation(fields, "Table 1");
+    fields
+        .table(&StatedArtefact::observations, "observations", "Observations",
+               "Measured coordinates in the artefact's frame: one row for each point and run, typed or from "
+               "a CSV file.",
+               Columns<MeasuredPoint>()
+                   .add(&MeasuredPoint::point, "point", "point", "Name of a calibrated point.")
+                   .add(&MeasuredPoint::run, "run", "run", "Number of the repetition.")
+                   .each(&MeasuredPoint::indicated, coordinate_columns("Indicated")),
+               {.optional = true})
+        .table(&StatedArtefact::components, "components", "Components of uncertainty",
+               "One row for each coordinate, as Table 1 of the paper prints them.",
+               Columns<CoordinateComponents>()
+                   .choice(&CoordinateComponents::coordinate, "coordinate", "coordinate",
+                           "Coordinate of the row.", {{0, "x", "x"}, {1, "y", "y"}, {2, "z", "z"}})
+                   .part(&CoordinateComponents::printed, component_columns()),
+               {.optional = true});
 }
 
-FieldSpec length_field() {
-    return {.key = "l_max",
-            .title = "Length for the thermal expansion",
-            .kind = FieldKind::choice,
-            .help =
-                "L_max of Eq 3. The paper's figures result with the largest distance between two points; "
-                "its text says the largest value of the coordinate, which gives 0 for a flat artefact's z.",
-            .default_value = std::string("largest-distance"),
-            .choices = {{"largest-distance", "largest distance between two points"},
-                        {"largest-coordinate", "largest value of the coordinate (text of Eq 3)"}},
-            .shown_if = from_observations(),
-            .section = "Temperature"};
+const Fields<StatedArtefact>& artefact_fields() {
+    using S = StatedArtefact;
+    static const auto fields = [] {
+        Fields<S> made;
+        add_points(made);
+        made.choice(&S::excluded, "excluded", "Coordinates that define the frame",
+                    "Errors of these coordinates are zero by construction of the frame and are left out of "
+                    "the statistics.",
+                    {{Excluded::three_two_one, "three-two-one", "first point x, y, z; second y, z; third z"},
+                     {Excluded::by_point, "by-point", "as the points' column 'defines' says"},
+                     {Excluded::none, "none", "none"}},
+                    Excluded::three_two_one)
+            .part(&S::bias, bias_fields())
+            .part(&S::measured, measured_artefact_fields())
+            .section("Temperature")
+            .choice(&S::by_distance, "l_max", "Length for the thermal expansion",
+                    "L_max of Eq 3. The paper's figures result with the largest distance between two "
+                    "points; its text says the largest value of the coordinate, which gives 0 for a flat "
+                    "artefact's z.",
+                    {{true, "largest-distance", "largest distance between two points"},
+                     {false, "largest-coordinate", "largest value of the coordinate (text of Eq 3)"}},
+                    true)
+            .shown_where(&S::from_observations, {true}, &S::observations, &S::excluded, &S::measured,
+                         &S::by_distance)
+            .shown_where(&S::from_observations, {false}, &S::components);
+        return made;
+    }();
+    return fields;
 }
 
-SetupSchema artefact_schema() {
-    std::vector<FieldSpec> tables = table_fields();
-    std::vector<FieldSpec> fields{tables[0], evaluation_field("Table 1"), tables[1], tables[2],
-                                  exclusion_field()};
-    append(fields, bias_fields());
-    fields.push_back(calibration_field());
-    append(fields, temperature_fields());
-    fields.push_back(length_field());
-    return SetupSchema(std::move(fields));
-}
-
-class ArtefactReader {
+class ArtefactEvaluation {
 public:
-    ArtefactReader(const SetupReader& setup, Problems& problems) : setup_(setup), problems_(problems) {}
-
-    std::vector<CalibratedPoint> points() {
-        std::vector<CalibratedPoint> points;
+    ArtefactEvaluation(const StatedArtefact& stated, Problems& problems)
+        : stated_(stated), problems_(problems) {
         std::set<std::string> names;
-        for (std::size_t row = 0; row < setup_.rows("points"); ++row) {
-            const std::string name = setup_.cell_text("points", row, "name");
+        for (std::size_t row = 0; row < stated_.points.size(); ++row) {
+            const std::string& name = stated_.points[row].name;
             if (!names.insert(name).second)
-                problems_.error("/points/rows/" + std::to_string(row),
+                problems_.error(artefact_fields().place(&StatedArtefact::points, row),
                                 "there are two points called '" + name + "'; rename one");
-            points.push_back({name, setup_.cell_vector("points", row, "x"), defined_by(row)});
+            defines_.push_back(defined_by(row));
         }
-        return points;
     }
 
-    std::vector<ObservedErrors> errors(const std::vector<CalibratedPoint>& points) {
-        const double expansion_at = read_temperature(setup_).expansion_at;
+    std::vector<ObservedErrors> errors() {
+        const double expansion_at = stated_.measured.expansion_at();
         std::vector<ObservedErrors> all;
-        for (std::size_t row = 0; row < setup_.rows("observations"); ++row) {
-            const std::string name = setup_.cell_text("observations", row, "point");
-            const auto point = std::find_if(points.begin(), points.end(),
-                                            [&](const CalibratedPoint& p) { return p.name == name; });
-            if (point == points.end()) {
-                problems_.error("/observations/rows/" + std::to_string(row) + "/point",
-                                "there is no calibrated point called '" + name + "'");
+        for (std::size_t row = 0; row < stated_.observations.size(); ++row) {
+            const MeasuredPoint& observation = stated_.observations[row];
+            const auto point =
+                std::find_if(stated_.points.begin(), stated_.points.end(),
+                             [&](const CalibratedPoint& p) { return p.name == observation.point; });
+            if (point == stated_.points.end()) {
+                problems_.error(
+                    artefact_fields().place(&StatedArtefact::observations, row, &MeasuredPoint::point),
+                    "there is no calibrated point called '" + observation.point + "'");
                 continue;
             }
-            ObservedErrors observed{
-                name, static_cast<int>(setup_.cell_number("observations", row, "run")), {}};
-            const Eigen::Vector3d e =
-                setup_.cell_vector("observations", row, "x") / expansion_at - point->position;  // Eq 1
+            ObservedErrors observed{observation.point, observation.run, {}};
+            const auto& defines = defines_[static_cast<std::size_t>(point - stated_.points.begin())];
+            const Eigen::Vector3d e = observation.indicated / expansion_at - point->position;  // Eq 1
             for (std::size_t i = 0; i < 3; ++i)
-                if (!point->defines[i]) observed.e[i] = e[static_cast<int>(i)];
+                if (!defines[i]) observed.e[i] = e[static_cast<int>(i)];
             all.push_back(observed);
         }
         return all;
     }
 
-    std::vector<ErrorBudget> budgets(const std::vector<CalibratedPoint>& points,
-                                     const std::vector<ObservedErrors>& errors) {
-        return setup_.text("evaluation") == "components" ? printed_budgets()
-                                                         : measured_budgets(points, errors);
+    std::vector<ErrorBudget> budgets(const std::vector<ObservedErrors>& errors) {
+        return stated_.from_observations ? measured_budgets(errors) : printed_budgets();
     }
 
 private:
     std::array<bool, 3> defined_by(std::size_t row) {
-        if (setup_.text("evaluation") == "components") return {};
-        const std::string rule = setup_.text("excluded");
-        if (rule == "none") return {};
-        if (rule == "three-two-one") return {row < 1, row < 2, row < 3};
-        const std::string letters = setup_.cell_text("points", row, "defines");
+        if (!stated_.from_observations || stated_.excluded == Excluded::none) return {};
+        if (stated_.excluded == Excluded::three_two_one) return {row < 1, row < 2, row < 3};
+        const std::string& letters = stated_.points[row].defines;
         if (letters.find_first_not_of("xyz") != std::string::npos)
-            problems_.error("/points/rows/" + std::to_string(row) + "/defines",
+            problems_.error(artefact_fields().place(&StatedArtefact::points, row, &CalibratedPoint::defines),
                             "'" + letters + "' must consist of the letters x, y and z");
         const auto has = [&](char c) { return letters.find(c) != std::string::npos; };
         return {has('x'), has('y'), has('z')};
     }
 
-    std::vector<ErrorBudget> measured_budgets(const std::vector<CalibratedPoint>& points,
-                                              const std::vector<ObservedErrors>& errors) {
+    std::vector<ErrorBudget> measured_budgets(const std::vector<ObservedErrors>& errors) {
         std::vector<ErrorBudget> budgets;
-        const ArtefactTemperature temperature = read_temperature(setup_);
         for (std::size_t i = 0; i < 3; ++i) {
             std::vector<double> e;
             for (const ObservedErrors& observed : errors)
                 if (observed.e[i]) e.push_back(*observed.e[i]);
             Result<ErrorBudget> budget = budget_of_errors(coordinates[i], e);
             if (!budget) {
-                problems_.error("/observations",
+                problems_.error(artefact_fields().place(&StatedArtefact::observations),
                                 std::string("coordinate ") + coordinates[i] +
                                     " has fewer than two observations that do not define the "
                                     "frame: measure more points or runs");
                 continue;
             }
-            budget->u_calibration = setup_.number("u_cal");
-            budget->u_temperature = temperature_uncertainty(expansion_length(points, static_cast<int>(i)),
-                                                            temperature.expansion, temperature.deviation);
+            budget->u_calibration = stated_.measured.u_calibration;
+            budget->u_temperature =
+                temperature_uncertainty(expansion_length(static_cast<int>(i)), stated_.measured.expansion,
+                                        stated_.measured.deviation);
             budgets.push_back(*budget);
         }
         return budgets;
     }
 
     // L_max of Eq 3.
-    double expansion_length(const std::vector<CalibratedPoint>& points, int i) const {
-        const bool by_distance = setup_.text("l_max") == "largest-distance";
+    double expansion_length(int i) const {
         double largest = 0.0;
-        for (const CalibratedPoint& p : points) {
-            if (!by_distance) largest = std::max(largest, std::abs(p.position[i]));
-            for (const CalibratedPoint& q : points)
-                if (by_distance) largest = std::max(largest, (p.position - q.position).norm());
+        for (const CalibratedPoint& p : stated_.points) {
+            if (!stated_.by_distance) largest = std::max(largest, std::abs(p.position[i]));
+            for (const CalibratedPoint& q : stated_.points)
+                if (stated_.by_distance) largest = std::max(largest, (p.position - q.position).norm());
         }
         return largest;
     }
 
     std::vector<ErrorBudget> printed_budgets() {
         std::vector<ErrorBudget> budgets;
-        for (const char* coordinate : coordinates) {
+        for (std::size_t i = 0; i < 3; ++i) {
             std::size_t found = 0;
-            for (std::size_t row = 0; row < setup_.rows("components"); ++row) {
-                if (setup_.cell_text("components", row, "coordinate") != coordinate) continue;
-                if (found++ == 0) budgets.push_back(read_component_row(setup_, row, coordinate));
-            }
+            for (const CoordinateComponents& row : stated_.components)
+                if (row.coordinate == i && found++ == 0)
+                    budgets.push_back(row.printed.budget(coordinates[i]));
             if (found != 1)
-                problems_.error("/components", std::string("coordinate ") + coordinate + " has " +
-                                                   std::to_string(found) + " rows; it must have one");
+                problems_.error(artefact_fields().place(&StatedArtefact::components),
+                                std::string("coordinate ") + coordinates[i] + " has " +
+                                    std::to_string(found) + " rows; it must have one");
         }
         return budgets;
     }
 
-    const SetupReader& setup_;
+    const StatedArtefact& stated_;
     Problems& problems_;
+    std::vector<std::array<bool, 3>> defines_;  ///< of each point
 };
 
 class ArtefactPoints : public Asset {
@@ -265,7 +259,7 @@ public:
         layout.frames.push_back({.name = "artefact"});
         LayoutBody plate{.name = "artefact", .kind = BodyKind::artefact};
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            const LayoutSource source{"/points/rows/" + std::to_string(i), true};
+            const LayoutSource source{artefact_fields().place(&StatedArtefact::points, i), true};
             layout.points.push_back({.name = points_[i].name,
                                      .kind = PointKind::nest,
                                      .p_W = points_[i].position,
@@ -316,17 +310,18 @@ private:
     OwnFrameSource source_;
 };
 
-std::unique_ptr<Asset> create_artefact(const SetupReader& setup, const AssetLibrary&, Problems& problems) {
-    ArtefactReader reader(setup, problems);
-    std::vector<CalibratedPoint> points = reader.points();
-    std::vector<ObservedErrors> errors;
-    if (setup.text("evaluation") == "observations") errors = reader.errors(points);
-    std::vector<ErrorBudget> budgets = reader.budgets(points, errors);
-    const DeviationRule rule{read_bias(setup), setup.flag("systematic_common"), 1.0,
+std::unique_ptr<Asset> create_artefact(const SetupReader& setup, const AssetLibrary& assets,
+                                       Problems& problems) {
+    StatedArtefact stated = artefact_fields().read(setup, assets, problems);
+    ArtefactEvaluation evaluation(stated, problems);
+    std::vector<ObservedErrors> errors = evaluation.errors();
+    std::vector<ErrorBudget> budgets = evaluation.budgets(errors);
+    const DeviationRule rule{stated.bias.treatment, stated.bias.systematic_common, 1.0,
                              "measured artefact, Porath et al., Eq. 2"};
-    check_correction(budgets, rule.bias, problems);
+    check_correction(budgets, rule.bias, artefact_fields().place(&StatedArtefact::components), problems);
     if (problems.has_errors()) return nullptr;
-    return std::make_unique<ArtefactPoints>(std::move(points), std::move(errors), std::move(budgets), rule);
+    return std::make_unique<ArtefactPoints>(std::move(stated.points), std::move(errors), std::move(budgets),
+                                            rule);
 }
 
 }  // namespace
@@ -350,7 +345,7 @@ AssetDescriptor artefact_points_kind() {
         "The noise of the three points that define the artefact's frame is part of the errors of the "
         "others; the errors of the defining coordinates themselves are never observed."};
     d.capabilities = {PointUncertaintySource::capability};
-    d.schema = artefact_schema();
+    d.schema = artefact_fields().schema();
     d.create = create_artefact;
     return d;
 }

@@ -11,73 +11,72 @@ namespace covaria {
 
 namespace {
 
-struct LengthError {
+struct MeasuredLength {
     std::string position;
     int run = 0;
-    double e = 0.0;  ///< Eq 4
+    double length = 0.0;
 };
 
-std::vector<FieldSpec> standard_table_fields() {
-    const Unit mm = Unit::of("mm");
-    FieldSpec observations{.key = "observations",
-                           .title = "Observations",
-                           .kind = FieldKind::table,
-                           .help =
-                               "Measured lengths: one row for each position and run, typed or from a CSV "
-                               "file. The paper proposes at least 14 positions of three runs.",
-                           .optional = true,
-                           .shown_if = from_observations(),
-                           .section = "Evaluation"};
-    observations.columns = {
-        {.key = "position",
-         .title = "position",
-         .kind = FieldKind::text,
-         .help = "Where the standard stood."},
-        {.key = "run", .title = "run", .kind = FieldKind::integer, .help = "Number of the repetition."},
-        {.key = "length", .title = "length", .unit = mm, .help = "Indicated length."}};
-    FieldSpec components{.key = "components",
-                         .title = "Components of uncertainty",
-                         .kind = FieldKind::table,
-                         .help = "One row, as Table 2 of the paper prints it.",
-                         .optional = true,
-                         .columns = component_columns(),
-                         .shown_if = from_components(),
-                         .section = "Evaluation"};
-    return {observations, components};
+struct StatedStandard {
+    double length = 0.0;
+    bool from_observations = true;
+    std::vector<MeasuredLength> observations;
+    std::vector<PrintedComponents> components;
+    StatedBias bias;
+    bool divided = false;  ///< a coordinate has the length's figure by √2
+    MeasuredArtefact measured;
+};
+
+void add_length_evaluation(Fields<StatedStandard>& fields) {
+    add_evaluation(fields, "Table 2");
+    fields
+        .table(&StatedStandard::observations, "observations", "Observations",
+               "Measured lengths: one row for each position and run, typed or from a CSV file. The paper "
+               "proposes at least 14 positions of three runs.",
+               Columns<MeasuredLength>()
+                   .add(&MeasuredLength::position, "position", "position", "Where the standard stood.")
+                   .add(&MeasuredLength::run, "run", "run", "Number of the repetition.")
+                   .add(&MeasuredLength::length, "length", "length", "Indicated length.",
+                        {.unit = Unit::of("mm")}),
+               {.optional = true})
+        .table(&StatedStandard::components, "components", "Components of uncertainty",
+               "One row, as Table 2 of the paper prints it.", component_columns(), {.optional = true})
+        .part(&StatedStandard::bias, bias_fields())
+        .choice(&StatedStandard::divided, "coordinate_uncertainty", "Uncertainty of a coordinate",
+                "A length is the difference of two points, so u of a length is √2 times u of a coordinate. "
+                "The paper uses the length's figure unchanged, which is cautious.",
+                {{false, "as-length", "that of the length (paper)"},
+                 {true, "divided-by-sqrt2", "that of the length divided by √2"}},
+                false);
 }
 
-SetupSchema length_schema() {
-    const Unit mm = Unit::of("mm");
-    std::vector<FieldSpec> fields{
-        {.key = "length",
-         .title = "Calibrated length",
-         .help = "Distance between the two nests, from the certificate. It should be "
-                 "like the largest distance between the points of both frames.",
-         .unit = mm,
-         .range = {.low = 0.0, .low_open = true},
-         .section = "Artefact"},
-        evaluation_field("Table 2")};
-    append(fields, standard_table_fields());
-    append(fields, bias_fields());
-    fields.push_back({.key = "coordinate_uncertainty",
-                      .title = "Uncertainty of a coordinate",
-                      .kind = FieldKind::choice,
-                      .help = "A length is the difference of two points, so u of a length is √2 times u of a "
-                              "coordinate. The paper uses the length's figure unchanged, which is cautious.",
-                      .default_value = std::string("as-length"),
-                      .choices = {{"as-length", "that of the length (paper)"},
-                                  {"divided-by-sqrt2", "that of the length divided by √2"}},
-                      .section = "Evaluation"});
-    fields.push_back(calibration_field());
-    append(fields, temperature_fields());
-    return SetupSchema(std::move(fields));
+const Fields<StatedStandard>& length_fields() {
+    static const auto fields = [] {
+        Fields<StatedStandard> made;
+        made.section("Artefact")
+            .add(&StatedStandard::length, "length", "Calibrated length",
+                 "Distance between the two nests, from the certificate. It should be like the largest "
+                 "distance "
+                 "between the points of both frames.",
+                 {.unit = Unit::of("mm"), .range = {.low = 0.0, .low_open = true}});
+        add_length_evaluation(made);
+        made.part(&StatedStandard::measured, measured_artefact_fields())
+            .shown_where(&StatedStandard::from_observations, {true}, &StatedStandard::observations,
+                         &StatedStandard::measured)
+            .shown_where(&StatedStandard::from_observations, {false}, &StatedStandard::components);
+        return made;
+    }();
+    return fields;
+}
+
+double error_of(const StatedStandard& stated, const MeasuredLength& observation) {
+    return observation.length / stated.measured.expansion_at() - stated.length;  // Eq 4
 }
 
 class LengthStandard : public Asset {
 public:
-    LengthStandard(double length, std::vector<LengthError> errors, ErrorBudget budget,
-                   const DeviationRule& rule)
-        : length_(length), errors_(std::move(errors)), budget_(std::move(budget)), rule_(rule) {
+    LengthStandard(StatedStandard stated, ErrorBudget budget, const DeviationRule& rule)
+        : stated_(std::move(stated)), budget_(std::move(budget)), rule_(rule) {
         std::vector<PointDeviation> deviations;
         constexpr std::array<const char*, 3> coordinates{"x", "y", "z"};
         for (int i = 0; i < 3; ++i)
@@ -92,13 +91,13 @@ public:
         DataTable budget = budget_table({budget_}, rule_.bias);
         if (rule_.factor < 1.0) budget.notes.push_back("A coordinate of a point has u_c divided by √2.");
         std::vector<DataTable> tables{budget};
-        if (!errors_.empty()) tables.push_back(error_table());
+        if (!stated_.observations.empty()) tables.push_back(error_table());
         return tables;
     }
 
     Layout layout() const override {
         Layout layout;
-        const Eigen::Vector3d end(length_, 0.0, 0.0);
+        const Eigen::Vector3d end(stated_.length, 0.0, 0.0);
         layout.points = {{.name = "1", .kind = PointKind::nest},
                          {.name = "2", .kind = PointKind::nest, .p_W = end}};
         layout.links = {{.name = "length standard", .kind = LinkKind::bar, .to_W = end}};
@@ -113,67 +112,51 @@ private:
         table.columns = {{.header = "position"},
                          {.header = "run"},
                          {.header = "e_L", .unit = Unit::of("mm"), .is_symbol = true, .digits = 3}};
-        for (const LengthError& error : errors_)
-            table.rows.push_back({error.position, static_cast<double>(error.run), error.e});
+        for (const MeasuredLength& o : stated_.observations)
+            table.rows.push_back({o.position, static_cast<double>(o.run), error_of(stated_, o)});
         return table;
     }
 
-    double length_;
-    std::vector<LengthError> errors_;
+    StatedStandard stated_;
     ErrorBudget budget_;
     DeviationRule rule_;
     OwnFrameSource source_;
 };
 
-std::vector<LengthError> read_errors(const SetupReader& setup) {
-    const double expansion_at = read_temperature(setup).expansion_at;
-    std::vector<LengthError> errors;
-    for (std::size_t row = 0; row < setup.rows("observations"); ++row)
-        errors.push_back({setup.cell_text("observations", row, "position"),
-                          static_cast<int>(setup.cell_number("observations", row, "run")),
-                          setup.cell_number("observations", row, "length") / expansion_at -
-                              setup.number("length")});  // Eq 4
-    return errors;
-}
-
-ErrorBudget measured_budget(const SetupReader& setup, const std::vector<LengthError>& errors,
-                            Problems& problems) {
+ErrorBudget measured_budget(const StatedStandard& stated, Problems& problems) {
     std::vector<double> e;
-    for (const LengthError& error : errors) e.push_back(error.e);
+    for (const MeasuredLength& observation : stated.observations) e.push_back(error_of(stated, observation));
     Result<ErrorBudget> budget = budget_of_errors("L", e);
     if (!budget) {
-        problems.error("/observations", "the length standard needs at least two observations");
+        problems.error(length_fields().place(&StatedStandard::observations),
+                       "the length standard needs at least two observations");
         return {};
     }
-    const ArtefactTemperature t = read_temperature(setup);
-    budget->u_calibration = setup.number("u_cal");
-    budget->u_temperature =
-        temperature_uncertainty(setup.number("length"), t.expansion, t.deviation);  // Eq 6
+    budget->u_calibration = stated.measured.u_calibration;
+    budget->u_temperature = temperature_uncertainty(stated.length, stated.measured.expansion,
+                                                    stated.measured.deviation);  // Eq 6
     return *budget;
 }
 
-ErrorBudget printed_budget(const SetupReader& setup, Problems& problems) {
-    if (setup.rows("components") == 1) return read_component_row(setup, 0, "L");
-    problems.error("/components",
-                   "the table must have one row; it has " + std::to_string(setup.rows("components")));
+ErrorBudget printed_budget(const StatedStandard& stated, Problems& problems) {
+    if (stated.components.size() == 1) return stated.components[0].budget("L");
+    problems.error(length_fields().place(&StatedStandard::components),
+                   "the table must have one row; it has " + std::to_string(stated.components.size()));
     return {};
 }
 
-std::unique_ptr<Asset> create_length_standard(const SetupReader& setup, const AssetLibrary&,
+std::unique_ptr<Asset> create_length_standard(const SetupReader& setup, const AssetLibrary& assets,
                                               Problems& problems) {
-    const bool measured = setup.text("evaluation") == "observations";
-    std::vector<LengthError> errors;
-    if (measured) errors = read_errors(setup);
+    StatedStandard stated = length_fields().read(setup, assets, problems);
     ErrorBudget budget =
-        measured ? measured_budget(setup, errors, problems) : printed_budget(setup, problems);
-    const bool divided = setup.text("coordinate_uncertainty") == "divided-by-sqrt2";
-    const DeviationRule rule{read_bias(setup), setup.flag("systematic_common"),
-                             divided ? 1.0 / std::numbers::sqrt2 : 1.0,
+        stated.from_observations ? measured_budget(stated, problems) : printed_budget(stated, problems);
+    const DeviationRule rule{stated.bias.treatment, stated.bias.systematic_common,
+                             stated.divided ? 1.0 / std::numbers::sqrt2 : 1.0,
                              "length standard, Porath et al., Eq. 5"};
-    if (!problems.has_errors()) check_correction({budget}, rule.bias, problems);
+    if (!problems.has_errors())
+        check_correction({budget}, rule.bias, length_fields().place(&StatedStandard::components), problems);
     if (problems.has_errors()) return nullptr;
-    return std::make_unique<LengthStandard>(setup.number("length"), std::move(errors), std::move(budget),
-                                            rule);
+    return std::make_unique<LengthStandard>(std::move(stated), std::move(budget), rule);
 }
 
 }  // namespace
@@ -194,7 +177,7 @@ AssetDescriptor length_standard_kind() {
         "u² = u_cal² + u_var² + u_T² + b² (Eq 5) with u_T = L α ΔT/√3 (Eq 6).",
         "A length is a difference of two points: dividing by √2 would be consistent; the paper does not."};
     d.capabilities = {PointUncertaintySource::capability};
-    d.schema = length_schema();
+    d.schema = length_fields().schema();
     d.create = create_length_standard;
     return d;
 }

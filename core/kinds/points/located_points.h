@@ -1,29 +1,25 @@
 // Input quantities of points that one instrument, or a typed figure, locates.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/model/asset.h"
+#include "core/kinds/points/point_uncertainty.h"
+#include "core/model/offered.h"
 #include "core/quantity/input_quantity.h"
+#include "core/setup/fields.h"
 
 namespace covaria {
 
 /// How points are located: a standard uncertainty of every coordinate, or an instrument of the project.
 struct PointLocator {
-    double u_point = 0.0;                     ///< m
-    std::string distribution;                 ///< shape of a deviation with u_point
-    std::shared_ptr<const Asset> instrument;  ///< null: u_point
-    std::string instrument_id, instrument_name;
+    bool typed = true;
+    double u_point = 0.0;      ///< m
+    std::string distribution;  ///< shape of a deviation with u_point
+    Offered<PointUncertaintySource> instrument;
 };
-
-/// From the fields "point_uncertainty", "u_point" and "instrument". Empty after an error.
-std::optional<PointLocator> read_locator(const SetupReader& setup, const AssetLibrary& assets,
-                                         Problems& problems);
-/// Fields of that name, in the section "Points".
-std::vector<FieldSpec> locator_fields();
+/// In the section "Points".
+const Fields<PointLocator>& locator_fields();
 
 struct LocatedPoint {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();

@@ -6,6 +6,7 @@
 #include "core/kinds/points/own_frame_source.h"
 #include "core/kinds/points/point_uncertainty.h"
 #include "core/kinds/points/stated_figure.h"
+#include "core/setup/fields.h"
 
 namespace covaria {
 
@@ -13,23 +14,27 @@ namespace {
 
 constexpr std::array<const char*, 3> point_coordinates{"x", "y", "z"};
 
-SetupSchema specification_schema() {
-    return SetupSchema(
-        {{.key = "figure",
-          .title = "Figure of the data sheet",
-          .help = "The uncertainty or limit that the manufacturer states, the same for x, y and z.",
-          .unit = Unit::of("mm"),
-          .range = {.low = 0.0},
-          .section = "Specification"},
-         meaning_field("Specification"),
-         {.key = "applies_to",
-          .title = "The figure applies to",
-          .kind = FieldKind::choice,
-          .help = "A coordinate of a point, or a length between two points; a length is the "
-                  "difference of two points, so a coordinate has 1/√2 of it.",
-          .default_value = std::string("coordinate"),
-          .choices = {{"coordinate", "a coordinate"}, {"length", "a length between two points"}},
-          .section = "Specification"}});
+struct StatedSpecification {
+    double figure = 0.0;
+    std::string meaning;
+    bool of_length = false;
+};
+
+const Fields<StatedSpecification>& specification_fields() {
+    using S = StatedSpecification;
+    static const auto fields =
+        Fields<S>()
+            .section("Specification")
+            .add(&S::figure, "figure", "Figure of the data sheet",
+                 "The uncertainty or limit that the manufacturer states, the same for x, y and z.",
+                 {.unit = Unit::of("mm"), .range = {.low = 0.0}})
+            .add(&S::meaning, meaning_field("Specification"))
+            .choice(&S::of_length, "applies_to", "The figure applies to",
+                    "A coordinate of a point, or a length between two points; a length is the difference of "
+                    "two points, so a coordinate has 1/√2 of it.",
+                    {{false, "coordinate", "a coordinate"}, {true, "length", "a length between two points"}},
+                    false);
+    return fields;
 }
 
 class PointSpecification : public Asset {
@@ -72,12 +77,13 @@ private:
     OwnFrameSource source_;
 };
 
-std::unique_ptr<Asset> create_specification(const SetupReader& setup, const AssetLibrary&, Problems&) {
-    const std::string meaning = setup.text("meaning");
-    const bool of_length = setup.text("applies_to") == "length";
-    const Distribution distribution = specified_distribution(meaning, setup.number("figure"))
-                                          .scaled(of_length ? 1.0 / std::numbers::sqrt2 : 1.0);
-    const std::string words = meaning_words(meaning) + (of_length ? ", of a length: divided by √2" : "");
+std::unique_ptr<Asset> create_specification(const SetupReader& setup, const AssetLibrary& assets,
+                                            Problems& problems) {
+    const StatedSpecification stated = specification_fields().read(setup, assets, problems);
+    const Distribution distribution = specified_distribution(stated.meaning, stated.figure)
+                                          .scaled(stated.of_length ? 1.0 / std::numbers::sqrt2 : 1.0);
+    const std::string words =
+        meaning_words(stated.meaning) + (stated.of_length ? ", of a length: divided by √2" : "");
     return std::make_unique<PointSpecification>(distribution, words);
 }
 
@@ -99,7 +105,7 @@ AssetDescriptor point_specification_kind() {
         "A specification taken alike in all directions overestimates, by a factor of 2 to 5 in the paper's "
         "example; an instrument that stands somewhere (spherical instrument) is closer to the truth."};
     d.capabilities = {PointUncertaintySource::capability};
-    d.schema = specification_schema();
+    d.schema = specification_fields().schema();
     d.create = create_specification;
     return d;
 }

@@ -38,6 +38,7 @@ struct JointDeviation {
 class PointUncertaintySource : public Capability {
 public:
     static constexpr const char* capability = "point-uncertainty";
+    static constexpr const char* lacking = "does not locate points by itself";
     enum class Axes {
         own_frame,  ///< directions are along the axes of the frame the points define
         world,      ///< directions are in the world frame (an instrument that stands somewhere)

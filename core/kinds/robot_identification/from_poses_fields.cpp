@@ -141,7 +141,7 @@ std::vector<FieldSpec> fields() {
         all.insert(all.end(), more.begin(), more.end());
     };
     add(simulation_fields());
-    add(locator_fields());
+    add(locator_fields().schema().fields());
     all.push_back({.key = "u_angle",
                    .title = "Standard uncertainty of an orientation",
                    .help = "Of the rotation of the measured tool about each of its axes, independent.",

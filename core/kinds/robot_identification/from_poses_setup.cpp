@@ -63,10 +63,8 @@ private:
                                 "without it, as it stands during the measurement");
             return false;
         }
-        auto locator = read_locator(setup_, assets_, problems_);
-        if (!locator) return false;
-        c_.locator = std::move(*locator);
-        return true;
+        c_.locator = locator_fields().read(setup_, assets_, problems_);
+        return c_.locator.typed || c_.locator.instrument;
     }
 
     void add_pose(MeasuredPose pose) {

@@ -86,7 +86,7 @@ std::vector<FieldSpec> fields() {
          .choices = {{"measured", "measured"}, {"simulated", "simulated"}},
          .section = "Points"},
         points_field()};
-    for (const std::vector<FieldSpec>& more : {simulation_fields(), locator_fields()})
+    for (const std::vector<FieldSpec>& more : {simulation_fields(), locator_fields().schema().fields()})
         all.insert(all.end(), more.begin(), more.end());
     all.push_back(
         {.key = "plane",

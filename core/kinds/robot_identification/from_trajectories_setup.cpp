@@ -73,7 +73,7 @@ private:
                                 "during the measurement");
         if (id_.robot().joints().size() < 2)
             problems_.error("/nominal", "an arm of one joint has no parameters between two axes");
-        if (auto locator = read_locator(setup_, assets_, problems_)) id_.locator = std::move(*locator);
+        id_.locator = locator_fields().read(setup_, assets_, problems_);
         return !problems_.has_errors();
     }
 

@@ -12,6 +12,10 @@ struct Lamp : Capability {
     static constexpr const char* capability = "light";
     double candela = 7.0;
 };
+struct Plug : Capability {
+    static constexpr const char* capability = "current";
+    static constexpr const char* lacking = "has no plug";
+};
 struct LampAsset : Asset, Lamp {
     LampAsset() { offer(*this); }
 };
@@ -44,25 +48,23 @@ Columns<Stated::Row> columns() {
     return Columns<Stated::Row>()
         .add(&Stated::Row::name, {.key = "name", .title = "name"})
         .add(&Stated::Row::u, {.key = "u", .title = "u", .unit = mm, .optional = true})
-        .choice(&Stated::Row::way, {.key = "way", .title = "way", .optional = true}, ways)
-        .vector(&Stated::Row::p, {ColumnSpec{.key = "x", .title = "x", .unit = mm},
-                                  ColumnSpec{.key = "y", .title = "y", .unit = mm},
-                                  ColumnSpec{.key = "z", .title = "z", .unit = mm}})
+        .choice(&Stated::Row::way, "way", "way", "h", ways, {.optional = true})
+        .each(&Stated::Row::p, std::array{ColumnSpec{.key = "x", .title = "x", .unit = mm},
+                                          ColumnSpec{.key = "y", .title = "y", .unit = mm},
+                                          ColumnSpec{.key = "z", .title = "z", .unit = mm}})
         .add(&Stated::Row::held, {.key = "held", .title = "held"});
 }
 
 Fields<Stated> declared() {
     Fields<Stated> fields;
-    fields.add(&Stated::length, {.key = "length", .title = "Length", .help = "h", .unit = Unit::of("mm")})
-        .add(&Stated::count,
-             {.key = "n", .title = "Count", .help = "h", .default_value = Quantity{3.0, Unit{}}})
-        .choice(&Stated::way, {.key = "way", .title = "Way", .help = "h"}, ways, Way::near)
-        .add(&Stated::only_far,
-             {.key = "far", .title = "Far", .help = "h", .default_value = Quantity{4.0, Unit{}}})
-        .add(&Stated::unit, {.key = "unit", .title = "Unit", .help = "h", .default_value = std::string("1")})
-        .add(&Stated::extra, {.key = "extra", .title = "Extra", .help = "h", .optional = true})
-        .add(&Stated::lamp, {.key = "lamp", .title = "Lamp", .help = "h", .optional = true})
-        .table(&Stated::rows, {.key = "table", .title = "Table", .help = "h", .optional = true}, columns())
+    fields.add(&Stated::length, "length", "Length", "h", {.unit = Unit::of("mm")})
+        .add(&Stated::count, "n", "Count", "h", {.default_value = Quantity{3.0, Unit{}}})
+        .choice(&Stated::way, "way", "Way", "h", ways, Way::near)
+        .add(&Stated::only_far, "far", "Far", "h", {.default_value = Quantity{4.0, Unit{}}})
+        .add(&Stated::unit, "unit", "Unit", "h", {.default_value = std::string("1")})
+        .add(&Stated::extra, "extra", "Extra", "h", {.optional = true})
+        .add(&Stated::lamp, "lamp", "Lamp", "h", {.optional = true})
+        .table(&Stated::rows, "table", "Table", "h", columns(), {.optional = true})
         .shown_where(&Stated::way, {Way::far}, &Stated::only_far);
     return fields;
 }
@@ -160,6 +162,87 @@ TEST_F(FieldsTest, AReferenceIsTheCapability) {
         EXPECT_EQ(problems.items()[0].path, "/lamp");
         EXPECT_EQ(problems.items()[0].message, "'" + id + "' does not offer 'light'");
     }
+}
+
+struct Spread {
+    std::array<double, 2> u{};
+    bool shared = false;
+    double only_shared = 0.0;
+};
+
+Fields<Spread> spread_fields() {
+    const auto figure = [](const char* key) {
+        return FieldSpec{.key = key, .title = key, .help = "h", .unit = Unit::of("mm"), .optional = true};
+    };
+    return Fields<Spread>()
+        .section("Spread")
+        .each(&Spread::u, std::array{figure("u_x"), figure("u_y")})
+        .choice(&Spread::shared, "shared", "Shared", "h",
+                {{false, "alone", "alone"}, {true, "all", "by all"}}, false)
+        .add(&Spread::only_shared, "weight", "Weight", "h", {.default_value = Quantity{2.0, Unit{}}})
+        .shown_where(&Spread::shared, {true}, &Spread::only_shared);
+}
+
+struct Whole {
+    struct Row {
+        std::string name;
+        Spread spread;
+    };
+    bool given = true;
+    Spread spread;
+    Offered<Plug> plug;
+    std::vector<Row> rows;
+};
+
+Fields<Whole> whole_fields() {
+    const auto column = [](const char* key) { return ColumnSpec{.key = key, .title = key}; };
+    return Fields<Whole>()
+        .section("All")
+        .add(&Whole::given, "given", "Given", "h", {.default_value = true})
+        .part(&Whole::spread, spread_fields())
+        .add(&Whole::plug, "plug", "Plug", "h", {.optional = true})
+        .table(&Whole::rows, "rows", "Rows", "h",
+               Columns<Whole::Row>()
+                   .add(&Whole::Row::name, "name", "name", "h")
+                   .part(&Whole::Row::spread,
+                         Columns<Spread>().each(&Spread::u, std::array{column("p"), column("q")})),
+               {.optional = true})
+        .shown_where(&Whole::given, {true}, &Whole::spread);
+}
+
+TEST(PartsOfFields, AreFieldsOfTheWhole) {
+    const SetupSchema schema = whole_fields().schema();
+    EXPECT_EQ(schema.keys(),
+              (std::vector<std::string>{"given", "u_x", "u_y", "shared", "weight", "plug", "rows"}));
+    EXPECT_EQ(schema.find("given")->section, "All");
+    for (const char* const key : {"u_x", "u_y", "weight"}) EXPECT_EQ(schema.find(key)->section, "Spread");
+    EXPECT_EQ(schema.find("plug")->section, "All");
+    EXPECT_EQ(schema.find("u_x")->shown_if->key, "given");
+    EXPECT_EQ(schema.find("u_y")->shown_if->values, std::vector<std::string>{"true"});
+    EXPECT_EQ(schema.find("weight")->shown_if->key, "shared") << "its own condition stays";
+    EXPECT_EQ(schema.find("weight")->shown_if->values, std::vector<std::string>{"all"}) << "the choice's key";
+    EXPECT_EQ(schema.find("rows")->columns[2].key, "q");
+}
+
+TEST(PartsOfFields, AreReadIntoTheirStruct) {
+    const Unit mm = Unit::of("mm"), one;
+    const SetupSchema schema = whole_fields().schema();
+    const covaria::Setup setup{{{"u_y", Quantity{3.0, mm}},
+                                {"shared", std::string("all")},
+                                {"plug", std::string("nobody")},
+                                {"rows", SetupTable{{one, one, one}, {{std::string("a"), 5.0, 6.0}}}}}};
+    Problems problems;
+    check_setup(schema, setup, problems);
+    EXPECT_TRUE(problems.items().empty());
+    const Whole read = whole_fields().read(SetupReader(schema, setup), {}, problems);
+    EXPECT_EQ(read.spread.u[0], 0.0);
+    EXPECT_DOUBLE_EQ(read.spread.u[1], 3e-3);
+    EXPECT_TRUE(read.spread.shared);
+    EXPECT_EQ(read.spread.only_shared, 2.0);
+    ASSERT_EQ(read.rows.size(), 1u);
+    EXPECT_EQ(read.rows[0].spread.u, (std::array{5.0, 6.0}));
+    ASSERT_EQ(problems.items().size(), 1u);
+    EXPECT_EQ(problems.items()[0].message, "'nobody' has no plug");
 }
 
 }  // namespace
