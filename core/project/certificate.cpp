@@ -175,7 +175,8 @@ bool is_missing(const CertificateField& field, const Certificate& certificate) {
 
 std::string complaint_about(const CertificateField& field, const std::string& text) {
     if (field.kind == CertificateText::country && !text.empty() && !is_country(text))
-        return "'" + std::string(field.key) + "' must be two capital letters, such as DE; it is '" + text + "'";
+        return "'" + std::string(field.key) + "' must be two capital letters, such as DE; it is '" + text +
+               "'";
     const bool interval = field.kind == CertificateText::dates;
     const bool dated = interval || field.kind == CertificateText::date;
     if (!dated || text.empty() || period_of(text, field.kind)) return {};
@@ -187,7 +188,8 @@ void check_certificate(const Certificate& certificate, Problems& problems) {
     for (const CertificateField& field : certificate_fields())
         if (const std::string complaint = complaint_about(field, certificate.*field.member);
             !complaint.empty())
-            problems.error(pointer_of(field), complaint);
+            problems.add({field.kind == CertificateText::country ? Severity::warning : Severity::error,
+                          pointer_of(field), complaint});
     check_order(certificate, &C::received, &C::calibrated,
                 "the item cannot have been calibrated before it was received", problems);
     check_order(certificate, &C::calibrated, &C::issued,
@@ -212,6 +214,8 @@ Problems missing_in_digital(const Certificate& certificate) {
     if (is_blank(certificate.country))
         missing.error(pointer_of(country), "'" + std::string(country.title) +
                                                "' must be stated (Digital Calibration Certificate)");
+    else if (const std::string complaint = complaint_about(country, certificate.country); !complaint.empty())
+        missing.error(pointer_of(country), complaint);
     return missing;
 }
 

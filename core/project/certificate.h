@@ -66,8 +66,8 @@ bool is_missing(const CertificateField& field, const Certificate& certificate);
 
 /// Why a text cannot stand in a field (a date or country that is none); empty where it can.
 std::string complaint_about(const CertificateField& field, const std::string& text);
-/// An error for texts that cannot stand there, a warning for dates in the wrong order; paths from the root of
-/// the project.
+/// An error for texts that cannot stand there, a warning for dates in the wrong order and for a country that
+/// only a digital certificate needs; paths from the root of the project.
 void check_certificate(const Certificate& certificate, Problems& problems);
 /// An error for all that the clauses require and that is missing.
 Problems missing_in(const Certificate& certificate);

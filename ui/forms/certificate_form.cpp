@@ -93,6 +93,7 @@ FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
     const FieldSpec spec = spec_of(field);
     switch (field.kind) {
         case CertificateText::line:
+        case CertificateText::country:
             return new TextEditor(spec, this);
         case CertificateText::lines:
             return new ProseEditor(spec, this);

@@ -78,10 +78,10 @@ public:
     LengthStandard(StatedStandard stated, ErrorBudget budget, const DeviationRule& rule)
         : stated_(std::move(stated)), budget_(std::move(budget)), rule_(rule) {
         std::vector<PointDeviation> deviations;
-        constexpr std::array<const char*, 3> coordinates{"x", "y", "z"};
+        constexpr std::array<const char*, 3> axes{"x", "y", "z"};
         for (int i = 0; i < 3; ++i)
-            for (PointDeviation& d : deviations_of(budget_, coordinates[static_cast<std::size_t>(i)],
-                                                   Eigen::Vector3d::Unit(i), rule_))
+            for (PointDeviation& d :
+                 deviations_of(budget_, axes[static_cast<std::size_t>(i)], Eigen::Vector3d::Unit(i), rule_))
                 deviations.push_back(std::move(d));
         source_ = OwnFrameSource(std::move(deviations));
         offer(source_);

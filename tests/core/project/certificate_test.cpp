@@ -159,6 +159,8 @@ TEST(Certificate, ACountryIsTwoCapitalLettersAndADigitalOneNeedsIt) {
             << wrong;
     Certificate certificate = full_certificate();
     EXPECT_EQ(messages(missing_in_digital(certificate)), "");
+    certificate.country = "Germany";
+    EXPECT_NE(messages(missing_in_digital(certificate)).find("two capital letters"), std::string::npos);
     certificate.country = " ";
     EXPECT_EQ(messages(missing_in(certificate)), "") << "paper does without";
     EXPECT_NE(messages(missing_in_digital(certificate))
