@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/project/certificate.h"
-#include "core/project/study.h"
+#include "core/project/design.h"
 #include "core/propagation/options.h"
 #include "core/quantity/distribution.h"
 #include "core/quantity/input_quantity.h"
@@ -84,6 +84,7 @@ struct AnalysisEntry {
     EvaluationOptions options = {};
     std::vector<Requirement> requirements = {};
     std::vector<Study> studies = {};
+    std::vector<Design> designs = {};
     bool operator==(const AnalysisEntry&) const = default;
 };
 

@@ -27,7 +27,7 @@ const fs::path root = COVARIA_SOURCE_DIR;
 const std::vector<std::string> core_order = {
     "core/base",    "core/math",  "core/text",   "core/equation",    "core/random", "core/quantity",
     "core/setup",   "core/model", "core/result", "core/propagation", "core/kinds",  "core/project",
-    "core/readers", "core/made",  "core/study",  "core/report"};
+    "core/readers", "core/made",  "core/study",  "core/design",      "core/report"};
 // The families of core/kinds, likewise; models.cpp and assets.cpp beside them list all.
 const std::vector<std::string> family_order = {"core/kinds/points",
                                                "core/kinds/instruments",
