@@ -97,7 +97,12 @@ Result<ChangedModel> CandidateJudge::model_of(const Candidate& candidate) {
     for (std::size_t i = 0; i < candidate.rows.size(); ++i)
         if (candidate.rows[i] != i) rows[i] = std::move(rows[candidate.rows[i]]);
     rows.resize(candidate.rows.size());
-    return changed_.make(true);
+    std::vector<std::size_t> assets = design_.assets_without_rows;
+    for (const std::size_t row : candidate.rows)
+        assets.insert(assets.end(), design_.assets_of_rows[row].begin(), design_.assets_of_rows[row].end());
+    std::sort(assets.begin(), assets.end());
+    assets.erase(std::unique(assets.begin(), assets.end()), assets.end());
+    return changed_.make_with(assets);
 }
 
 Judged CandidateJudge::judge_model(const ChangedModel& changed, Constraints constraints) const {
@@ -119,6 +124,9 @@ Judged CandidateJudge::judge_model(const ChangedModel& changed, Constraints cons
     Judged judged;
     for (const double U : summary->expanded_uncertainty) {
         if (!std::isfinite(U)) return infeasible("an uncertainty has no finite value");
+        // Differences that cancel, as between directions that are equal; not a measurement without
+        // uncertainty.
+        if (!(U > 0.0)) return infeasible("an uncertainty vanishes: the model is degenerate there");
         judged.expanded.push_back(U);
     }
     if (!references_.empty())

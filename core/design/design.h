@@ -26,6 +26,10 @@ struct PreparedDesign {
     Design design;
     detail::ChangedNumbers numbers;  ///< its analysis is that of the project
     std::optional<DesignTable> table;
+    /// Indices of the assets that the analysis uses without any row of the table, and those that each row
+    /// adds.
+    std::vector<std::size_t> assets_without_rows;
+    std::vector<std::vector<std::size_t>> assets_of_rows;
     std::vector<DesignedOutput> outputs;
     std::vector<double> present;  ///< values of the variables now, in their units
     std::string fingerprint;      ///< of the analysis

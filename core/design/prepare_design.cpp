@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/design/design.h"
+#include "core/project/links.h"
 #include "core/project/stated_requirements.h"
 #include "core/study/varied_part.h"
 
@@ -84,6 +85,32 @@ std::size_t asset_in(const Project& part, const std::string& id) {
     return asset ? static_cast<std::size_t>(asset - part.assets.data()) : StudyTarget::analysis;
 }
 
+/// Indices of the assets that the part's analysis uses when its table has these rows.
+std::vector<std::size_t> assets_used(Project part, const DesignTable& table,
+                                     std::vector<std::vector<SetupCell>> rows) {
+    Setup& setup =
+        table.asset == StudyTarget::analysis ? part.analyses.front().setup : part.assets[table.asset].setup;
+    std::get<SetupTable>(setup.values.at(table.key)).rows = std::move(rows);
+    std::vector<std::size_t> used;
+    for (const std::string& id : assets_used_by(part, part.analyses.front()))
+        used.push_back(asset_in(part, id));
+    std::sort(used.begin(), used.end());
+    return used;
+}
+
+// A candidate is made without the assets of the rows that it leaves out, which may be hundreds.
+void find_assets_of_rows(const Project& part, PreparedDesign& prepared) {
+    const DesignTable& table = *prepared.table;
+    prepared.assets_without_rows = assets_used(part, table, {});
+    const auto& base = prepared.assets_without_rows;
+    for (const auto& row : table.rows.rows) {
+        std::vector<std::size_t> further;
+        for (const std::size_t asset : assets_used(part, table, {row}))
+            if (!std::binary_search(base.begin(), base.end(), asset)) further.push_back(asset);
+        prepared.assets_of_rows.push_back(std::move(further));
+    }
+}
+
 /// What the design needs of the project; empty after an error.
 std::optional<Project> part_for(const Project& project, const AnalysisEntry& entry,
                                 PreparedDesign& prepared) {
@@ -129,6 +156,7 @@ std::shared_ptr<const PreparedDesign> prepare_design(const MadeProject::Pointer&
         return nullptr;
     for (std::size_t i = 0; i < design->variables.size(); ++i)
         prepared->present.push_back(present_value(prepared->numbers.axes[i], prepared->numbers.targets[i]));
+    if (prepared->table) find_assets_of_rows(*part, *prepared);
     prepared->numbers.made = MadeProject::make(without_choices(*std::move(part)), made);
     return prepared;
 }

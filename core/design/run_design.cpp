@@ -105,14 +105,16 @@ private:
         return fail(ErrorCode::bad_input, objection);
     }
 
-    /// It may break constraints, or be worse than its worst neighbour: its objective is without both.
+    /// Where it may not be as it is, its objective is without constraints and tolerances.
     void judge_present(SearchBook& book, const References& references) {
         std::vector<double> expanded;
         for (const DesignGoal& goal : result_.goals)
             if (goal.before) expanded.push_back(*goal.before);
         if (expanded.size() == references.size())
             result_.before = objective_of(design_.design.objective, expanded, references);
-        result_.why_not_before = book.judges().lend()->judge(chosen_).reason;
+        const Judged now = book.judges().lend()->judge(chosen_);
+        result_.why_not_before = now.reason;
+        if (now.feasible()) result_.before = now.objective;
     }
 
     void search(SearchBook& book) {

@@ -118,7 +118,7 @@ private:
             opt.optimize(from, merit);
         } catch (const nlopt::forced_stop&) {
             throw;
-        } catch (const std::runtime_error&) {  // rounding is in the way
+        } catch (const std::exception&) {  // rounding is in the way, a step has vanished
         }
     }
 

@@ -25,14 +25,26 @@ void ChangedProject::set(std::span<const double> values) {
     }
 }
 
-Result<ChangedModel> ChangedProject::make(bool setup_changed) const {
-    std::shared_ptr<const PreparedAnalysis> analysis = numbers_.analysis;
-    if (setup_changed || numbers_.reach_setup()) {
-        const auto made = MadeProject::make(project_, numbers_.made);
-        analysis = made->analysis(project_.analyses.front().id);
-        if (!analysis)
-            return fail(ErrorCode::numeric, first_error(made->problems(), "the model cannot be made"));
-    }
+Result<ChangedModel> ChangedProject::make() const {
+    return numbers_.reach_setup() ? of_state(project_) : of_analysis(numbers_.analysis);
+}
+
+Result<ChangedModel> ChangedProject::make_with(const std::vector<std::size_t>& assets) const {
+    Project state;
+    state.directory = project_.directory;
+    state.analyses = project_.analyses;
+    for (const std::size_t asset : assets) state.assets.push_back(project_.assets[asset]);
+    return of_state(std::move(state));
+}
+
+Result<ChangedModel> ChangedProject::of_state(Project state) const {
+    const auto made = MadeProject::make(std::move(state), numbers_.made);
+    auto analysis = made->analysis(project_.analyses.front().id);
+    if (!analysis) return fail(ErrorCode::numeric, first_error(made->problems(), "the model cannot be made"));
+    return of_analysis(std::move(analysis));
+}
+
+Result<ChangedModel> ChangedProject::of_analysis(std::shared_ptr<const PreparedAnalysis> analysis) const {
     auto inputs = varied(analysis->inputs);
     if (!inputs) return fail(inputs.error());
     return ChangedModel{std::move(analysis), *std::move(inputs)};

@@ -36,10 +36,14 @@ public:
     /// The state as it is now, for further changes; `set` begins from the unchanged values of its targets
     /// only.
     Project& project() { return project_; }
-    /// Error: why there is no model here. `setup_changed`: something else than the axes has changed.
-    Result<ChangedModel> make(bool setup_changed = false) const;
+    /// Error: why there is no model here.
+    Result<ChangedModel> make() const;
+    /// After other changes of the project too, which needs only these of its assets (rising indices).
+    Result<ChangedModel> make_with(const std::vector<std::size_t>& assets) const;
 
 private:
+    Result<ChangedModel> of_state(Project state) const;
+    Result<ChangedModel> of_analysis(std::shared_ptr<const PreparedAnalysis> analysis) const;
     Result<InputSet> varied(InputSet inputs) const;
 
     const ChangedNumbers& numbers_;
