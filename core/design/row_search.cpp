@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/random/uniforms.h"
 
@@ -159,16 +160,16 @@ Rows RowSearch::backward() {
 
 Rows RowSearch::exchanged(Rows rows, const std::string& search) {
     judge({rows}, search);
-    for (bool improved = true; improved && book_.left() > 0;) {
+    for (bool improved = true; improved;) {
         improved = false;
         const Rows before = rows;
         for (const std::size_t row : before) {
+            if (book_.left() == 0) return rows;
             if (is_fixed(row) || !contains(rows, row) || rows.size() == count_) continue;
             const Rows other = best_of(with_another(rows, row), search);
             if (!(merit_of(other).merit < better * merit_of(rows).merit)) continue;
             rows = other;
             improved = true;
-            if (book_.left() == 0) break;
         }
     }
     return rows;

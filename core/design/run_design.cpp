@@ -179,7 +179,7 @@ private:
     void verify(CandidateJudge& judge) {
         EvaluationOptions options = design_.numbers.analysis->options;
         options.method = Method::monte_carlo;
-        options.trials = design_.design.trials;
+        if (design_.design.trials > 0) options.trials = design_.design.trials;
         options.contributor_trials = options.one_at_a_time_trials = options.sobol_trials = 0;
         const auto changed = judge.model_of(chosen_);
         const auto verified = changed ? evaluate(changed->model(), changed->inputs, options,

@@ -50,7 +50,8 @@ struct Design {
     std::size_t starts = 10;                      ///< of the search: the present design and random ones
     std::uint64_t seed = 1;
     std::uint64_t most_evaluations = 20'000;
-    std::uint64_t trials = 100'000;  ///< of the Monte Carlo run by which the chosen design is verified
+    std::uint64_t trials =
+        0;  ///< of the Monte Carlo run that verifies the chosen design; 0: those of the analysis
     bool operator==(const Design&) const = default;
 };
 

@@ -156,7 +156,7 @@ private:
         if (design.starts < 1 || design.starts > most_design_starts)
             error("/starts", "there are 1 to " + std::to_string(most_design_starts) + " starts");
         if (design.most_evaluations < 1) error("/mostEvaluations", "at least one evaluation is needed");
-        if (design.trials < 2) error("/trials", "Monte Carlo needs at least two trials");
+        if (design.trials == 1) error("/trials", "Monte Carlo needs at least two trials");
     }
 
     const Project& project_;

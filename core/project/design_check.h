@@ -1,6 +1,8 @@
 // The table that a design chooses from, and problems of designs.
 #pragma once
 
+#include <optional>
+
 #include "core/project/study_target.h"
 
 namespace covaria {

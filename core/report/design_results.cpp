@@ -1,6 +1,7 @@
 #include "core/report/design_results.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
