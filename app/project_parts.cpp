@@ -29,7 +29,11 @@ const std::vector<Definition>& definitions() {
         {{"options", "how it is evaluated"}, "options"},
         {{"requirements", "target uncertainties and tolerances"}, "requirement"},
         {{"studies", "sweeps and maps"}, "study"},
-        {{"axes", "what a study varies"}, "studyAxis"}};
+        {{"axes", "what a study varies"}, "studyAxis"},
+        {{"designs", "where to stand, what to measure"}, "design"},
+        {{"variables", "numbers that a design chooses"}, "designVariable"},
+        {{"choose", "rows that a design chooses from"}, "designChoice"},
+        {{"boxes", "boxes of a design, in keepOut and hiddenBy"}, "designBox"}};
     return all;
 }
 
@@ -130,7 +134,7 @@ Result<std::optional<std::string>> description_of_part(const std::string& name) 
     out << "\nFields\n";
     write_object(out, object, "  ");
     if (name == "components") write_distributions(out);
-    if (name == "axes") out << "\nTargets\n" << study_targets_text();
+    if (name == "axes" || name == "variables") out << "\nTargets\n" << study_targets_text();
     return std::optional<std::string>(out.str());
 }
 

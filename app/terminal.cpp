@@ -47,15 +47,20 @@ void print_problems(const Problems& problems) {
 std::function<void(const Progress&)> progress_line(const std::string& what) {
     if (!isatty(STDERR_FILENO)) return {};
     return [what](const Progress& p) {
-        progress_shown = true;
-        if (p.trials_planned > 0)
-            std::fprintf(stderr, "\r\x1b[K%s: %3.0f %%", what.c_str(),
-                         100.0 * double(p.trials_done) / double(p.trials_planned));
-        else
-            std::fprintf(stderr, "\r\x1b[K%s: %llu trials", what.c_str(),
-                         static_cast<unsigned long long>(p.trials_done));
-        std::fflush(stderr);
+        const double done =
+            p.trials_planned > 0 ? 100.0 * double(p.trials_done) / double(p.trials_planned) : 0;
+        char percent[16];
+        std::snprintf(percent, sizeof percent, "%3.0f %%", done);
+        show_progress(what + ": " +
+                      (p.trials_planned > 0 ? percent : std::to_string(p.trials_done) + " trials"));
     };
+}
+
+void show_progress(const std::string& words) {
+    if (!isatty(STDERR_FILENO)) return;
+    progress_shown = true;
+    std::fprintf(stderr, "\r\x1b[K%s", words.c_str());
+    std::fflush(stderr);
 }
 
 }  // namespace covaria

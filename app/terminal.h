@@ -17,6 +17,8 @@ void print_message(const std::string& message);
 
 /// A progress callback that keeps one line up to date on a terminal; empty when stderr is not a terminal.
 std::function<void(const Progress&)> progress_line(const std::string& what);
+/// Puts words in its place; nothing when stderr is not a terminal.
+void show_progress(const std::string& words);
 /// Ends the progress line, if there is one.
 void end_progress_line();
 

@@ -21,6 +21,7 @@ struct Command {
 
 Command run_command(CLI::App& app);
 Command check_command(CLI::App& app);
+Command design_command(CLI::App& app);
 Command report_command(CLI::App& app);
 Command render_command(CLI::App& app);
 Command validate_command(CLI::App& app);

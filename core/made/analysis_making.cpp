@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "core/kinds/models.h"
+#include "core/project/design_check.h"
 #include "core/project/input_edits.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/links.h"
@@ -248,14 +249,17 @@ std::shared_ptr<const PreparedAnalysis> AnalysisMaking::prepared() const {
 }
 
 void AnalysisMaking::check_studies() {
-    if (entry_.studies.empty()) return;
-    if (chain_stays() && choices_stay() && before_.assets_stay && before_.entry->studies == entry_.studies) {
+    if (entry_.studies.empty() && entry_.designs.empty()) return;
+    if (chain_stays() && choices_stay() && before_.assets_stay && before_.entry->studies == entry_.studies &&
+        before_.entry->designs == entry_.designs) {
         made_->of_studies = before_.made->of_studies;
         return;
     }
     const PreparedAnalysis* prepared = made_->prepared.get();
-    covaria::check_studies(project_.project(), entry_, prepared ? &prepared->inputs : nullptr,
-                           prepared ? &prepared->model->outputs() : nullptr, made_->of_studies);
+    const InputSet* inputs = prepared ? &prepared->inputs : nullptr;
+    const auto* outputs = prepared ? &prepared->model->outputs() : nullptr;
+    covaria::check_studies(project_.project(), entry_, inputs, outputs, made_->of_studies);
+    check_designs(project_.project(), entry_, inputs, outputs, made_->of_studies);
 }
 
 }  // namespace covaria

@@ -51,7 +51,7 @@ struct MadeAnalysis : MadeEntry {
     std::shared_ptr<const PropagatedModel> propagated = {};  ///< null after an error
     Problems of_chain = {};
     std::shared_ptr<const PreparedAnalysis> prepared = {};  ///< null after an error
-    Problems of_studies = {};                               ///< not among `problems`
+    Problems of_studies = {};                               ///< and of designs; not among `problems`
 };
 
 }  // namespace covaria

@@ -42,7 +42,7 @@ public:
 
     /// Everything that is wrong, with paths from the root of the project.
     Problems problems() const;
-    /// Of one analysis without its studies; an error that names it where there is none.
+    /// Of one analysis without its studies and designs; an error that names it where there is none.
     Problems problems_of_analysis(const std::string& id) const;
     /// All that is to be said beside the results of an analysis: warnings of the assets that it uses ("asset
     /// ID: ..."), then its own.

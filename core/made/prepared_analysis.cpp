@@ -18,6 +18,7 @@ Project AnalysisNumbers::part() const {
         part.assets.push_back(*project_->find_asset(id));
     part.analyses.push_back(entry);
     part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
+    part.analyses.back().designs.clear();
     add_used_analyses(*project_, entry, part);
     return part;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/project/design_json.h"
+#include "core/project/json_lists.h"
 #include "core/project/json_location.h"
 #include "core/project/options_json.h"
 #include "core/project/setup_json.h"
@@ -164,14 +166,6 @@ Requirement read_requirement(const Json& value, const std::string& path, Problem
     return requirement;
 }
 
-// One item after the other, with its path.
-template <class T, class Read>
-void read_list(ObjectReader& reader, const std::string& key, std::vector<T>& out, Read read) {
-    const Json* list = reader.list(key);
-    for (std::size_t i = 0; list && i < list->size(); ++i)
-        out.push_back(read((*list)[i], reader.path_of(key) + "/" + std::to_string(i), reader.problems()));
-}
-
 void text_if_given(JsonWriter& out, const char* key, const std::string& text) {
     if (text.empty()) return;
     out.key(key);
@@ -300,15 +294,6 @@ void write_requirement(JsonWriter& out, const Requirement& requirement) {
     out.end();
 }
 
-template <class T, class Write>
-void write_list(JsonWriter& out, const char* key, const std::vector<T>& items, Write write) {
-    if (items.empty()) return;
-    out.key(key);
-    out.begin_list();
-    for (const T& item : items) write(out, item);
-    out.end();
-}
-
 }  // namespace
 
 void read_analysis_details(ObjectReader& reader, AnalysisEntry& analysis) {
@@ -319,6 +304,7 @@ void read_analysis_details(ObjectReader& reader, AnalysisEntry& analysis) {
         analysis.options = options_from_json(*options, reader.path_of("options"), reader.problems());
     read_list(reader, "requirements", analysis.requirements, read_requirement);
     read_list(reader, "studies", analysis.studies, study_from_json);
+    read_list(reader, "designs", analysis.designs, design_from_json);
 }
 
 void write_analysis_details(JsonWriter& out, const AnalysisEntry& analysis) {
@@ -331,6 +317,7 @@ void write_analysis_details(JsonWriter& out, const AnalysisEntry& analysis) {
     }
     write_list(out, "requirements", analysis.requirements, write_requirement);
     write_list(out, "studies", analysis.studies, write_study);
+    write_list(out, "designs", analysis.designs, write_design);
 }
 
 }  // namespace covaria

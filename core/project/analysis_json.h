@@ -1,5 +1,5 @@
 // The parts of an analysis beside its set-up, in project files: input edits, correlations, options,
-// requirements, studies.
+// requirements, studies, designs.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@
 
 namespace covaria {
 
-/// Read "inputs", "correlations", "options", "requirements" and "studies" of the analysis at `path`.
+/// Read "inputs", "correlations", "options", "requirements", "studies" and
+/// "designs" of the analysis at `path`.
 void read_analysis_details(ObjectReader& reader, AnalysisEntry& analysis);
 /// Writes those that are not empty or default.
 void write_analysis_details(JsonWriter& out, const AnalysisEntry& analysis);

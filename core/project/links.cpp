@@ -281,6 +281,7 @@ void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Pr
     for (const std::string& id : analyses_used_by(project, analysis)) {
         part.analyses.push_back(*project.find_analysis(id));
         part.analyses.back().studies.clear();
+        part.analyses.back().designs.clear();
         part.analyses.back().requirements.clear();
         part.analyses.back().options = {};  // of its own evaluation
     }

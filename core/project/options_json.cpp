@@ -12,6 +12,13 @@
 
 namespace covaria {
 
+std::optional<std::uint64_t> seed_from(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (status != std::errc{} || end != text.data() + text.size()) return {};
+    return seed;
+}
+
 namespace {
 
 // Reads one key into the member that it is declared for; a key that is absent leaves the default.
@@ -42,10 +49,10 @@ struct OptionReader {
     void operator()(const SeedOption& seed) {
         const std::string text = reader.text(field.key);
         if (!is_text()) return;
-        const auto [end, status] =
-            std::from_chars(text.data(), text.data() + text.size(), options.*seed.member);
-        if (status != std::errc{} || end != text.data() + text.size())
-            refuse("a whole number from 0 to 18446744073709551615, in quotes", "'" + text + "'");
+        if (const auto number = seed_from(text))
+            options.*seed.member = *number;
+        else
+            refuse(seed_words, "'" + text + "'");
     }
 
     void operator()(std::uint64_t EvaluationOptions::*member) {

@@ -1,6 +1,8 @@
 // Evaluation options in project files: only what is not default is written.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/project/json_writer.h"
@@ -12,5 +14,9 @@ namespace covaria {
 EvaluationOptions options_from_json(const Json& value, const std::string& path, Problems& problems);
 /// An object on its own lines; the options are not all default.
 void write_options(JsonWriter& out, const EvaluationOptions& options);
+
+/// Seeds are texts, because they may need 64 bits; empty: the text is no seed.
+std::optional<std::uint64_t> seed_from(const std::string& text);
+inline constexpr const char* seed_words = "a whole number from 0 to 18446744073709551615, in quotes";
 
 }  // namespace covaria

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/project/certificate.h"
+#include "core/project/design.h"
 #include "core/project/report_contents.h"
 #include "core/project/study.h"
 #include "core/propagation/options.h"
@@ -85,6 +86,7 @@ struct AnalysisEntry {
     EvaluationOptions options = {};
     std::vector<Requirement> requirements = {};
     std::vector<Study> studies = {};
+    std::vector<Design> designs = {};
     bool operator==(const AnalysisEntry&) const = default;
 };
 

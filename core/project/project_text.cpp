@@ -73,6 +73,7 @@ Project numbers_only(Project project) {
         analysis.notes.clear();
         analysis.requirements.clear();
         for (Study& study : analysis.studies) study.name.clear();
+        analysis.designs.clear();
         keep_numbers(analysis.setup);
         for (InputEdit& edit : analysis.inputs) {
             if (!edit.components) continue;

@@ -32,6 +32,23 @@ public:
         }
     }
 
+    void check_axis(const StudyAxis& axis, const std::string& path) {
+        if (axis.values < 2) problems_.error(path + "/values", "an axis needs at least two values");
+        if (!std::isfinite(axis.from) || !std::isfinite(axis.to) || axis.from == axis.to)
+            problems_.error(path + "/to", "'from' and 'to' must be two different numbers");
+        if (axis.spacing == StudySpacing::logarithmic && !(axis.from > 0 && axis.to > 0))
+            problems_.error(path + "/spacing",
+                            "with logarithmic spacing both ends must be greater than zero");
+        const auto target = find_study_target(project_, analysis_, inputs_, axis);
+        if (!target) return problems_.error(path + target.error().path, target.error().message);
+        check_change(axis, *target, path);
+        if (target->whole && axis.change == StudyChange::value &&
+            std::abs(axis.to - axis.from) + 1.0 < static_cast<double>(axis.values))
+            problems_.error(path + "/values", "'" + to_unicode(target->title) +
+                                                  "' takes whole numbers: there are fewer than " +
+                                                  std::to_string(axis.values) + " between the ends");
+    }
+
 private:
     void check(const Study& study) {
         if (!is_project_id(study.id))
@@ -50,7 +67,8 @@ private:
                                     in_quotes(study.axes[i].target) + " is varied by two axes");
         }
         for (std::size_t i = 0; i < study.outputs.size(); ++i)
-            check_output(study.outputs[i], path_ + "/outputs/" + std::to_string(i));
+            check_study_output(outputs_, study.outputs[i], path_ + "/outputs/" + std::to_string(i),
+                               problems_);
         if (study.method == Method::monte_carlo && study.trials < 2)
             problems_.error(path_ + "/trials", "Monte Carlo needs at least two trials");
     }
@@ -62,23 +80,6 @@ private:
             problems_.error(path_ + "/axes", "the grid has " + readable_number(points) +
                                                  " points; a study may have " +
                                                  std::to_string(most_study_points));
-    }
-
-    void check_axis(const StudyAxis& axis, const std::string& path) {
-        if (axis.values < 2) problems_.error(path + "/values", "an axis needs at least two values");
-        if (!std::isfinite(axis.from) || !std::isfinite(axis.to) || axis.from == axis.to)
-            problems_.error(path + "/to", "'from' and 'to' must be two different numbers");
-        if (axis.spacing == StudySpacing::logarithmic && !(axis.from > 0 && axis.to > 0))
-            problems_.error(path + "/spacing",
-                            "with logarithmic spacing both ends must be greater than zero");
-        const auto target = find_study_target(project_, analysis_, inputs_, axis);
-        if (!target) return problems_.error(path + target.error().path, target.error().message);
-        check_change(axis, *target, path);
-        if (target->whole && axis.change == StudyChange::value &&
-            std::abs(axis.to - axis.from) + 1.0 < static_cast<double>(axis.values))
-            problems_.error(path + "/values", "'" + to_unicode(target->title) +
-                                                  "' takes whole numbers: there are fewer than " +
-                                                  std::to_string(axis.values) + " between the ends");
     }
 
     void check_change(const StudyAxis& axis, const StudyTarget& target, const std::string& path) {
@@ -103,18 +104,6 @@ private:
         const std::string objection =
             unit_objection(to_unicode(target.title), {axis.from, axis.unit}, target.unit);
         if (!objection.empty() && std::isfinite(axis.from)) problems_.error(path + "/unit", objection);
-    }
-
-    void check_output(const StudyOutput& wanted, const std::string& path) {
-        if (!outputs_) return;
-        std::vector<std::string> symbols;
-        for (const OutputQuantity& output : *outputs_) {
-            if (output.group == wanted.group && output.symbol == wanted.symbol) return;
-            symbols.push_back(output.symbol);
-        }
-        const std::string where = wanted.group.empty() ? "" : " in " + in_quotes(wanted.group);
-        problems_.error(path, "the model has no output quantity " + in_quotes(wanted.symbol) + where +
-                                  did_you_mean(wanted.symbol, symbols));
     }
 
     const Project& project_;
@@ -218,6 +207,24 @@ private:
 void check_studies(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
                    const std::vector<OutputQuantity>* outputs, Problems& problems) {
     StudyCheck(project, analysis, inputs, outputs, problems).run();
+}
+
+void check_study_axis(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
+                      const StudyAxis& axis, const std::string& path, Problems& problems) {
+    StudyCheck(project, analysis, inputs, nullptr, problems).check_axis(axis, path);
+}
+
+void check_study_output(const std::vector<OutputQuantity>* outputs, const StudyOutput& wanted,
+                        const std::string& path, Problems& problems) {
+    if (!outputs) return;
+    std::vector<std::string> symbols;
+    for (const OutputQuantity& output : *outputs) {
+        if (output.group == wanted.group && output.symbol == wanted.symbol) return;
+        symbols.push_back(output.symbol);
+    }
+    const std::string where = wanted.group.empty() ? "" : " in " + in_quotes(wanted.group);
+    problems.error(path, "the model has no output quantity " + in_quotes(wanted.symbol) + where +
+                             did_you_mean(wanted.symbol, symbols));
 }
 
 std::vector<StudyTargetChoice> study_targets(const Project& project, const AnalysisEntry& analysis,

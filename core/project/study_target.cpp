@@ -42,13 +42,6 @@ std::optional<std::size_t> index_from(const std::string& text) {
     return index;
 }
 
-// What stands first in a row: a name or a reference; else its number.
-std::string row_words(const SetupTable& table, std::size_t row) {
-    for (const SetupCell& cell : table.rows[row])
-        if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) return *text;
-    return "row " + std::to_string(row + 1);
-}
-
 class TargetFinder {
 public:
     TargetFinder(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
@@ -232,6 +225,12 @@ private:
 };
 
 }  // namespace
+
+std::string row_words(const SetupTable& table, std::size_t row) {
+    for (const SetupCell& cell : table.rows[row])
+        if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) return *text;
+    return "row " + std::to_string(row + 1);
+}
 
 Result<StudyTarget> find_study_target(const Project& project, const AnalysisEntry& analysis,
                                       const InputSet* inputs, const StudyAxis& axis) {

@@ -36,6 +36,9 @@ struct StudyTarget {
 Result<StudyTarget> find_study_target(const Project& project, const AnalysisEntry& analysis,
                                       const InputSet* inputs, const StudyAxis& axis);
 
+/// What stands first in a row of a table: a name or a reference; else its number ("row 3").
+std::string row_words(const SetupTable& table, std::size_t row);
+
 /// Writes the varied number(s) into `varied`, which is the set-up `base` otherwise. `value` in the axis'
 /// unit.
 void vary_setup(const StudyTarget& target, const StudyAxis& axis, double value, const Setup& base,
@@ -55,5 +58,10 @@ std::vector<StudyTargetChoice> study_targets(const Project& project, const Analy
 /// `inputs` are null when the model could not be made.
 void check_studies(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
                    const std::vector<OutputQuantity>* outputs, Problems& problems);
+/// Of an axis, and of an output that is looked at.
+void check_study_axis(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
+                      const StudyAxis& axis, const std::string& path, Problems& problems);
+void check_study_output(const std::vector<OutputQuantity>* outputs, const StudyOutput& wanted,
+                        const std::string& path, Problems& problems);
 
 }  // namespace covaria

@@ -10,31 +10,12 @@ namespace covaria::detail {
 
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
-
 std::vector<StudyOutput> wanted_outputs(const PreparedStudy& prepared) {
     if (!prepared.study.outputs.empty()) return prepared.study.outputs;
     std::vector<StudyOutput> wanted;
     for (const OutputQuantity& output : prepared.analysis->model->outputs())
         if (output.role == OutputRole::measurand) wanted.push_back({output.group, output.symbol});
     return wanted;
-}
-
-/// Index of an output in a model: mostly where it was in the unchanged one.
-std::size_t find_output(const std::vector<OutputQuantity>& outputs, const StudyOutput& wanted,
-                        std::size_t guess) {
-    const auto fits = [&](const OutputQuantity& output) {
-        return output.symbol == wanted.symbol && output.group == wanted.group;
-    };
-    if (guess < outputs.size() && fits(outputs[guess])) return guess;
-    const auto found = std::find_if(outputs.begin(), outputs.end(), fits);
-    return found == outputs.end() ? none : static_cast<std::size_t>(found - outputs.begin());
-}
-
-std::vector<double> estimates_of(const InputSet& inputs) {
-    std::vector<double> x;
-    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) x.push_back(estimate_of(inputs, i));
-    return x;
 }
 
 /// The points of the layout whose three coordinates are among the outputs looked at.
@@ -64,82 +45,47 @@ EvaluatedPoint without_values(const std::string& reason) {
 
 }  // namespace
 
-StudyPlan::StudyPlan(const PreparedStudy& study) : prepared(study), outputs(wanted_outputs(study)) {
+StudyPlan::StudyPlan(const PreparedStudy& study)
+    : prepared(study),
+      numbers{study.made, study.analysis, study.study.axes, study.targets},
+      outputs(wanted_outputs(study)) {
     options = prepared.analysis->options;
     options.method = prepared.study.method;
     options.trials = prepared.study.trials;
     for (std::size_t axis = 0; axis < prepared.study.axes.size(); ++axis) {
         values.push_back(axis_values(prepared.study.axes[axis], prepared.targets[axis].whole));
         points *= values.back().size();
-        setup_varied = setup_varied || prepared.targets[axis].in_setup();
     }
     for (const StudyOutput& output : outputs)
-        indices.push_back(find_output(prepared.analysis->model->outputs(), output, none));
+        indices.push_back(find_output(prepared.analysis->model->outputs(), output, no_output));
     triples = triples_of(*prepared.analysis, indices);
 }
 
-GridWalker::GridWalker(const StudyPlan& plan) : plan_(plan), project_(plan.prepared.made->project()) {}
+GridWalker::GridWalker(const StudyPlan& plan) : plan_(plan), changed_(plan.numbers) {}
 
 EvaluatedPoint GridWalker::evaluate(std::size_t point, const std::function<bool(std::uint64_t)>& advance) {
-    std::vector<std::size_t> indices(plan_.values.size());
-    for (std::size_t axis = indices.size(); axis-- > 0;) {
-        indices[axis] = point % plan_.values[axis].size();
+    std::vector<double> values(plan_.values.size());
+    for (std::size_t axis = values.size(); axis-- > 0;) {
+        values[axis] = plan_.values[axis][point % plan_.values[axis].size()];
         point /= plan_.values[axis].size();
     }
-    auto evaluated = guarded([&] { return of_grid_point(indices, advance); });
+    auto evaluated = guarded([&]() -> EvaluatedPoint {
+        changed_.set(values);
+        const auto model = changed_.make();
+        return model ? of_model(*model, advance) : without_values(model.error().message);
+    });
     if (!evaluated) return without_values(evaluated.error().message);
     return *std::move(evaluated);
 }
 
-EvaluatedPoint GridWalker::of_grid_point(const std::vector<std::size_t>& indices,
-                                         const std::function<bool(std::uint64_t)>& advance) {
-    change(indices);
-    if (!plan_.setup_varied)
-        return of_model(*plan_.prepared.analysis->model, plan_.prepared.analysis->inputs, advance);
-    const auto made = MadeProject::make(project_, plan_.prepared.made);
-    const auto analysis = made->analysis(project_.analyses.front().id);
-    if (!analysis) return without_values(first_error(made->problems(), "the model cannot be made"));
-    return of_model(*analysis->model, analysis->inputs, advance);
-}
-
-// All axes of one table or asset begin from the unchanged set-up, cell by cell.
-void GridWalker::change(const std::vector<std::size_t>& indices) {
-    const PreparedStudy& prepared = plan_.prepared;
-    values_.clear();
-    for (std::size_t axis = 0; axis < indices.size(); ++axis) {
-        values_.push_back(plan_.values[axis][indices[axis]]);
-        const StudyTarget& target = prepared.targets[axis];
-        if (!target.in_setup()) continue;
-        const Project& base = prepared.made->project();
-        if (target.asset == StudyTarget::analysis)
-            vary_setup(target, prepared.study.axes[axis], values_.back(), base.analyses.front().setup,
-                       project_.analyses.front().setup);
-        else
-            vary_setup(target, prepared.study.axes[axis], values_.back(), base.assets[target.asset].setup,
-                       project_.assets[target.asset].setup);
-    }
-}
-
-EvaluatedPoint GridWalker::of_model(const MeasurementModel& model, InputSet inputs,
+EvaluatedPoint GridWalker::of_model(const ChangedModel& changed,
                                     const std::function<bool(std::uint64_t)>& advance) {
-    for (std::size_t axis = 0; axis < values_.size(); ++axis) {
-        StudyTarget target = plan_.prepared.targets[axis];
-        if (target.in_setup()) continue;
-        if (target.kind == StudyTarget::Kind::component) {
-            const auto found = std::find_if(inputs.components.begin(), inputs.components.end(),
-                                            [&](const auto& c) { return c.id == target.key; });
-            target.index = static_cast<std::size_t>(found - inputs.components.begin());
-            if (found == inputs.components.end())
-                return without_values("there is no component '" + target.key + "' here");
-        } else if ((target.index = inputs.find(target.key)) == InputSet::npos) {
-            return without_values("there is no input quantity '" + target.key + "' here");
-        }
-        vary_inputs(target, plan_.prepared.study.axes[axis], values_[axis], inputs);
-    }
+    const MeasurementModel& model = changed.model();
+    const InputSet& inputs = changed.inputs;
     std::vector<std::size_t> indices;
     for (std::size_t k = 0; k < plan_.outputs.size(); ++k) {
         indices.push_back(find_output(model.outputs(), plan_.outputs[k], plan_.indices[k]));
-        if (indices.back() == none)
+        if (indices.back() == no_output)
             return without_values("there is no output quantity '" + plan_.outputs[k].symbol + "' here");
     }
     const auto summary = evaluate_summary(model, inputs, indices, plan_.options, advance);

@@ -20,8 +20,8 @@ json results_of(const fs::path& folder) {
 TEST(CommandLine, HelpNamesEverySubcommand) {
     const Outcome help = run_program({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* word : {"run", "report", "render", "validate", "describe", "convert", "import ",
-                             "import-urdf", "Exit status"})
+    for (const char* word : {"run", "design", "report", "render", "validate", "describe", "convert",
+                             "import ", "import-urdf", "Exit status"})
         EXPECT_NE(help.out.find(word), std::string::npos) << word;
 }
 
@@ -139,12 +139,54 @@ TEST(CommandLine, DescribeListsModelsAndTheirFields) {
              {"options", "coverageProbability (number, greater than 0, less than 1, optional)  default 0.95"},
              {"requirements", "guardFactor (number, at least -10, at most 10, optional)  default 1"},
              {"studies", "axes (list, see axes)"},
-             {"axes", "spacing (choice, optional)  default linear"}}) {
+             {"axes", "spacing (choice, optional)  default linear"},
+             {"designs", "variables (list, see variables, optional)"},
+             {"variables", "tolerance (number, at least 0, optional)  default 0"},
+             {"choose", "keep (whole number, at least 1)"},
+             {"boxes", "unit (unit)"}}) {
         EXPECT_NE(list.out.find("\n  " + part + " "), std::string::npos) << part;
         const Outcome described = run_program({"describe", part});
         EXPECT_EQ(described.status, 0) << part;
         EXPECT_NE(described.out.find(field), std::string::npos) << described.out;
     }
+}
+
+TEST(CommandLine, DesignWritesWhatItFoundAndTakesItOver) {
+    const fs::path folder = fresh_folder("design");
+    const std::string file = shipped_project("ballbar-design.covaria").string();
+    const std::string taken = (folder / "twelve.covaria").string();
+    const Outcome found = run_program({"design", file, "--out", folder.string(), "--take-over", taken});
+    ASSERT_EQ(found.status, 0) << found.err;
+    EXPECT_NE(found.out.find("Rows kept: 12 of 22"), std::string::npos) << found.out;
+    const json design = json::parse(read_text(folder / "design-points-twelve.json"));
+    EXPECT_EQ(design.at("format"), "covaria-design");
+    EXPECT_EQ(design.at("rows").size(), 12u);
+    EXPECT_LT(design.at("best").get<double>(), 1.1);
+    for (const char* table : {"outputs", "rows", "curve", "path", "reasons"})
+        EXPECT_TRUE(fs::exists(folder / (std::string("design-points-twelve-") + table + ".csv"))) << table;
+    const json project = json::parse(read_text(taken));
+    EXPECT_EQ(project["analyses"][0]["setup"]["measured_points"]["rows"].size(), 12u);
+    EXPECT_EQ(run_program({"design", file, "--design", "thirteen"}).status, 1);
+    EXPECT_EQ(run_program({"design", stewart}).status, 1);  // it has no designs
+}
+
+TEST(CommandLine, DesignOfATargetThatCannotBeMetIsStatusThree) {
+    const fs::path folder = fresh_folder("design-target");
+    const std::string file = (folder / "target.covaria").string();
+    write_text(file, R"JSON({"format": "covaria", "schemaVersion": 1, "title": "t", "assets": [],
+        "analyses": [{"id": "a", "model": "measurement-equation",
+        "setup": {"equations": ["y = d*(2 + sin(t))"], "quantities": {
+          "columns": ["symbol", "value", "unit", "statement", "a"],
+          "rows": [["d", 0, "mm", "standard", 1], ["t", 0, "rad", null, null]]}},
+        "options": {"trials": 20000},
+        "requirements": [{"symbol": "y", "targetUncertainty": {"value": 1.5, "unit": "mm"}}],
+        "designs": [{"id": "d", "variables":
+          [{"target": "/inputs/t/estimate", "from": -3, "to": 3, "unit": "rad"}]}]}]})JSON");
+    const Outcome found = run_program({"design", file});
+    EXPECT_EQ(found.status, 3) << found.err;
+    EXPECT_NE(found.out.find("the target of U(y) is not met: the best design found reaches 0.001960 m"),
+              std::string::npos)
+        << found.out;
 }
 
 TEST(CommandLine, ConvertGivesTheSameBytesForACanonicalFile) {

@@ -28,7 +28,7 @@ const std::vector<std::string> core_order = {
     "core/base",        "core/pdf",      "core/math",    "core/text",    "core/equation",
     "core/random",      "core/quantity", "core/setup",   "core/model",   "core/result",
     "core/propagation", "core/kinds",    "core/project", "core/readers", "core/made",
-    "core/study",       "core/report",   "core/writers", "core/carried"};
+    "core/study",       "core/design",   "core/report",  "core/writers", "core/carried"};
 // The families of core/kinds, likewise; models.cpp and assets.cpp beside them list all.
 const std::vector<std::string> family_order = {"core/kinds/points",
                                                "core/kinds/instruments",

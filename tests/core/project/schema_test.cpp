@@ -8,6 +8,7 @@
 
 #include "core/base/resource_path.h"
 #include "core/made/load_project.h"
+#include "core/project/design_json.h"
 #include "core/project/option_fields.h"
 #include "core/project/options_json.h"
 #include "core/project/project_file.h"
@@ -45,6 +46,22 @@ AnalysisEntry full_analysis() {
     StudyAxis axis{"plate",        "/setup/k", StudyChange::added,       1.0, 2.0,
                    Unit::of("mm"), 5,          StudySpacing::logarithmic};
     a.studies.push_back({"s", "study", {axis}, {{"g", "y"}}, Method::monte_carlo, 10});
+    axis.values = 2;
+    axis.spacing = StudySpacing::linear;
+    const DesignBox box{"pillar", {0, 0, 0}, {1, 2, 3}, Unit::of("mm")};
+    a.designs.push_back({"d",
+                         "design",
+                         {{axis, 0.1}},
+                         DesignChoice{"plate", "/setup/points/rows", 2, {1}, "more.csv"},
+                         {{"g", "y"}},
+                         DesignObjective::mean,
+                         q,
+                         {box},
+                         {box},
+                         3,
+                         4,
+                         5,
+                         6});
     return a;
 }
 
@@ -61,7 +78,11 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
                                                     {"options", written["options"]},
                                                     {"requirement", written["requirements"][0]},
                                                     {"study", written["studies"][0]},
-                                                    {"studyAxis", written["studies"][0]["axes"][0]}};
+                                                    {"studyAxis", written["studies"][0]["axes"][0]},
+                                                    {"design", written["designs"][0]},
+                                                    {"designVariable", written["designs"][0]["variables"][0]},
+                                                    {"designChoice", written["designs"][0]["choose"]},
+                                                    {"designBox", written["designs"][0]["keepOut"][0]}};
     for (const auto& [name, object] : objects) {
         EXPECT_EQ(keys_of(definitions()[name]["properties"]), keys_of(object)) << name;
         for (const auto& [key, field] : definitions()[name]["properties"].items())
@@ -76,6 +97,7 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     EXPECT_EQ(again.project.analyses[0].inputs, project.analyses[0].inputs);
     EXPECT_EQ(again.project.analyses[0].options, project.analyses[0].options);
     EXPECT_EQ(again.project.analyses[0].studies, project.analyses[0].studies);
+    EXPECT_EQ(again.project.analyses[0].designs, project.analyses[0].designs);
 }
 
 /// An object in which every key that has a default has it.
@@ -99,6 +121,15 @@ TEST(JsonSchema, StatesTheDefaults) {
     Study plain{.id = "s"};
     plain.axes.push_back({.target = "/setup/k"});
     EXPECT_EQ(study_from_json(study, "", problems), plain);
+    Json design = with_defaults("design");
+    design["id"] = "d";
+    Json variable = with_defaults("designVariable");
+    variable.update(Json{{"target", "/setup/k"}, {"from", 0}, {"to", 1}});
+    design["variables"] = Json::array({variable});
+    Design plain_design{.id = "d"};
+    plain_design.variables.resize(1);
+    plain_design.variables[0].number.target = "/setup/k";
+    EXPECT_EQ(design_from_json(design, "", problems), plain_design);
     EXPECT_EQ(with_defaults("requirement")["guardFactor"].get<double>(), Requirement{}.guard_factor);
     EXPECT_EQ(with_defaults("component")["type"], "B");
     EXPECT_EQ(with_defaults("inputEdit")["held"], false);
@@ -175,6 +206,11 @@ TEST(JsonSchema, NamesTheChoicesThatAreRead) {
         Problems problems;
         options_from_json(Json{{"method", method}}, "", problems);
         EXPECT_TRUE(problems.items().empty()) << method;
+    }
+    for (const Json& objective : definitions()["design"]["properties"]["objective"]["enum"]) {
+        Problems problems;
+        design_from_json(Json{{"id", "d"}, {"objective", objective}}, "", problems);
+        EXPECT_TRUE(problems.items().empty()) << objective;
     }
     for (const char* key : {"change", "spacing"})
         for (const Json& choice : definitions()["studyAxis"]["properties"][key]["enum"]) {

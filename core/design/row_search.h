@@ -1,0 +1,62 @@
+// The search for rows: all choices where they are few, else greedy with exchange (Fedorov 1972).
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/design/search.h"
+
+namespace covaria::detail {
+
+using Rows = std::vector<std::size_t>;  ///< rising
+
+/// Number of choices of k of n; the largest double where there are more.
+double number_of_choices(std::size_t n, std::size_t k);
+
+class RowSearch {
+public:
+    /// At these values of the variables.
+    RowSearch(SearchBook& book, std::vector<double> values);
+
+    struct Found {
+        Rows rows;
+        bool feasible = false;
+        bool proved = false;
+    };
+    Found find();
+    /// The best of each number of rows; `find` looks at some, this at those that differ from `rows` by a few.
+    std::vector<DesignCount> curve(const Rows& rows);
+    /// Objective of `rows` without each of its rows.
+    std::vector<std::optional<double>> without_each(const Rows& rows);
+
+private:
+    struct Merit {
+        double merit = 0.0;
+        bool feasible = false;
+    };
+    /// Of those not known yet, all are evaluated at once.
+    void judge(const std::vector<Rows>& choices, const std::string& search);
+    /// The smallest merit, the first of equal ones; the choices are judged first.
+    const Rows& best_of(const std::vector<Rows>& choices, const std::string& search);
+    Merit merit_of(const Rows& rows) const { return known_.at(rows); }
+    bool is_fixed(std::size_t row) const;
+    std::vector<Rows> with_one_more(const Rows& rows) const;
+    std::vector<Rows> with_one_less(const Rows& rows) const;
+    std::vector<Rows> with_another(const Rows& rows, std::size_t in_place_of) const;
+
+    Rows of_all_choices();
+    Rows greedy();
+    Rows backward();
+    Rows exchanged(Rows rows, const std::string& search);
+    Rows at_random(std::size_t start) const;
+
+    SearchBook& book_;
+    std::vector<double> values_;
+    std::size_t count_, keep_, least_;
+    Rows fixed_;
+    std::map<Rows, Merit> known_;
+    std::map<std::size_t, double> best_by_count_;
+};
+
+}  // namespace covaria::detail

@@ -1,0 +1,209 @@
+#include "core/project/design_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/in_quotes.h"
+#include "core/project/csv_table.h"
+#include "core/project/kind_lookup.h"
+#include "core/project/project_id.h"
+#include "core/setup/message_text.h"
+
+namespace covaria {
+
+namespace {
+
+/// Where the table of a choice is; its key is empty after an error.
+struct TablePlace {
+    const SetupSchema* schema = nullptr;
+    const Setup* setup = nullptr;
+    DesignTable found = {};
+};
+
+TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis, const DesignChoice& choice,
+                          Problems& problems) {
+    TablePlace place{schema_of(analysis), &analysis.setup, {}};
+    if (!choice.asset.empty()) {
+        const AssetEntry* asset = project.find_asset(choice.asset);
+        if (!asset) {
+            problems.error("/asset", "there is no asset " + in_quotes(choice.asset));
+            return place;
+        }
+        place.schema = schema_of(*asset);
+        place.setup = &asset->setup;
+        place.found.asset = static_cast<std::size_t>(asset - project.assets.data());
+    }
+    const std::string head = "/setup/", tail = "/rows";
+    const std::string& text = choice.table;
+    if (text.size() > head.size() + tail.size() && text.starts_with(head) && text.ends_with(tail))
+        place.found.key = text.substr(head.size(), text.size() - head.size() - tail.size());
+    else
+        problems.error("/table",
+                       "a table to choose from is written as \"/setup/KEY/rows\"; it is " + in_quotes(text));
+    return place;
+}
+
+/// The candidates of the CSV file in the units of the table, behind its rows.
+void add_candidates(const Project& project, const FieldSpec& field, const std::string& file,
+                    DesignTable& table, Problems& problems) {
+    CsvTable csv = table_from_csv_file(project.directory / file, field);
+    for (const Problem& problem : csv.problems.items()) {
+        Problem placed = problem;
+        placed.path = "/candidates";
+        problems.add(placed);
+    }
+    if (csv.problems.has_errors()) return;
+    for (auto& row : csv.table.rows) {
+        for (std::size_t c = 0; c < row.size() && c < csv.table.units.size(); ++c)
+            if (double* number = std::get_if<double>(&row[c]); number && c < table.rows.units.size())
+                *number = table.rows.units[c].from_si(csv.table.units[c].to_si(*number));
+        table.rows.rows.push_back(std::move(row));
+    }
+}
+
+class DesignCheck {
+public:
+    DesignCheck(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
+                const std::vector<OutputQuantity>* outputs, Problems& problems)
+        : project_(project), analysis_(analysis), inputs_(inputs), outputs_(outputs), problems_(problems) {}
+
+    void check(const Design& design, const std::string& path) {
+        path_ = path;
+        if (!is_project_id(design.id))
+            error("/id", "the id " + in_quotes(design.id) + " must be made of letters, digits, '-' and '_'");
+        if (design.variables.empty() && !design.choose)
+            error("", "a design needs 'variables', or a table to 'choose' from");
+        if (design.variables.size() > most_design_variables)
+            error("/variables",
+                  "a design has at most " + std::to_string(most_design_variables) + " variables");
+        for (std::size_t i = 0; i < design.variables.size(); ++i) check_variable(design, i);
+        if (design.choose) check_choice(*design.choose);
+        for (std::size_t i = 0; i < design.outputs.size(); ++i)
+            check_study_output(outputs_, design.outputs[i], path_ + "/outputs/" + std::to_string(i),
+                               problems_);
+        check_space(design);
+        check_search(design);
+    }
+
+private:
+    void error(const std::string& below, const std::string& message) {
+        problems_.error(path_ + below, message);
+    }
+
+    void check_variable(const Design& design, std::size_t i) {
+        const DesignVariable& variable = design.variables[i];
+        const std::string below = "/variables/" + std::to_string(i);
+        check_study_axis(project_, analysis_, inputs_, variable.number, path_ + below, problems_);
+        if (!(variable.tolerance >= 0.0) || !std::isfinite(variable.tolerance))
+            error(below + "/tolerance", "a tolerance must not be negative");
+        const auto target = find_study_target(project_, analysis_, inputs_, variable.number);
+        if (target && target->whole)
+            error(below + "/target", "'" + to_unicode(target->title) +
+                                         "' takes whole numbers: a study shows what each of them gives");
+        for (std::size_t j = 0; j < i; ++j)
+            if (design.variables[j].number.asset == variable.number.asset &&
+                design.variables[j].number.target == variable.number.target)
+                error(below + "/target", in_quotes(variable.number.target) + " is chosen by two variables");
+    }
+
+    void check_choice(const DesignChoice& choice) {
+        Problems found;
+        const auto table = find_design_table(project_, analysis_, choice, found);
+        problems_.take(found, path_ + "/choose");
+        if (!table) return;
+        const std::size_t rows = table->rows.rows.size();
+        if (choice.keep < std::max<std::size_t>(1, table->least) || choice.keep > rows)
+            error("/choose/keep", "of " + std::to_string(rows) + " rows, " +
+                                      std::to_string(std::max<std::size_t>(1, table->least)) + " to " +
+                                      std::to_string(rows) + " can be kept; it is " +
+                                      std::to_string(choice.keep));
+        std::set<std::size_t> seen;
+        for (std::size_t i = 0; i < choice.fixed.size(); ++i) {
+            const std::string below = "/choose/fixed/" + std::to_string(i);
+            if (choice.fixed[i] >= rows)
+                error(below, "there are " + std::to_string(rows) + " rows, counted from 0");
+            else if (!seen.insert(choice.fixed[i]).second)
+                error(below, "row " + std::to_string(choice.fixed[i]) + " is fixed twice");
+        }
+        if (choice.fixed.size() > choice.keep) error("/choose/fixed", "more rows are fixed than kept");
+    }
+
+    void check_box(const DesignBox& box, const std::string& below) {
+        const std::string objection = unit_objection("a box", {0.0, box.unit}, Unit::of("mm"));
+        if (!objection.empty()) return error(below + "/unit", objection);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(box.from[axis]) || !(box.from[axis] < box.to[axis]))
+                return error(below + "/to", "every coordinate of 'to' must be greater than that of 'from'");
+    }
+
+    void check_space(const Design& design) {
+        if (design.least_distance) {
+            const std::string objection =
+                unit_objection("the least distance", *design.least_distance, Unit::of("mm"));
+            if (!objection.empty())
+                error("/leastDistance", objection);
+            else if (!(design.least_distance->value > 0.0))
+                error("/leastDistance", "the least distance must be greater than zero");
+        }
+        for (std::size_t i = 0; i < design.keep_out.size(); ++i)
+            check_box(design.keep_out[i], "/keepOut/" + std::to_string(i));
+        for (std::size_t i = 0; i < design.hidden_by.size(); ++i)
+            check_box(design.hidden_by[i], "/hiddenBy/" + std::to_string(i));
+    }
+
+    void check_search(const Design& design) {
+        if (design.starts < 1 || design.starts > most_design_starts)
+            error("/starts", "there are 1 to " + std::to_string(most_design_starts) + " starts");
+        if (design.most_evaluations < 1) error("/mostEvaluations", "at least one evaluation is needed");
+        if (design.trials == 1) error("/trials", "Monte Carlo needs at least two trials");
+    }
+
+    const Project& project_;
+    const AnalysisEntry& analysis_;
+    const InputSet* inputs_;
+    const std::vector<OutputQuantity>* outputs_;
+    Problems& problems_;
+    std::string path_;
+};
+
+}  // namespace
+
+std::optional<DesignTable> find_design_table(const Project& project, const AnalysisEntry& analysis,
+                                             const DesignChoice& choice, Problems& problems) {
+    Problems own;
+    TablePlace place = place_of_table(project, analysis, choice, own);
+    DesignTable& table = place.found;
+    const FieldSpec* field = place.schema && !table.key.empty() ? place.schema->find(table.key) : nullptr;
+    if (!own.has_errors() && (!field || field->kind != FieldKind::table))
+        own.error("/table", "the set-up has no table " + in_quotes(table.key) +
+                                (place.schema ? did_you_mean(table.key, place.schema->keys()) : ""));
+    if (!own.has_errors()) {
+        table.title = field->title;
+        table.least = field->min_rows;
+        if (const auto* rows = std::get_if<SetupTable>(&value_of(*field, *place.setup))) table.rows = *rows;
+        table.rows.csv_file.clear();
+        table.rows.csv_columns.clear();
+        table.present = table.rows.rows.size();
+        if (table.rows.units.empty())
+            for (const ColumnSpec& column : field->columns) table.rows.units.push_back(column.unit);
+        if (!choice.candidates.empty()) add_candidates(project, *field, choice.candidates, table, own);
+    }
+    problems.take(own, "");
+    if (own.has_errors()) return {};
+    return std::move(table);
+}
+
+void check_designs(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
+                   const std::vector<OutputQuantity>* outputs, Problems& problems) {
+    std::set<std::string> ids;
+    DesignCheck check(project, analysis, inputs, outputs, problems);
+    for (std::size_t i = 0; i < analysis.designs.size(); ++i) {
+        const std::string path = "/designs/" + std::to_string(i);
+        if (!ids.insert(analysis.designs[i].id).second)
+            problems.error(path + "/id", "the id " + in_quotes(analysis.designs[i].id) + " is used twice");
+        check.check(analysis.designs[i], path);
+    }
+}
+
+}  // namespace covaria

@@ -1,0 +1,305 @@
+#include "core/report/design_results.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+
+#include "core/base/version.h"
+#include "core/report/json_values.h"
+#include "core/report/report.h"
+#include "core/text/numbers.h"
+
+namespace covaria {
+
+namespace {
+
+std::string name_of(const OutputQuantity& output) {
+    return output.group.empty() ? output.symbol : output.group + ": " + output.symbol;
+}
+
+const char* yes_or_no(bool yes) {
+    return yes ? "yes" : "no";
+}
+
+TableCell interval_cell(const std::optional<double>& si, const Unit& unit) {
+    if (!si) return {};
+    return Quantity{unit.interval_from_si(*si), unit};
+}
+
+TableCell number_cell(const std::optional<double>& number) {
+    return number ? TableCell(*number) : TableCell();
+}
+
+DataTable table_of(const std::string& id, const std::string& title, const std::vector<std::string>& heads) {
+    DataTable table;
+    table.id = id;
+    table.title = title;
+    for (const std::string& head : heads) table.columns.push_back({head, {}, false, 0});
+    return table;
+}
+
+DataTable outputs_table(const DesignResult& result) {
+    DataTable table = table_of(
+        "outputs", "Uncertainties",
+        {"output", "unit", "target", "U before", "U", "U by Monte Carlo", "validated (clause 8)", "met"});
+    for (const DesignGoal& goal : result.goals) {
+        const Unit& unit = goal.output.unit;
+        std::vector<TableCell> row{name_of(goal.output), unit.text(), interval_cell(goal.target, unit),
+                                   interval_cell(goal.before, unit)};
+        row.push_back(result.found ? interval_cell(goal.after, unit) : TableCell());
+        row.push_back(interval_cell(goal.monte_carlo, unit));
+        row.push_back(goal.validated ? TableCell(std::string(yes_or_no(*goal.validated))) : TableCell());
+        row.push_back(goal.target && result.found ? TableCell(std::string(yes_or_no(goal.met())))
+                                                  : TableCell());
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+DataTable values_table(const DesignResult& result) {
+    DataTable table =
+        table_of("values", "Values", {"variable", "unit", "from", "to", "before", "chosen", "tolerance"});
+    for (const DesignValue& value : result.values)
+        table.rows.push_back({to_unicode(value.title), value.unit.text(), value.from, value.to, value.before,
+                              value.chosen, value.tolerance});
+    return table;
+}
+
+DataTable rows_table(const DesignResult& result) {
+    DataTable table = table_of("rows", "Rows that are kept",
+                               {"row", "name", "fixed", "of the candidates' file", "objective without it"});
+    for (const DesignRow& row : result.rows)
+        table.rows.push_back({static_cast<double>(row.row), row.name, std::string(yes_or_no(row.fixed)),
+                              std::string(yes_or_no(row.added)), number_cell(row.without)});
+    return table;
+}
+
+DataTable curve_table(const DesignResult& result) {
+    DataTable table = table_of("curve", "Objective and number of rows", {"rows", "objective", "change"});
+    for (std::size_t i = 0; i < result.curve.size(); ++i) {
+        const DesignCount& count = result.curve[i];
+        const bool next = i > 0 && result.curve[i - 1].rows + 1 == count.rows;
+        table.rows.push_back(
+            {static_cast<double>(count.rows), count.objective,
+             next ? TableCell(count.objective / result.curve[i - 1].objective - 1.0) : TableCell()});
+    }
+    return table;
+}
+
+DataTable path_table(const DesignResult& result) {
+    DataTable table = table_of("path", "Improvements", {"evaluation", "search", "objective"});
+    for (const DesignStep& step : result.path)
+        table.rows.push_back({static_cast<double>(step.evaluation), step.search, step.objective});
+    return table;
+}
+
+DataTable reasons_table(const DesignResult& result) {
+    DataTable table = table_of("reasons", "Candidates without result", {"count", "reason"});
+    for (const DesignReason& reason : result.reasons)
+        table.rows.push_back({static_cast<double>(reason.count), reason.reason});
+    return table;
+}
+
+OrderedJson cell_json(const TableCell& cell) {
+    if (const auto* number = std::get_if<double>(&cell)) return json_number(*number);
+    if (const auto* quantity = std::get_if<Quantity>(&cell)) return json_number(quantity->value);
+    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    return nullptr;
+}
+
+/// "U by Monte Carlo" -> "UByMonteCarlo".
+std::string key_of(const std::string& head) {
+    std::string key;
+    bool capital = false;
+    for (const char c : head) {
+        if (!std::isalnum(static_cast<unsigned char>(c))) {
+            capital = true;
+            continue;
+        }
+        key += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        capital = false;
+    }
+    return key;
+}
+
+OrderedJson optional_json(const std::optional<double>& number) {
+    return number ? json_number(*number) : OrderedJson(nullptr);
+}
+
+/// Cells as people read them, columns flush.
+void write_table(std::ostringstream& out, const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    const auto width = [](const std::string& text) {  // of UTF-8
+        return static_cast<std::size_t>(
+            std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    };
+    for (const auto& row : rows)
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            if (c == widths.size()) widths.push_back(0);
+            widths[c] = std::max(widths[c], width(row[c]));
+        }
+    for (const auto& row : rows) {
+        std::string line = " ";
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string gap(widths[c] - width(row[c]), ' ');
+            line += " " + (c == 0 ? row[c] + gap : gap + row[c]) + (c + 1 < row.size() ? " " : "");
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        out << line << '\n';
+    }
+}
+
+std::string percent(double part) {
+    return (part > 0 ? "+" : "") + format_significant(100.0 * part, 3) + " %";
+}
+
+void write_outputs(std::ostringstream& out, const DesignResult& result) {
+    std::vector<std::vector<std::string>> rows{
+        {"", "before", "designed", "change", "target", "Monte Carlo", ""}};
+    for (const DesignGoal& goal : result.goals) {
+        const Unit& unit = goal.output.unit;
+        const auto text = [&](const std::optional<double>& si) {
+            return si ? format_significant(unit.interval_from_si(*si), 4) + " " + unit.text()
+                      : std::string("-");
+        };
+        std::string verdict = !goal.target ? "" : goal.met() ? "met" : "NOT MET";
+        if (goal.validated && !*goal.validated)
+            verdict += std::string(verdict.empty() ? "" : "; ") + "first order is not validated (clause 8)";
+        rows.push_back({"U(" + name_of(goal.output) + ")", text(goal.before), text(goal.after),
+                        goal.before ? percent(goal.after / *goal.before - 1.0) : "", text(goal.target),
+                        text(goal.monte_carlo), verdict});
+    }
+    write_table(out, rows);
+}
+
+void write_values(std::ostringstream& out, const DesignResult& result) {
+    if (result.values.empty()) return;
+    out << "\nValues\n";
+    std::vector<std::vector<std::string>> rows{{"", "before", "chosen", "", "allowed"}};
+    for (const DesignValue& value : result.values)
+        rows.push_back({to_unicode(value.title), format_significant(value.before, 6),
+                        format_significant(value.chosen, 6), value.unit == Unit{} ? "" : value.unit.text(),
+                        format_short(value.from, 6) + " to " + format_short(value.to, 6)});
+    write_table(out, rows);
+}
+
+void write_rows(std::ostringstream& out, const DesignResult& result) {
+    if (result.rows.empty()) return;
+    out << "\nRows kept: " << result.rows.size() << " of " << result.candidates
+        << (result.proved ? " (all choices were evaluated: this is the best)" : "") << '\n';
+    std::vector<std::vector<std::string>> rows{{"", "row", "objective without it", ""}};
+    for (const DesignRow& row : result.rows)
+        rows.push_back({row.name, std::to_string(row.row),
+                        row.without ? format_significant(*row.without, 4) + " (" +
+                                          percent(*row.without / result.objective - 1.0) + ")"
+                                    : "no result",
+                        row.fixed ? "fixed" : ""});
+    write_table(out, rows);
+}
+
+void write_curve(std::ostringstream& out, const DesignResult& result) {
+    if (result.curve.empty()) return;
+    out << "\nBest objective found with so many rows\n";
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t i = 0; i < result.curve.size(); ++i) {
+        const DesignCount& count = result.curve[i];
+        const bool next = i > 0 && result.curve[i - 1].rows + 1 == count.rows;
+        rows.push_back({std::to_string(count.rows), format_significant(count.objective, 4),
+                        next ? percent(count.objective / result.curve[i - 1].objective - 1.0) : "",
+                        count.rows == result.rows.size() ? "chosen" : ""});
+    }
+    write_table(out, rows);
+}
+
+void write_end(std::ostringstream& out, const DesignResult& result) {
+    out << '\n' << result.evaluations << " evaluations";
+    std::uint64_t without = 0;
+    for (const DesignReason& reason : result.reasons) without += reason.count;
+    if (without > 0) out << ", " << without << " of them without result:";
+    out << '\n';
+    for (const DesignReason& reason : result.reasons)
+        out << "  " << reason.count << "  " << reason.reason << '\n';
+    if (result.trials > 0)
+        out << "verified with " << result.trials << " trials, " << result.failed_trials
+            << " without a value\n";
+    else if (result.found)
+        out << "not verified by Monte Carlo: " << result.not_verified << '\n';
+    for (const DesignGoal& goal : result.goals)
+        if (result.found && !goal.met())
+            out << "the target of U(" << name_of(goal.output)
+                << ") is not met: the best design found reaches "
+                << format_significant(goal.output.unit.interval_from_si(goal.after), 4) << ' '
+                << goal.output.unit.text() << '\n';
+}
+
+}  // namespace
+
+std::vector<DataTable> design_tables(const DesignResult& result) {
+    std::vector<DataTable> tables{outputs_table(result)};
+    for (DataTable table : {values_table(result), rows_table(result), curve_table(result), path_table(result),
+                            reasons_table(result)})
+        if (!table.rows.empty()) tables.push_back(std::move(table));
+    return tables;
+}
+
+std::string design_json(const DesignResult& result) {
+    OrderedJson json{{"format", "covaria-design"},
+                     {"schemaVersion", 1},
+                     {"covariaVersion", version()},
+                     {"analysis", result.analysis},
+                     {"id", result.id},
+                     {"name", result.name},
+                     {"fingerprint", result.fingerprint},
+                     {"seed", std::to_string(result.seed)},
+                     {"objective", result.objective_words},
+                     {"found", result.found},
+                     {"met", result.met()},
+                     {"proved", result.proved},
+                     {"before", optional_json(result.before)},
+                     {"whyNotBefore", result.why_not_before},
+                     {"best", result.found ? json_number(result.objective) : OrderedJson(nullptr)},
+                     {"candidates", result.candidates},
+                     {"evaluations", result.evaluations},
+                     {"trials", result.trials},
+                     {"failedTrials", result.failed_trials},
+                     {"notVerified", result.not_verified},
+                     {"coverageProbability", result.coverage_probability}};
+    for (const DataTable& table : design_tables(result)) {
+        OrderedJson rows = OrderedJson::array();
+        for (const auto& cells : table.rows) {
+            OrderedJson row = OrderedJson::object();
+            for (std::size_t c = 0; c < cells.size(); ++c)
+                row[key_of(table.columns[c].header)] = cell_json(cells[c]);
+            rows.push_back(std::move(row));
+        }
+        json[table.id] = std::move(rows);
+    }
+    return json.dump(2) + "\n";
+}
+
+std::string design_text(const DesignResult& result) {
+    std::ostringstream out;
+    out << result.name << " (" << result.analysis << "/" << result.id << ")\n";
+    out << result.objective_words << ": ";
+    if (result.found) {
+        out << format_significant(result.objective, 6);
+        if (result.before) out << ", before " << format_significant(*result.before, 6);
+    } else {
+        out << "no candidate has a result";
+    }
+    out << '\n';
+    if (!result.why_not_before.empty())
+        out << "the present design is not allowed: " << result.why_not_before << '\n';
+    if (result.found) {
+        out << '\n';
+        write_outputs(out, result);
+        write_values(out, result);
+        write_rows(out, result);
+        write_curve(out, result);
+    }
+    write_end(out, result);
+    return out.str();
+}
+
+}  // namespace covaria

@@ -1,0 +1,19 @@
+// What the search for a design found, as tables and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/data_table.h"
+#include "core/result/design_result.h"
+
+namespace covaria {
+
+/// "outputs", and as far as there are any "values", "rows", "curve", "path", "reasons"; full precision.
+std::vector<DataTable> design_tables(const DesignResult& result);
+/// design.json: everything, numbers of outputs in their units.
+std::string design_json(const DesignResult& result);
+/// What people read on a terminal.
+std::string design_text(const DesignResult& result);
+
+}  // namespace covaria

@@ -1,0 +1,89 @@
+// What the search for a design found. Plain data; numbers of outputs are SI.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/output_quantity.h"
+#include "core/text/text.h"
+
+namespace covaria {
+
+/// A number that was chosen.
+struct DesignValue {
+    Text title;      ///< "Targets, B: x"
+    Unit unit = {};  ///< of the following
+    double from = 0.0, to = 0.0;
+    double before = 0.0, chosen = 0.0;
+    double tolerance = 0.0;
+};
+
+/// A candidate row that was kept.
+struct DesignRow {
+    std::size_t row = 0;  ///< from 0, of the table and the CSV file behind it
+    std::string name;
+    bool fixed = false;
+    bool added = false;               ///< of the CSV file
+    std::optional<double> without{};  ///< objective of the design without this row; empty: it has no result
+};
+
+/// An output that was looked at.
+struct DesignGoal {
+    OutputQuantity output;
+    std::optional<double> target{};       ///< the target uncertainty
+    std::optional<double> before{};       ///< U of the present design, first order; empty: it has no result
+    double after = 0.0;                   ///< U of the chosen design, first order
+    std::optional<double> monte_carlo{};  ///< U of the chosen design
+    std::optional<bool> validated{};      ///< JCGM 101 clause 8
+    /// Where clause 8 does not validate first order, Monte Carlo must meet the target too.
+    bool met() const;
+};
+
+/// An improvement on the way.
+struct DesignStep {
+    std::uint64_t evaluation = 0;
+    std::string search;  ///< "greedy", "exchange", "start 3"
+    double objective = 0.0;
+};
+
+/// The best objective that was found with so many rows.
+struct DesignCount {
+    std::size_t rows = 0;
+    double objective = 0.0;
+};
+
+struct DesignReason {
+    std::string reason;
+    std::uint64_t count = 0;
+};
+
+struct DesignResult {
+    std::string id, name, analysis;
+    std::string objective_words;     ///< "largest U/target"
+    bool found = false;              ///< else nothing that was tried has a result
+    bool proved = false;             ///< all choices of rows were evaluated
+    std::optional<double> before{};  ///< objective of the present design; empty: it has no result
+    std::string why_not_before;      ///< then why
+    double objective = 0.0;
+    std::vector<DesignValue> values;
+    std::vector<DesignRow> rows;  ///< those kept, in their order
+    std::size_t candidates = 0;
+    std::vector<DesignGoal> goals;
+    std::vector<DesignCount> curve;
+    std::vector<DesignStep> path;
+    std::uint64_t evaluations = 0;
+    std::vector<DesignReason> reasons;            ///< of evaluations without result, by falling count
+    std::uint64_t trials = 0, failed_trials = 0;  ///< of the verification
+    std::string not_verified;                     ///< why there is none
+    std::uint64_t seed = 0;
+    double coverage_probability = 0.95;
+    std::string fingerprint;  ///< of the analysis that was searched from
+
+    /// Found, and every goal with a target meets it.
+    bool met() const;
+};
+
+}  // namespace covaria
