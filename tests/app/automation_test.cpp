@@ -168,7 +168,8 @@ TEST(Certificate, ThereIsOneForEachSerialNumber) {
 std::size_t pages_of(const fs::path& pdf) {
     const std::string bytes = read_text(pdf);
     const std::string key = "/Count ";
-    const std::size_t at = bytes.find(key, bytes.find("/Type /Pages"));
+    const std::size_t pages = bytes.find("/Type /Pages");
+    const std::size_t at = bytes.find(key, bytes.rfind(" obj", pages));
     return at == std::string::npos ? 0 : std::stoul(bytes.substr(at + key.size(), 8));
 }
 
