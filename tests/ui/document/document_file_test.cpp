@@ -121,7 +121,6 @@ TEST_F(DocumentFileTest, AReportOpensAsAnUnsavedProjectThatNamesIt) {
     ASSERT_TRUE(report) << report.error().message;
     write("Report 7.PDF", QByteArray::fromStdString(*report));
     write("none.pdf", page.data());
-    Document document;
     EXPECT_TRUE(document.open(path("none.pdf")).has_errors());
     EXPECT_EQ(document.heading(), document.display_name());
     QSignalSpy finished(&document, &Document::open_finished);
