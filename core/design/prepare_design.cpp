@@ -61,12 +61,6 @@ std::vector<DesignedOutput> designed_outputs(const AnalysisEntry& entry, const P
     return with_target.empty() ? chosen : with_target;
 }
 
-double present_value(const StudyAxis& axis, const StudyTarget& target) {
-    if (axis.change == StudyChange::factor) return 1.0;
-    if (axis.change == StudyChange::added) return 0.0;
-    return axis.unit == target.unit ? target.current : axis.unit.from_si(target.unit.to_si(target.current));
-}
-
 /// The project whose table has all candidates, so that what they refer to is part of it.
 Project with_candidates(Project project, const AnalysisEntry& entry, const DesignTable& table) {
     Setup& setup = table.asset == StudyTarget::analysis

@@ -3,18 +3,13 @@
 
 #include "core/propagation/parallel_blocks.h"
 #include "core/study/grid_point.h"
+#include "core/study/varied_part.h"
 
 namespace covaria {
 
 namespace {
 
 using namespace detail;
-
-double present_value(const StudyAxis& axis, const StudyTarget& target) {
-    if (axis.change == StudyChange::factor) return 1.0;
-    if (axis.change == StudyChange::added) return 0.0;
-    return axis.unit == target.unit ? target.current : axis.unit.from_si(target.unit.to_si(target.current));
-}
 
 StudyResult frame_of(const StudyPlan& plan) {
     const PreparedStudy& prepared = plan.prepared;

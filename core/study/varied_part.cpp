@@ -58,4 +58,10 @@ void refuse_idle_asset(const MadeProject& made, const std::string& analysis, con
                        "the analysis does not use the asset '" + asset + "': varying it changes nothing");
 }
 
+double present_value(const StudyAxis& axis, const StudyTarget& target) {
+    if (axis.change == StudyChange::factor) return 1.0;
+    if (axis.change == StudyChange::added) return 0.0;
+    return axis.unit == target.unit ? target.current : axis.unit.from_si(target.unit.to_si(target.current));
+}
+
 }  // namespace covaria

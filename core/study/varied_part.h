@@ -16,6 +16,8 @@ Project analysis_part(const Project& project, const AnalysisEntry& entry);
 /// asset that the analysis does not use).
 bool find_targets(const InputSet& inputs, const std::vector<StudyAxis>& axes, Project& part,
                   std::vector<StudyTarget>& targets);
+/// Of the unchanged project, in the axis' unit: a value, or the factor or difference that changes nothing.
+double present_value(const StudyAxis& axis, const StudyTarget& target);
 /// What is varied, or chosen from, has to be in the set-up, not only a default of the schema.
 void give_default(const SetupSchema* schema, const std::string& key, Setup& setup);
 
