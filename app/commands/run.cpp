@@ -75,7 +75,8 @@ Result<void> run_one(const RunArguments& arguments, const std::stop_token& stop,
         !written)
         return written;
     if (auto written = write_pictures(arguments.out, analyses, pictures, stop); !written) return written;
-    if (auto written = write_documents(arguments, {*evaluation->made, analyses, evaluation->failed}, stop); !written)
+    if (auto written = write_documents(arguments, {*evaluation->made, analyses, evaluation->failed}, stop);
+        !written)
         return written;
     lines += result_lines(name, (*opened)->project(), analyses);
     return check_complete(*evaluation);

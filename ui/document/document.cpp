@@ -4,7 +4,7 @@
 #include <QFileInfo>
 
 #include "core/carried/carried_project.h"
-#include "ui/document/linked_files.h"
+#include "ui/document/copy_linked_files.h"
 #include "ui/document/project_command.h"
 #include "ui/theme/strings.h"
 

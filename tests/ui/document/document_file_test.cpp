@@ -15,8 +15,8 @@
 #include "core/project/project_file.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/autosave.h"
+#include "ui/document/copy_linked_files.h"
 #include "ui/document/document.h"
-#include "ui/document/linked_files.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui::document_file_test {

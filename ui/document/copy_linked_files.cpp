@@ -1,4 +1,4 @@
-#include "ui/document/linked_files.h"
+#include "ui/document/copy_linked_files.h"
 
 #include "core/project/linked_files.h"
 
