@@ -28,6 +28,7 @@ Command validate_command(CLI::App& app);
 Command describe_command(CLI::App& app);
 Command convert_command(CLI::App& app);
 Command library_command(CLI::App& app);
+Command manual_command(CLI::App& app);
 Command export_command(CLI::App& app);
 Command import_command(CLI::App& app);
 Command import_urdf_command(CLI::App& app);

@@ -229,10 +229,10 @@ void read_lengths(const TcpSetup& setup, const Point& point, const PointInputs& 
         return;
     }
     const std::size_t first = inputs.position;
-    Vector3<Real> e(Real(x[first]), Real(x[first + 1]), Real(x[first + 2]));
+    auto e = Vector3<Real>(Real(x[first]), Real(x[first + 1]), Real(x[first + 2]));
     if (setup.turns) {
         const std::size_t turn = inputs.orientation;
-        const Vector3<Real> w(Real(x[turn]), Real(x[turn + 1]), Real(x[turn + 2]));
+        const auto w = Vector3<Real>(Real(x[turn]), Real(x[turn + 1]), Real(x[turn + 2]));
         e += point.lever.cast<Real>() * w;
     }
     const Vector3<Real> p = e + point.p_B.cast<Real>();
