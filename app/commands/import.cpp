@@ -7,11 +7,11 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/extended_project.h"
-#include "app/proposal_text.h"
 #include "app/terminal.h"
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
 #include "core/made/load_project.h"
+#include "core/readers/proposal_text.h"
 #include "core/readers/readers.h"
 #include "core/setup/message_text.h"
 

@@ -108,6 +108,9 @@ void XlsxBook::add_sheet(const std::string& wanted) {
         name = first_characters(plain, longest_sheet_name - number.size()) + number;
     }
     if (sheets_->book) sheets_->sheet = workbook_add_worksheet(sheets_->book, name.c_str());
+    if (!sheets_->sheet) return;
+    worksheet_set_landscape(sheets_->sheet);
+    worksheet_fit_to_pages(sheets_->sheet, 1, 0);  // as wide as a page, as long as it is
 }
 
 void XlsxBook::set_width(int column, double characters) {
