@@ -57,6 +57,14 @@ std::vector<std::string> sheet_names(const std::vector<WorkbookSheet>& sheets) {
     return names;
 }
 
+/// Units behind the headers count where the stated columns have none.
+void take_units_of_heads(SheetBudget& place) {
+    for (std::size_t i = 0; i < place.heads.size(); ++i)
+        if (const WorkbookCell* head = place.sheet->cell(place.head_row, place.columns[i]);
+            head && !place.heads[i].unit)
+            place.heads[i].unit = budget_head_of(head->text).unit;
+}
+
 /// Stated columns stand side by side from the first column that the sheet uses.
 Result<SheetBudget> stated_place(const WorkbookSheet& sheet, const ReadChoice& choice) {
     auto heads = stated_budget_columns(choice.columns);
@@ -73,7 +81,9 @@ Result<SheetBudget> stated_place(const WorkbookSheet& sheet, const ReadChoice& c
             const WorkbookCell* cell = sheet.cell(row, place.columns[i]);
             const bool figure = column == BudgetColumn::standard || column == BudgetColumn::expanded ||
                                 column == BudgetColumn::limits;
-            if (figure && cell && cell->number) return place;
+            if (!figure || !cell || !cell->number) continue;
+            take_units_of_heads(place);
+            return place;
         }
         place.head_row = row;
     }

@@ -102,6 +102,14 @@ TEST(ReadWorkbook, ColumnsMayBeStated) {
     const auto read = read_with("xlsx", bytes, {.columns = {"name", "value [mm]", "U", "divisor"}});
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_NEAR(first_order(*read).outputs.at(0).standard_uncertainty, 5e-5, 1e-18);
+    // The unit behind a header stays where the column is stated.
+    const auto again = read_with("xlsx", data("budget.xlsx"),
+                                 {.columns = {"quantity", "name", "value", "unit", "U", "divisor",
+                                              "distribution", "nu", "c", "contribution", "-"},
+                                  .sheet = "Budget"});
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(first_order(*again).outputs.at(0).standard_uncertainty,
+              first_order(*read_with("xlsx", data("budget.xlsx"))).outputs.at(0).standard_uncertainty);
     const auto table = find_reader("xlsx")->table(data("budget.xlsx"), {});
     ASSERT_TRUE(table);
     EXPECT_EQ(table->sheet, "Budget");
