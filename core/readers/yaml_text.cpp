@@ -130,8 +130,7 @@ std::optional<double> YamlNode::number() const {
 
 Result<YamlNode> parse_yaml(const std::string& text) {
     if (text.size() > largest_yaml)
-        return refused_at(
-            1, "YAML of more than " + std::to_string(largest_yaml / 1'000'000) + " MB is not read");
+        return refused_at(1, "YAML of more than " + std::to_string(largest_yaml / 1000) + " kB is not read");
     std::istringstream stream(text);
     NodeBuilder builder;
     try {

@@ -12,7 +12,7 @@
 
 namespace covaria {
 
-inline constexpr std::size_t largest_yaml = 2'000'000;  ///< bytes
+inline constexpr std::size_t largest_yaml = 500'000;  ///< bytes; the scanner may take 250 times as much
 
 struct YamlNode {
     enum class Kind { nothing, scalar, list, map };

@@ -86,6 +86,7 @@ TEST(ReadSuncal, BombsAndContradictionsHaveAPlace) {
     expect_refused("suncal",
                    {{"a: &a [x, x]\nb: &b [*a, *a]\n", 2, "aliases are not expanded"},
                     {deep, 1, "levels"},
+                    {std::string(600'000, '['), 1, "more than 500 kB"},
                     {"- mode: risk\n", 1, "it has mode 'risk'"},
                     {replaced(file, "mean: 4.999", "mean: five"), 8, "its mean must be a number"},
                     {replaced(file, "dist: triangular", "dist: gamma"), 23, "the distribution 'gamma'"},
