@@ -5,11 +5,14 @@
 #include <QFile>
 #include <QMimeData>
 #include <QPlainTextEdit>
+#include <QProcess>
+#include <QSignalSpy>
 #include <QTest>
 #include <QUrl>
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/forms/import_dialog.h"
+#include "ui/main_window/export_actions.h"
 #include "ui/main_window/import_actions.h"
 
 namespace covaria::ui::import_session_test {
@@ -103,6 +106,30 @@ TEST_F(FileImportSession, ADroppedBudgetIsShownAndAddedInOneStep) {
     EXPECT_NE(project.analyses.back().notes.find("SHA-256"), std::string::npos);
     window_->document().undo_stack().undo();
     EXPECT_EQ(window_->document().project().analyses.size(), before);
+}
+
+TEST_F(FileImportSession, TheWorkbookOfTheWindowIsThatOfTheCommandLine) {
+    const QString project = folder_.filePath(QStringLiteral("h1.covaria"));
+    ASSERT_TRUE(
+        QFile::copy(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria"), project));
+    open(project);
+    window_->runner().run_all();
+    wait_until_idle();
+    const QString ours = folder_.filePath(QStringLiteral("window.xlsx")),
+                  theirs = folder_.filePath(QStringLiteral("line.xlsx"));
+    answer_.file_to_save = ours;
+    QSignalSpy finished(&window_->exports(), &ExportActions::finished);
+    trigger(QStringLiteral("Excel workbook"));
+    ASSERT_TRUE(wait_for([&] { return finished.size() == 1; }));
+    EXPECT_EQ(finished[0][1].toString().toStdString(), "");
+    QProcess program;
+    program.start(QStringLiteral(COVARIA_PROGRAM), {QStringLiteral("export"), project, QStringLiteral("--as"),
+                                                    QStringLiteral("xlsx"), QStringLiteral("-o"), theirs});
+    ASSERT_TRUE(program.waitForFinished(60'000));
+    EXPECT_EQ(program.exitCode(), 0);
+    QFile a(ours), b(theirs);
+    ASSERT_TRUE(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
+    EXPECT_EQ(a.readAll(), b.readAll());
 }
 
 TEST_F(FileImportSession, WhatNobodyRecognisesIsAskedFor) {
