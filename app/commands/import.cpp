@@ -7,11 +7,11 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/extended_project.h"
-#include "app/proposal_text.h"
 #include "app/terminal.h"
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
 #include "core/made/load_project.h"
+#include "core/readers/proposal_text.h"
 #include "core/readers/readers.h"
 #include "core/setup/message_text.h"
 
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FileImport {
-    std::string file, reader, unit, output;
+    std::string file, reader, unit, sheet, output;
     std::vector<std::string> columns;
     bool list = false, add = false;
 };
@@ -31,6 +31,7 @@ constexpr const char* import_footer =
     "  covaria import --list\n"
     "  covaria import certificate.xml                        what would be taken over\n"
     "  covaria import jig.txt --as spatialanalyzer -o jig.covaria\n"
+    "  covaria import budget.xlsx -o budget.covaria\n"
     "  covaria import points.csv --unit m --columns name,x,y,z,u,- -o jig.covaria --add\n"
     "\n"
     "What a file does not say is asked for, and what is not taken over is listed.";
@@ -47,16 +48,17 @@ std::vector<std::string> reader_names() {
 }
 
 Result<const Reader*> chosen_reader(const FileImport& request, const std::string& text) {
+    const std::string file_name = fs::path(request.file).filename().string();
+    auto found = reader_for(text, file_name);
     // Stated columns mean a table, whatever else the bytes may be.
-    const std::string name = request.reader.empty() && !request.columns.empty() ? "points" : request.reader;
+    const bool table = !request.columns.empty() && !(found && (*found)->table);
+    const std::string name = request.reader.empty() && table ? "points" : request.reader;
     if (!name.empty()) {
         if (const Reader* reader = find_reader(name)) return reader;
         return fail(ErrorCode::usage, "there is no reader " + in_quotes(name) +
                                           did_you_mean(name, reader_names()) +
                                           "; \"covaria import --list\" lists them");
     }
-    const std::string file_name = fs::path(request.file).filename().string();
-    auto found = reader_for(text, file_name);
     if (!found)
         return fail(found.error().code,
                     request.file + ": " + found.error().message + " (--as READER; --list lists them)");
@@ -67,6 +69,7 @@ Result<ReadChoice> choice_of(const FileImport& request) {
     ReadChoice choice{.file_name = fs::path(request.file).filename().string(),
                       .length_unit = {},
                       .columns = request.columns,
+                      .sheet = request.sheet,
                       .chosen = !request.reader.empty()};
     if (request.unit.empty()) return choice;
     const auto unit = Unit::parse(request.unit);
@@ -114,7 +117,7 @@ Result<void> import_file(const FileImport& request) {
     if (!guarded_read) return with_file(guarded_read.error(), request.file);
     auto proposals = std::move(*guarded_read);
     if (!proposals && proposals.error().code == ErrorCode::usage)
-        proposals.error().message += " (--columns NAME,NAME,... or --as READER)";
+        proposals.error().message += " (--columns NAME,NAME,..., --sheet NAME or --as READER)";
     if (!proposals) return with_file(proposals.error(), request.file);
     std::fputs(text_of(**reader, *proposals, request.output.empty()).c_str(), stdout);
     if (request.output.empty()) {
@@ -139,9 +142,12 @@ Command import_command(CLI::App& app) {
         ->type_name("PROJECT");
     command->add_flag("--add", request->add, "add to the project if it is there already");
     command->add_option("--unit", request->unit, "unit of lengths that bear none (mm)")->type_name("UNIT");
+    command->add_option("--sheet", request->sheet, "sheet of a workbook")->type_name("NAME");
     command
-        ->add_option("--columns", request->columns,
-                     "what stands in each column of a table of points: name,x,y,z,u_x,u_y,u_z,-")
+        ->add_option(
+            "--columns", request->columns,
+            "what stands in each column of a table of points: name,x,y,z,u_x,u_y,u_z,-; of a budget: "
+            "quantity,value,unit,U,divisor,c,-")
         ->type_name("NAMES")
         ->delimiter(',')
         ->expected(1)

@@ -11,5 +11,10 @@ Reader dcc_reader();
 Reader gsi_reader();
 Reader gama_reader();
 Reader comp3d_reader();
+Reader excel_budget_reader();
+Reader gum_workbench_reader();
+Reader suncal_reader();
+Reader motive_reader();
+Reader robot_calibration_reader();
 
 }  // namespace covaria

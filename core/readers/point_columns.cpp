@@ -19,23 +19,25 @@ struct ColumnWord {
     const char* word;
     PointColumnKind kind;
     int axis;
+    const char* title;
 };
 
-constexpr std::array<ColumnWord, 15> column_words{{{"name", PointColumnKind::name, 0},
-                                                   {"group", PointColumnKind::group, 0},
-                                                   {"collection", PointColumnKind::collection, 0},
-                                                   {"x", PointColumnKind::coordinate, 0},
-                                                   {"y", PointColumnKind::coordinate, 1},
-                                                   {"z", PointColumnKind::coordinate, 2},
-                                                   {"u", PointColumnKind::standard, -1},
-                                                   {"u_x", PointColumnKind::standard, 0},
-                                                   {"u_y", PointColumnKind::standard, 1},
-                                                   {"u_z", PointColumnKind::standard, 2},
-                                                   {"U", PointColumnKind::expanded, -1},
-                                                   {"U_x", PointColumnKind::expanded, 0},
-                                                   {"U_y", PointColumnKind::expanded, 1},
-                                                   {"U_z", PointColumnKind::expanded, 2},
-                                                   {"-", PointColumnKind::unread, 0}}};
+constexpr std::array<ColumnWord, 15> column_words{
+    {{"name", PointColumnKind::name, 0, "name of the point"},
+     {"group", PointColumnKind::group, 0, "group"},
+     {"collection", PointColumnKind::collection, 0, "collection"},
+     {"x", PointColumnKind::coordinate, 0, "x"},
+     {"y", PointColumnKind::coordinate, 1, "y"},
+     {"z", PointColumnKind::coordinate, 2, "z"},
+     {"u", PointColumnKind::standard, -1, "standard uncertainty of x, y, z"},
+     {"u_x", PointColumnKind::standard, 0, "standard uncertainty of x"},
+     {"u_y", PointColumnKind::standard, 1, "standard uncertainty of y"},
+     {"u_z", PointColumnKind::standard, 2, "standard uncertainty of z"},
+     {"U", PointColumnKind::expanded, -1, "expanded uncertainty of x, y, z, k = 2"},
+     {"U_x", PointColumnKind::expanded, 0, "expanded uncertainty of x, k = 2"},
+     {"U_y", PointColumnKind::expanded, 1, "expanded uncertainty of y, k = 2"},
+     {"U_z", PointColumnKind::expanded, 2, "expanded uncertainty of z, k = 2"},
+     {"-", PointColumnKind::unread, 0, "not read"}}};
 
 /// "X [mm]" or "X (mm)" -> "X" and its unit; brackets around anything else stay in the word.
 PointColumn split_unit(const std::string& text) {
@@ -102,6 +104,19 @@ Result<void> check(const PointColumns& columns) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> point_column_titles() {
+    std::vector<std::pair<std::string, std::string>> titles;
+    for (const ColumnWord& word : column_words) titles.emplace_back(word.word, word.title);
+    return titles;
+}
+
+std::string word_of(const PointColumn& column) {
+    for (const ColumnWord& word : column_words)
+        if (word.kind == column.kind && word.axis == column.axis)
+            return std::string(word.word) + (column.unit ? " [" + column.unit->text() + "]" : "");
+    return "-";
+}
 
 std::string point_column_words() {
     return "name, group, collection, x, y, z, u_x, u_y, u_z or u (standard uncertainties), U_x, U_y, U_z or "

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -30,6 +31,10 @@ using PointColumns = std::vector<PointColumn>;
 
 /// The words that state columns, for messages: "name, group, collection, x, y, z, u_x ...".
 std::string point_column_words();
+/// Each word with what it means.
+std::vector<std::pair<std::string, std::string>> point_column_titles();
+/// The word of a column, as it would be typed.
+std::string word_of(const PointColumn& column);
 /// As typed: "name,x,y,z,u_x [um],-". Error{usage}: a word that is none, a column stated twice, no x, y or z.
 Result<PointColumns> stated_point_columns(const std::vector<std::string>& words);
 /// From headers as people write them ("Point Name", "X [mm]", "Ux", "sigma_x"); other headers are not read.

@@ -237,6 +237,37 @@ Result<Proposals> read_spatial_analyzer(const std::string& text, const ReadChoic
         });
 }
 
+/// The first rows; columns as the reader finds them, where it does.
+Result<SourceTable> rows_of_points(const std::string& text, const ReadChoice& choice, bool headers) {
+    const DelimitedText format = delimited_text_of(text);
+    SourceTable table;
+    std::size_t comments = 0, width = 0;
+    const auto scanned = scan_table(text, format, comments, [&](CsvRow&& row) {
+        width = std::max(width, row.cells.size());
+        for (std::string& cell : row.cells) cell = plain_name(cell);
+        table.rows.push_back(std::move(row.cells));
+        return table.rows.size() < SourceTable::most_rows;
+    });
+    if (!scanned) return fail(scanned.error());
+    if (table.rows.empty()) return fail(ErrorCode::bad_input, "the file has no points");
+    auto columns = !choice.columns.empty() ? stated_point_columns(choice.columns)
+                   : headers               ? point_columns_of_headers(table.rows.front())
+                             : spatial_analyzer_columns(shape_of(table.rows.front(), format), choice.chosen);
+    table.columns.resize(width);
+    for (std::size_t i = 0; columns && i < std::min(width, columns->size()); ++i)
+        table.columns[i] = word_of((*columns)[i]);
+    for (auto& [key, title] : point_column_titles()) table.words.push_back({key, title});
+    return table;
+}
+
+Result<SourceTable> table_with_headers(const std::string& text, const ReadChoice& choice) {
+    return rows_of_points(text, choice, true);
+}
+
+Result<SourceTable> table_without_headers(const std::string& text, const ReadChoice& choice) {
+    return rows_of_points(text, choice, false);
+}
+
 }  // namespace
 
 Reader spatial_analyzer_reader() {
@@ -246,7 +277,8 @@ Reader spatial_analyzer_reader() {
         .pattern = "*.txt *.asc *.csv",
         .takes = "[collection] [group] point X Y Z [Ux Uy Uz], without headers -> an artefact for each group",
         .recognise = recognise_spatial_analyzer,
-        .read = read_spatial_analyzer};
+        .read = read_spatial_analyzer,
+        .table = table_without_headers};
 }
 
 Reader point_table_reader() {
@@ -257,7 +289,8 @@ Reader point_table_reader() {
                 "columns with headers (name, group, x, y, z, u_x ...) or stated ones -> an artefact for each "
                 "group",
             .recognise = recognise_table,
-            .read = read_table};
+            .read = read_table,
+            .table = table_with_headers};
 }
 
 }  // namespace covaria

@@ -24,6 +24,7 @@ struct ReadChoice {
     std::string file_name = {};             ///< without folders
     std::optional<Unit> length_unit = {};   ///< of coordinates that bear none; empty: mm
     std::vector<std::string> columns = {};  ///< what stands in each column of a table; empty: found
+    std::string sheet = {};                 ///< of a workbook; empty: the one with a budget
     bool chosen = false;                    ///< the reader was named: what it stands for is stated
 };
 
@@ -51,6 +52,20 @@ struct Proposals {
     }
 };
 
+/// A table of the file as it stands there, for people who state its columns.
+struct SourceTable {
+    struct Word {
+        std::string key, title;  ///< "u_x", "standard uncertainty of x"
+    };
+    std::vector<std::vector<std::string>> rows = {};  ///< the first ones, headers too
+    std::vector<std::string> columns = {};  ///< keys of what each is read as; empty: it is not known
+    std::vector<Word> words = {};           ///< what a column may be
+    std::vector<std::string> sheets = {};   ///< of a workbook
+    std::string sheet = {};                 ///< the one shown
+
+    static constexpr std::size_t most_rows = 30;
+};
+
 struct Reader {
     std::string name;     ///< as typed: "dcc"
     std::string title;    ///< "Digital Calibration Certificate"
@@ -60,6 +75,8 @@ struct Reader {
     /// Error with `line` ("column 7: " at the front of its message where it is known); Error{usage}: people
     /// have to state something first, the message says what.
     Result<Proposals> (*read)(const std::string& text, const ReadChoice& choice);
+    /// The table that `ReadChoice::columns` may be stated for; null: the reader has none.
+    Result<SourceTable> (*table)(const std::string& text, const ReadChoice& choice) = nullptr;
 };
 
 }  // namespace covaria

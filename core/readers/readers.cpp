@@ -51,7 +51,12 @@ const std::vector<Reader>& reader_registry() {
                                              dcc_reader(),
                                              gsi_reader(),
                                              gama_reader(),
-                                             comp3d_reader()};
+                                             comp3d_reader(),
+                                             excel_budget_reader(),
+                                             gum_workbench_reader(),
+                                             suncal_reader(),
+                                             motive_reader(),
+                                             robot_calibration_reader()};
     return readers;
 }
 

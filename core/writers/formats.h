@@ -7,5 +7,6 @@ namespace covaria {
 
 Writer points_writer();
 Writer dcc_writer();
+Writer xlsx_writer();
 
 }  // namespace covaria

@@ -6,7 +6,7 @@
 namespace covaria {
 
 const std::vector<Writer>& writer_registry() {
-    static const std::vector<Writer> writers{points_writer(), dcc_writer()};
+    static const std::vector<Writer> writers{points_writer(), dcc_writer(), xlsx_writer()};
     return writers;
 }
 

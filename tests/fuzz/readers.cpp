@@ -5,6 +5,8 @@
 
 #include "core/base/guarded.h"
 #include "core/made/made_project.h"
+#include "core/readers/zip_parts.h"
+#include "tests/core/readers/zipped.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace covaria::fuzz {
@@ -24,8 +26,8 @@ public:
 
     std::string make(Noise& noise) override {
         const std::size_t file = noise.below(texts_.size());
-        std::string text = damaged_text(texts_[file], words_, noise);
-        if (noise.chance(4)) text = damaged_text(text, words_, noise);
+        std::string text = damaged(texts_[file], noise);
+        if (noise.chance(4)) text = damaged(text, noise);
         return std::string(1, static_cast<char>(noise.below(200))) +
                text;  // the first byte chooses the reader
     }
@@ -48,6 +50,25 @@ public:
     }
 
 private:
+    /// What a zip file holds is damaged too: its checksums would refuse all else.
+    std::string damaged(const std::string& text, Noise& noise) const {
+        auto zip = text.starts_with("PK") && !noise.chance(8) ? ZipParts::open(text, 16'000'000)
+                                                              : Result<ZipParts>(fail(Error{}));
+        if (!zip) return damaged_text(text, words_, noise);
+        readers_test::Parts parts;
+        for (const char* name :
+             {"[Content_Types].xml", "xl/workbook.xml", "xl/_rels/workbook.xml.rels",
+              "xl/worksheets/sheet1.xml", "xl/worksheets/sheet2.xml", "xl/sharedStrings.xml"})
+            if (const auto part = zip->read(name)) parts[name] = *part;
+        if (parts.empty()) return damaged_text(text, words_, noise);
+        auto part = parts.begin();
+        std::advance(part, static_cast<std::ptrdiff_t>(noise.below(parts.size())));
+        if (noise.chance(2) && parts.contains("xl/worksheets/sheet2.xml"))
+            part = parts.find("xl/worksheets/sheet2.xml");
+        part->second = damaged_text(part->second, words_, noise);
+        return readers_test::zipped(parts);
+    }
+
     static Outcome refused(const Error& error) {
         if (error.message.empty()) return {false, false, "an error without words"};
         // What has to be stated first, and what nothing is in, has no line.
@@ -96,6 +117,17 @@ private:
                                           "0 0 0",
                                           "9 9 9 9",
                                           "11",
+                                          "*a",
+                                          "&a ",
+                                          ": ",
+                                          "- ",
+                                          "[",
+                                          "{",
+                                          "=",
+                                          "_",
+                                          "√3",
+                                          "<f>",
+                                          "<v>",
                                           "\xFF",
                                           "\xEF\xBB\xBF",
                                           std::string(1, '\0')};

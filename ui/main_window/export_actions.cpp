@@ -4,8 +4,10 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include "core/base/file_io.h"
 #include "core/carried/report_data.h"
 #include "core/report/result_files.h"
+#include "core/writers/writers.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
 #include "ui/theme/icons.h"
@@ -77,6 +79,8 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
     menu->addAction(certificate_action);
     menu->addSeparator();
     menu->addAction(tr("&Results and Tables …"), this, &ExportActions::ask_tables);
+    for (const Writer& writer : writer_registry())
+        menu->addAction(to_qt(writer.title) + tr(" …"), this, [this, &writer] { ask_for_others(writer); });
     return menu;
 }
 
@@ -147,6 +151,25 @@ void ExportActions::ask_tables() {
     if (!file.isEmpty()) export_results_to(QFileInfo(file).path());
 }
 
+void ExportActions::ask_for_others(const Writer& writer) {
+    finish_typing();
+    if (!has_results()) return;
+    if (const Problems missing = writer.missing ? writer.missing(document_.project()) : Problems();
+        missing.has_errors()) {
+        dialogs_.show_message(tr("%1: what it must state is missing").arg(to_qt(writer.title)),
+                              to_qt(first_error(missing, "")));
+        return;
+    }
+    const QString ending = to_qt(writer.ending);
+    const QString file = dialogs_.file_to_save(tr("Export %1").arg(to_qt(writer.title)), suggested(ending),
+                                               tr("%1 (*%2)").arg(to_qt(writer.title), ending));
+    if (!file.isEmpty()) export_for_others(writer, file.endsWith(ending) ? file : file + ending);
+}
+
+void ExportActions::export_for_others(const Writer& writer, const QString& file) {
+    when_finished([this, &writer, file] { write_for_others(writer, file); });
+}
+
 void ExportActions::export_report_to(const QString& file, ReportFormat format) {
     when_finished([this, file, format] { write_document(DocumentKind::report, file, format); });
 }
@@ -197,6 +220,23 @@ void ExportActions::write_results(const QString& folder) {
             return [this, folder, problem, without] { finish(folder, problem, without); };
         },
         [this, folder, without](const Error& error) { finish(folder, to_qt(error.message), without); });
+}
+
+void ExportActions::write_for_others(const Writer& writer, const QString& file) {
+    std::vector<std::string> all;
+    for (const AnalysisEntry& analysis : document_.project().analyses) all.push_back(analysis.id);
+    const QString without = without_words(all);
+    jobs_.push(
+        [this, &writer, file, without, analyses = current_results(document_.project(), runner_),
+         made = runner_.made()]() -> JobQueue::Delivery {
+            const auto written = writer.write({*made, analyses});
+            QString problem = written ? QString() : to_qt(written.error().message);
+            if (written)
+                if (const auto saved = write_file_atomically(to_path(file), written->bytes); !saved)
+                    problem = to_qt(saved.error().message);
+            return [this, file, problem, without] { finish(file, problem, without); };
+        },
+        [this, file, without](const Error& error) { finish(file, to_qt(error.message), without); });
 }
 
 void ExportActions::finish(const QString& file, const QString& problem, const QString& without) {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/report/report.h"
+#include "core/writers/writer.h"
 #include "ui/document/document.h"
 #include "ui/export/report_export.h"
 #include "ui/export/report_maker.h"
@@ -30,6 +31,9 @@ public:
     /// Says first what ISO/IEC 17025 requires and is missing.
     void ask_certificate();
     void ask_tables();
+    /// A file for other programs, by a writer of core/writers.
+    void ask_for_others(const Writer& writer);
+    void export_for_others(const Writer& writer, const QString& file);
     void export_report_to(const QString& file, ReportFormat format);
     void export_certificate_to(const QString& file);
     /// results.json and the CSV tables, into a folder.
@@ -51,6 +55,7 @@ private:
     bool has_results();
     void write_document(DocumentKind kind, const QString& file, ReportFormat format);
     void write_results(const QString& folder);
+    void write_for_others(const Writer& writer, const QString& file);
     void finish(const QString& file, const QString& problem, const QString& without);
 
     Document& document_;

@@ -192,13 +192,13 @@ void MainWindow::make_file_menu() {
     menu->addSeparator();
     menu->addActions({files_.save_action, files_.save_as_action});
     menu->addSeparator();
-    menu->addAction(imports_->urdf_action);
+    menu->addActions({imports_->import_action, imports_->urdf_action});
     QMenu* exported = exports_->make_menu(menu);
     menu->addMenu(exported);
     menu->addSeparator();
     menu->addAction(icon(QStringLiteral("quit")), tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
-    project_actions_ << files_.save_action << files_.save_as_action << imports_->urdf_action
-                     << exported->menuAction();
+    project_actions_ << files_.save_action << files_.save_as_action << imports_->import_action
+                     << imports_->urdf_action << exported->menuAction();
 }
 
 void MainWindow::make_edit_menu() {
@@ -256,9 +256,7 @@ void MainWindow::connect_panes() {
             [this] { go_to(QStringLiteral("/certificate")); });
     connect(project_, &ProjectPane::message, this, say);
     connect(imports_, &ImportActions::message, this, say);
-    connect(imports_, &ImportActions::imported, this, [this](const QString& asset) {
-        selection_.select_entry({SetupOwner::asset, to_std(asset)});
-    });
+    connect(imports_, &ImportActions::imported, &selection_, &Selection::select_entry);
     connect(&document_, &Document::project_changed, this, &MainWindow::hold_runs);
     connect(&document_.unread(), &UnreadTexts::changed, this, &MainWindow::hold_runs);
     connect(&problems_->problems(), &QAbstractItemModel::modelReset, this, &MainWindow::count_problems);
@@ -386,7 +384,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     for (const QUrl& url : event->mimeData()->urls())
-        if (is_project(url)) event->acceptProposedAction();
+        if (is_project(url) || (has_project_ && url.isLocalFile())) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
@@ -395,6 +393,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
             files_.open_file(url.toLocalFile());
             return;
         }
+    for (const QUrl& url : event->mimeData()->urls())
+        if (has_project_ && url.isLocalFile()) return imports_->import_file(url.toLocalFile());
 }
 
 }  // namespace covaria::ui

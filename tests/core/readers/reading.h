@@ -36,6 +36,20 @@ inline std::string errors_of(Proposals proposals) {
     return errors;
 }
 
+/// The first analysis of a project with these proposals, by the law of propagation.
+inline UncertaintyResult first_order(Proposals proposals) {
+    Project project;
+    add_to_project(project, std::move(proposals));
+    project.analyses.at(0).options.method = Method::first_order;
+    const auto made = MadeProject::make(std::move(project));
+    const auto prepared = made->analysis(made->project().analyses[0].id);
+    EXPECT_TRUE(prepared);
+    if (!prepared) return {};
+    auto result = run_analysis(*prepared);
+    EXPECT_TRUE(result);
+    return result ? std::move(*result) : UncertaintyResult();
+}
+
 inline std::string all_found(const Proposals& proposals) {
     std::string all;
     for (const std::string& line : proposals.found) all += line + "\n";

@@ -1,7 +1,18 @@
 // Importing a robot from URDF in the window: one undo step, a message where it cannot be.
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QDropEvent>
 #include <QFile>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTest>
+#include <QUrl>
 
 #include "tests/ui/main_window/session_fixture.h"
+#include "ui/forms/import_dialog.h"
+#include "ui/main_window/export_actions.h"
 #include "ui/main_window/import_actions.h"
 
 namespace covaria::ui::import_session_test {
@@ -41,6 +52,110 @@ TEST_F(ImportSession, WhatIsNoRobotIsSaidAndLeftOut) {
     ASSERT_EQ(answer_.messages.size(), 1);
     EXPECT_TRUE(answer_.messages[0].contains(QStringLiteral("<robot> is missing")));
     EXPECT_EQ(window_->document().project().assets.size(), before);
+}
+
+class FileImportSession : public Session {
+protected:
+    /// As when the file is dropped on the window.
+    ImportDialog* drop(const QString& file) {
+        QMimeData mime;
+        mime.setUrls({QUrl::fromLocalFile(file)});
+        QDragEnterEvent enter({10, 10}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &enter);
+        EXPECT_TRUE(enter.isAccepted());
+        QDropEvent event({10, 10}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &event);
+        auto* dialog = window_->findChild<ImportDialog*>(QStringLiteral("import"));
+        EXPECT_TRUE(dialog && wait_for([&] { return dialog->isVisible(); }));
+        return dialog;
+    }
+    static QString sample(const char* name) {
+        return QStringLiteral(COVARIA_SOURCE_DIR "/tests/data/readers/") + QLatin1String(name);
+    }
+    static void press_import(ImportDialog& dialog) {
+        QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok),
+                          Qt::LeftButton);
+    }
+};
+
+TEST_F(FileImportSession, ADroppedBudgetIsShownAndAddedInOneStep) {
+    open(project_copy());
+    const std::size_t before = window_->document().project().analyses.size();
+    ImportDialog* dialog = drop(sample("budget.xlsx"));
+    ASSERT_TRUE(dialog);
+    auto* preview = dialog->findChild<QPlainTextEdit*>(QStringLiteral("preview"));
+    EXPECT_TRUE(preview->toPlainText().contains(QStringLiteral("575 [nm/K]*delta_t")));
+    EXPECT_TRUE(preview->toPlainText().contains(QStringLiteral("sheet 'Cover'")));
+    EXPECT_EQ(dialog->findChild<QComboBox*>(QStringLiteral("sheet"))->currentText(),
+              QStringLiteral("Budget"));
+    dialog->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/test-files/import-dialog.png"));
+    // A column that is not read makes other numbers: without divisors the file does not say enough.
+    auto* divisor = dialog->findChild<QComboBox*>(QStringLiteral("column-6"));
+    ASSERT_TRUE(divisor);
+    const int as_named = divisor->currentIndex();
+    choose_in(*divisor, QStringLiteral("not read"));
+    EXPECT_TRUE(
+        dialog->findChild<QLabel*>(QStringLiteral("summary"))->text().contains(QStringLiteral("Budget!E4")));
+    EXPECT_FALSE(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+    divisor->setCurrentIndex(as_named);
+    press_import(*dialog);
+    const Project& project = window_->document().project();
+    ASSERT_EQ(project.analyses.size(), before + 1);
+    EXPECT_EQ(window_->selection().entry(), (SetupAddress{SetupOwner::analysis, project.analyses.back().id}));
+    EXPECT_NE(project.analyses.back().notes.find("budget.xlsx"), std::string::npos);
+    EXPECT_NE(project.analyses.back().notes.find("SHA-256"), std::string::npos);
+    window_->document().undo_stack().undo();
+    EXPECT_EQ(window_->document().project().analyses.size(), before);
+}
+
+TEST_F(FileImportSession, TheWorkbookOfTheWindowIsThatOfTheCommandLine) {
+    const QString project = folder_.filePath(QStringLiteral("h1.covaria"));
+    ASSERT_TRUE(
+        QFile::copy(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria"), project));
+    open(project);
+    window_->runner().run_all();
+    wait_until_idle();
+    const QString ours = folder_.filePath(QStringLiteral("window.xlsx")),
+                  theirs = folder_.filePath(QStringLiteral("line.xlsx"));
+    answer_.file_to_save = ours;
+    QSignalSpy finished(&window_->exports(), &ExportActions::finished);
+    trigger(QStringLiteral("Excel workbook"));
+    ASSERT_TRUE(wait_for([&] { return finished.size() == 1; }));
+    EXPECT_EQ(finished[0][1].toString().toStdString(), "");
+    QProcess program;
+    program.start(QStringLiteral(COVARIA_PROGRAM), {QStringLiteral("export"), project, QStringLiteral("--as"),
+                                                    QStringLiteral("xlsx"), QStringLiteral("-o"), theirs});
+    ASSERT_TRUE(program.waitForFinished(60'000));
+    EXPECT_EQ(program.exitCode(), 0);
+    QFile a(ours), b(theirs);
+    ASSERT_TRUE(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
+    EXPECT_EQ(a.readAll(), b.readAll());
+}
+
+TEST_F(FileImportSession, WhatNobodyRecognisesIsAskedFor) {
+    open(project_copy());
+    QFile file(folder_.filePath(QStringLiteral("numbers.txt")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("p1 1 2 3 0.1 0.1 0.2\np2 4 5 6 0.1 0.1 0.2\n");
+    file.close();
+    const std::size_t before = window_->document().project().assets.size();
+    answer_.file_to_import = file.fileName();
+    trigger(QStringLiteral("Import File"));
+    auto* dialog = window_->findChild<ImportDialog*>(QStringLiteral("import"));
+    ASSERT_TRUE(dialog);
+    EXPECT_TRUE(dialog->findChild<QLabel*>(QStringLiteral("summary"))
+                    ->text()
+                    .contains(QStringLiteral("six numbers may be")));
+    const char* columns[] = {
+        "name of the point",        "x", "y", "z", "standard uncertainty of x", "standard uncertainty of y",
+        "standard uncertainty of z"};
+    for (int i = 0; i < 7; ++i)
+        choose_in(*dialog->findChild<QComboBox*>(QStringLiteral("column-%1").arg(i + 1)),
+                  QLatin1String(columns[i]));
+    EXPECT_TRUE(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled())
+        << dialog->findChild<QLabel*>(QStringLiteral("summary"))->text().toStdString();
+    press_import(*dialog);
+    EXPECT_EQ(window_->document().project().assets.size(), before + 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a reader proposes, as text for the terminal.
+// What a reader proposes, as text: for the terminal and the import dialog.
 #pragma once
 
 #include <string>

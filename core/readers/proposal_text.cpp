@@ -1,4 +1,4 @@
-#include "app/proposal_text.h"
+#include "core/readers/proposal_text.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,0 +1,115 @@
+#include "core/readers/budget_figures.h"
+
+#include <cctype>
+#include <cmath>
+
+#include "core/base/in_quotes.h"
+#include "core/readers/entry_texts.h"
+#include "core/readers/xml_text.h"
+#include "core/setup/message_text.h"
+
+namespace covaria {
+
+namespace {
+
+struct Shape {
+    const char* statement;
+    double divisor;  ///< half-width to standard uncertainty; 0: normal
+};
+
+/// By the beginning of what people call it, in small letters.
+std::optional<Shape> shape_of(const std::string& words) {
+    std::string lower;
+    for (const char c : words) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const auto begins = [&](const char* word) { return lower.starts_with(word); };
+    if (begins("rect") || begins("uniform") || begins("rechteck"))
+        return Shape{"rectangular", std::sqrt(3.0)};
+    if (begins("triang") || begins("dreieck")) return Shape{"triangular", std::sqrt(6.0)};
+    if (begins("u-") || begins("u shaped") || begins("arcsin") || begins("arc sin") || lower == "u")
+        return Shape{"arcsine", std::sqrt(2.0)};
+    if (begins("normal") || begins("gauss") || begins("student") || begins("t") || begins("type a") ||
+        lower == "n")
+        return Shape{"standard", 0.0};
+    return std::nullopt;
+}
+
+bool is_near(double a, double b) {
+    return std::abs(a - b) <= 0.005 * std::abs(b);
+}
+
+}  // namespace
+
+std::optional<double> divisor_in_text(const std::string& text) {
+    if (const auto number = number_in_text(text)) return number;
+    for (const std::string sign : {"√", "sqrt"}) {
+        if (!text.starts_with(sign)) continue;
+        std::string rest = text.substr(sign.size());
+        if (rest.size() > 2 && rest.front() == '(' && rest.back() == ')')
+            rest = rest.substr(1, rest.size() - 2);
+        const auto number = number_in_text(rest);
+        if (number && *number > 0.0) return std::sqrt(*number);
+    }
+    return std::nullopt;
+}
+
+double standard_uncertainty_of(const NotedComponent& component) {
+    const double a = component.unit.interval_to_si(component.a.value_or(0.0));
+    if (component.statement == "certificate-k") return a / component.b.value_or(1.0);
+    for (const char* words : {"rectangular", "triangular", "arcsine"})
+        if (component.statement == words) return a / shape_of(words)->divisor;
+    return a;
+}
+
+Result<NotedComponent> stated_component_of(const BudgetFigures& figures, std::string& how) {
+    const auto refused = [](const std::string& message) { return fail(ErrorCode::bad_input, message); };
+    std::optional<Shape> shape;
+    if (!figures.distribution.empty()) {
+        shape = shape_of(figures.distribution);
+        if (!shape && figures.standard)
+            how = "the distribution " + in_quotes(plain_name(figures.distribution)) +
+                  " with a standard uncertainty: taken as normal";
+        if (!shape && !figures.standard)
+            return refused("the distribution " + in_quotes(plain_name(figures.distribution)) +
+                           " is not known; there are normal, rectangular, triangular, U-shaped");
+    }
+    if (figures.divisor && !(*figures.divisor > 0.0)) return refused("the divisor must be greater than 0");
+    NotedComponent c{.degrees_of_freedom = figures.nu};
+    const std::optional<double> figure = figures.limits ? figures.limits : figures.expanded;
+    for (const auto& value : {figure, figures.standard})
+        if (value && !(*value >= 0.0)) return refused("an uncertainty must not be negative");
+    if (!figure && !figures.standard) return refused("no uncertainty is stated");
+    if (figure && !figures.divisor && !figures.standard && !shape && !figures.limits)
+        return refused("neither divisor, k nor distribution says what the uncertainty " +
+                       shortest_number(*figure) + " is");
+    if (!shape && figures.divisor && is_near(*figures.divisor, std::sqrt(3.0))) {
+        shape = Shape{"rectangular", std::sqrt(3.0)};
+        how = "divisor √3 without a distribution: taken as rectangular";
+    }
+    if (!shape && figures.limits && !figures.divisor && !figures.standard) {
+        shape = Shape{"rectangular", std::sqrt(3.0)};
+        how = "limits without a distribution: taken as rectangular";
+    }
+    if (!shape) shape = Shape{"standard", 0.0};
+    c.statement = shape->statement;
+    if (figure && shape->divisor > 0.0 && (!figures.divisor || is_near(*figures.divisor, shape->divisor))) {
+        c.a = *figure;
+        return c;
+    }
+    if (figure && figures.divisor && shape->divisor == 0.0) {
+        c.statement = "certificate-k";
+        c.a = *figure;
+        c.b = *figures.divisor;
+        return c;
+    }
+    if (figure && !figures.divisor && !figures.standard)
+        return refused("a normal distribution needs a divisor or k for the uncertainty " +
+                       shortest_number(*figure));
+    const double u = figures.standard ? *figures.standard : *figure / *figures.divisor;
+    c.a = shape->divisor > 0.0 ? u * shape->divisor : u;
+    if (!figures.standard && shape->divisor > 0.0)
+        how = "divisor " + shortest_number(*figures.divisor) + " for a " + std::string(shape->statement) +
+              " distribution: the half-width is taken as " + shortest_number(*c.a);
+    return c;
+}
+
+}  // namespace covaria

@@ -1,0 +1,28 @@
+// The figures of one line of a budget, and the statement of uncertainty that they make.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/readers/stated_budget.h"
+
+namespace covaria {
+
+/// As the line states them, in its unit.
+struct BudgetFigures {
+    std::optional<double> standard = {}, expanded = {}, limits = {}, divisor = {}, nu = {};
+    std::string distribution = {};  ///< words: "rectangular", "Rechteck", "U-shaped"
+};
+
+/// "normal, k = 2" ... in `how` where something was concluded that the line does not say in so many words.
+/// Error (without place): no uncertainty, figures that contradict each other, a distribution that is not
+/// known.
+Result<NotedComponent> stated_component_of(const BudgetFigures& figures, std::string& how);
+
+/// Standard uncertainty in SI of what `stated_component_of` made.
+double standard_uncertainty_of(const NotedComponent& component);
+
+/// "√3", "sqrt(3)", "2": empty where it is neither.
+std::optional<double> divisor_in_text(const std::string& text);
+
+}  // namespace covaria

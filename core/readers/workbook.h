@@ -1,0 +1,38 @@
+// Excel workbooks (.xlsx): the cells of their sheets as they were last computed.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace covaria {
+
+struct WorkbookCell {
+    std::string text = {};              ///< as stored: words, or the digits of a number
+    std::optional<double> number = {};  ///< where it is one
+    std::string failure = {};           ///< why it has no value: an error of Excel, a formula never computed
+};
+
+struct WorkbookSheet {
+    std::string name;
+    std::map<int, std::map<int, WorkbookCell>> rows =
+        {};  ///< by row and column from 1; only cells with content
+
+    const WorkbookCell* cell(int row, int column) const;
+    /// "Budget!C5"
+    std::string place(int row, int column) const;
+    /// Error at a cell; its line is the row.
+    tl::unexpected<Error> refused(int row, int column, const std::string& message) const;
+};
+
+/// "C" for 3.
+std::string column_letters(int column);
+
+/// All sheets with cells, in the order of the workbook; hidden ones too. Formulas are never computed.
+/// Error: no workbook, encrypted, damaged, an XML entity, more cells or bytes than a budget has.
+Result<std::vector<WorkbookSheet>> read_workbook(const std::string& bytes);
+
+}  // namespace covaria

@@ -1,0 +1,40 @@
+// YAML of others: parsed into plain nodes with their places; aliases are refused, so nothing is ever
+// expanded.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/text_places.h"
+
+namespace covaria {
+
+inline constexpr std::size_t largest_yaml = 500'000;  ///< bytes; the scanner may take 250 times as much
+
+struct YamlNode {
+    enum class Kind { nothing, scalar, list, map };
+    Kind kind = Kind::nothing;
+    std::string text = {};                ///< of a scalar
+    std::vector<std::string> keys = {};   ///< of a map, a key for each child
+    std::vector<YamlNode> children = {};  ///< of a list or map
+    int line = 0, column = 0;             ///< from 1
+
+    /// The value under a key; null if there is none or nothing is said.
+    const YamlNode* find(const std::string& key) const;
+    /// The scalar under a key, else empty.
+    std::string text_of(const std::string& key) const;
+    /// A finite number; empty where it is none.
+    std::optional<double> number() const;
+    tl::unexpected<Error> refused(const std::string& message) const {
+        return refused_at(line, column, message);
+    }
+};
+
+/// The first document. Error with line and column: no YAML, an alias, a key that is not a word or stands
+/// twice, too large, too deep.
+Result<YamlNode> parse_yaml(const std::string& text);
+
+}  // namespace covaria

@@ -1,0 +1,394 @@
+// Results as an Excel workbook: budgets with live formulas beside the values that Covaria computed.
+#include <algorithm>
+#include <cmath>
+
+#include "core/quantity/input_quantity.h"
+#include "core/result/representation.h"
+#include "core/result/result_line.h"
+#include "core/writers/formats.h"
+#include "core/writers/xlsx_book.h"
+
+namespace covaria {
+
+namespace {
+
+using Look = XlsxBook::Look;
+
+constexpr std::size_t most_budget_sheets = 250;
+
+enum BudgetSheetColumn {
+    symbol = 1,
+    name,
+    estimate,
+    unit,
+    u,
+    distribution,
+    nu,
+    c,
+    contribution,
+    square,
+    fourth
+};
+
+/// A line of a budget sheet.
+struct SheetLine {
+    std::size_t component = 0;
+    double sensitivity = 0.0;  ///< SI
+    std::string symbol;
+};
+
+std::string range(int column, int first, int last) {
+    return cell_name(first, column) + ":" + cell_name(last, column);
+}
+
+/// One output of one analysis.
+class BudgetSheet {
+public:
+    BudgetSheet(XlsxBook& book, const EvaluatedAnalysis& evaluated, std::size_t output)
+        : book_(book),
+          result_(*evaluated.result),
+          output_(result_.outputs[output]),
+          index_(output),
+          y_(output_.quantity.unit.interval()) {
+        title_ = output_.quantity.symbol + ": " + output_.quantity.name;
+        analysis_ = evaluated.analysis->name;
+    }
+
+    void write() {
+        book_.text(1, 1, title_, Look::title);
+        book_.text(2, 1,
+                   "Analysis " + analysis_ +
+                       ". White cells are formulas, blue ones are figures that Covaria wrote: change a "
+                       "figure and the sheet computes anew.");
+        write_heads();
+        collect();
+        for (const SheetLine& line : lines_) write_line(line);
+        last_ = row_ - 1;
+        write_result();
+        write_correlations();
+        write_comparison();
+    }
+
+private:
+    void write_heads() {
+        const std::string u_y = "[" + y_.display() + "]";
+        const std::vector<std::pair<std::string, double>> heads{{"Quantity", 14},
+                                                                {"Component", 36},
+                                                                {"Estimate", 18},
+                                                                {"Unit", 10},
+                                                                {"Standard uncertainty", 14},
+                                                                {"Distribution", 14},
+                                                                {"Degrees of freedom", 12},
+                                                                {"Sensitivity coefficient", 14},
+                                                                {"Contribution " + u_y, 16},
+                                                                {"Its square", 14},
+                                                                {"Its fourth power over nu", 14}};
+        for (std::size_t i = 0; i < heads.size(); ++i) {
+            book_.text(4, static_cast<int>(i) + 1, heads[i].first, Look::head);
+            book_.set_width(static_cast<int>(i) + 1, heads[i].second);
+        }
+        row_ = 5;
+    }
+
+    /// In the order of the quantities; components of a quantity that have one sensitivity stand together.
+    void collect() {
+        for (const BudgetRow& row : result_.budget.rows[index_]) {
+            const BudgetComponent& component = result_.budget.components[row.component];
+            std::string label =
+                component.quantities.size() == 1 ? component.quantities.front() : component.id;
+            for (const SheetLine& other : lines_)
+                if (other.symbol == label && other.sensitivity != row.sensitivity) label = component.id;
+            lines_.push_back({row.component, row.sensitivity, label});
+        }
+        std::sort(lines_.begin(), lines_.end(),
+                  [](const SheetLine& a, const SheetLine& b) { return a.component < b.component; });
+        // Stable by first appearance: rows of one symbol are neighbours.
+        std::vector<SheetLine> ordered;
+        for (const SheetLine& line : lines_) {
+            if (std::any_of(ordered.begin(), ordered.end(),
+                            [&](const SheetLine& o) { return o.symbol == line.symbol; }))
+                continue;
+            for (const SheetLine& other : lines_)
+                if (other.symbol == line.symbol) ordered.push_back(other);
+        }
+        lines_ = std::move(ordered);
+    }
+
+    void write_line(const SheetLine& line) {
+        const BudgetComponent& component = result_.budget.components[line.component];
+        const Unit x = component.unit.interval();
+        book_.text(row_, symbol, line.symbol);
+        book_.text(row_, name, component.name);
+        if (line.symbol != before_) {
+            const bool own = component.quantities.size() == 1 && component.quantity_unit.interval() == x;
+            if (own)
+                book_.number(row_, estimate, component.quantity_unit.from_si(component.estimate),
+                             Look::stated);
+            else
+                book_.number(row_, estimate, 0.0, Look::stated);
+        }
+        before_ = line.symbol;
+        const bool offset = component.quantity_unit.has_offset() && component.quantity_unit.interval() == x;
+        book_.text(row_, unit, offset ? component.quantity_unit.display() : x.display());
+        book_.number(row_, u, x.interval_from_si(component.standard_uncertainty), Look::stated);
+        book_.text(row_, distribution, component.distribution);
+        const double degrees = component.degrees_of_freedom;
+        if (std::isfinite(degrees))
+            book_.number(row_, nu, degrees, Look::stated);
+        else
+            book_.text(row_, nu, "∞", Look::stated);
+        // In the unit of the result for one unit of the quantity.
+        const double slope = y_.interval_from_si(x.interval_to_si(line.sensitivity));
+        book_.number(row_, c, slope, Look::stated);
+        const double share = slope * x.interval_from_si(component.standard_uncertainty);
+        const std::string own = cell_name(row_, contribution);
+        book_.formula(row_, contribution, "=" + cell_name(row_, u) + "*" + cell_name(row_, c), share);
+        book_.formula(row_, square, "=" + own + "^2", share * share);
+        if (std::isfinite(degrees)) {
+            const double part = std::pow(share, 4) / degrees;
+            book_.formula(row_, fourth, "=" + own + "^4/" + cell_name(row_, nu), part);
+        }
+        ++row_;
+    }
+
+    /// Welch and Satterthwaite's formula is that of Covaria where components are independent of each other.
+    bool independent() const {
+        return result_.inputs.correlations.empty() && result_.inputs.variance_estimates.empty() &&
+               result_.inputs.vectors.empty();
+    }
+
+    double first_order_u() const { return y_.interval_from_si(output_.first_order.standard_uncertainty); }
+
+    void write_result() {
+        result_row_ = row_;
+        book_.text(row_, symbol, output_.quantity.symbol, Look::head);
+        book_.text(row_, name, output_.quantity.name, Look::head);
+        book_.number(row_, estimate, output_.quantity.unit.from_si(output_.first_order.estimate), Look::head);
+        book_.text(row_, unit, output_.quantity.unit.display(), Look::head);
+        row_ += 2;
+    }
+
+    /// Each pair with its term of the variance, 2 r c_1 u_1 c_2 u_2.
+    void write_correlations() {
+        const auto all = resolved_correlations(result_.inputs);
+        first_pair_ = row_ + 2;
+        if (!all || lines_.empty()) return;
+        std::vector<int> rows(result_.budget.components.size(), 0);
+        for (std::size_t i = 0; i < lines_.size(); ++i) rows[lines_[i].component] = 5 + static_cast<int>(i);
+        int at = first_pair_;
+        for (const ComponentCorrelation& pair : *all) {
+            const int a = rows.at(pair.first), b = rows.at(pair.second);
+            if (a == 0 || b == 0 || pair.coefficient == 0.0) continue;
+            book_.text(at, symbol, result_.budget.components[pair.first].id);
+            book_.text(at, name, result_.budget.components[pair.second].id);
+            book_.number(at, c, pair.coefficient, Look::stated);
+            const double term = 2.0 * pair.coefficient * share_of(lines_[static_cast<std::size_t>(a - 5)]) *
+                                share_of(lines_[static_cast<std::size_t>(b - 5)]);
+            book_.formula(at, square,
+                          "=2*" + cell_name(at, c) + "*" + cell_name(a, contribution) + "*" +
+                              cell_name(b, contribution),
+                          term);
+            ++at;
+        }
+        pairs_ = at - first_pair_;
+        if (pairs_ == 0) return;
+        book_.text(row_, symbol, "Correlations", Look::title);
+        book_.text(row_ + 1, symbol, "Component", Look::head);
+        book_.text(row_ + 1, name, "and component", Look::head);
+        book_.text(row_ + 1, c, "Coefficient r", Look::head);
+        book_.text(row_ + 1, square, "Term of the variance", Look::head);
+        row_ = at + 1;
+    }
+
+    double share_of(const SheetLine& line) const {
+        return y_.interval_from_si(line.sensitivity *
+                                   result_.budget.components[line.component].standard_uncertainty);
+    }
+
+    void write_comparison() {
+        book_.text(row_, name, "Law of propagation", Look::title);
+        ++row_;
+        const char* heads[] = {"", "live formula", "Covaria", "do both agree?"};
+        for (int i = 0; i < 4; ++i) book_.text(row_, name + i, heads[i], Look::head);
+        ++row_;
+        const FirstOrderOutput& law = output_.first_order;
+        const double u_y = first_order_u();
+        const bool any = !lines_.empty();
+        const std::string squares = any ? "SUM(" + range(square, 5, last_) + ")" : "0";
+        const std::string pairs =
+            pairs_ > 0 ? "+SUM(" + range(square, first_pair_, first_pair_ + pairs_ - 1) + ")" : "";
+        const int variance =
+            compare("Sum of squares" + std::string(pairs_ > 0 ? " and terms of correlation" : ""),
+                    "=" + squares + pairs, u_y * u_y);
+        const int row_u =
+            compare("Standard uncertainty u", "=SQRT(" + cell_name(variance, estimate) + ")", u_y);
+        book_.formula(result_row_, contribution, "=" + cell_name(row_u, estimate), u_y, Look::head);
+        const double degrees = law.effective_degrees_of_freedom;
+        int row_nu = row_;
+        if (independent() && any) {
+            const std::string sum = "SUM(" + range(fourth, 5, last_) + ")";
+            row_nu = compare(
+                "Effective degrees of freedom",
+                "=IF(" + sum + "=0,\"infinite\"," + cell_name(row_u, estimate) + "^4/" + sum + ")", degrees);
+        } else {
+            book_.text(row_, name,
+                       "Effective degrees of freedom, as Covaria has them for dependent components");
+            book_.number(row_, estimate, degrees, Look::stated);
+            ++row_;
+        }
+        const int row_p = row_;
+        book_.text(row_, name, "Coverage probability");
+        book_.number(row_++, estimate, result_.coverage_probability, Look::stated);
+        write_expanded(row_u, row_nu, row_p);
+        write_trials();
+    }
+
+    void write_expanded(int row_u, int row_nu, int row_p) {
+        const FirstOrderOutput& law = output_.first_order;
+        int row_k = row_;
+        if (result_.fixed_coverage_factor) {
+            book_.text(row_, name, "Coverage factor k, fixed");
+            book_.number(row_++, estimate, *result_.fixed_coverage_factor, Look::stated);
+        } else {
+            // Student's t for any real number of degrees of freedom, by the beta distribution.
+            const std::string p = cell_name(row_p, estimate), n = cell_name(row_nu, estimate),
+                              beta = "BETAINV(" + p + ",0.5," + n + "/2)";
+            row_k = compare("Coverage factor k",
+                            "=IF(ISNUMBER(" + n + "),IF(" + n + "<1E6,SQRT(" + n + "*" + beta + "/(1-" +
+                                beta + ")),NORMSINV((1+" + p + ")/2)),NORMSINV((1+" + p + ")/2))",
+                            law.coverage_factor);
+        }
+        compare("Expanded uncertainty U", "=" + cell_name(row_k, estimate) + "*" + cell_name(row_u, estimate),
+                y_.interval_from_si(law.expanded_uncertainty));
+    }
+
+    /// Trials cannot be formulas: values only.
+    void write_trials() {
+        if (!output_.monte_carlo) return;
+        row_ += 1;
+        book_.text(row_++, name, "Monte Carlo, " + std::to_string(result_.trials) + " trials", Look::title);
+        const Unit& unit_y = output_.quantity.unit;
+        const CoverageInterval& interval = output_.monte_carlo->symmetric;
+        const auto value = [&](const char* label, double v) {
+            book_.text(row_, name, label);
+            book_.number(row_++, estimate, v, Look::stated);
+        };
+        value("Estimate", unit_y.from_si(output_.monte_carlo->mean));
+        value("Standard uncertainty", y_.interval_from_si(output_.monte_carlo->standard_uncertainty));
+        value("Coverage interval, low", unit_y.from_si(interval.low));
+        value("Coverage interval, high", unit_y.from_si(interval.high));
+    }
+
+    /// Label, formula, Covaria's value, whether both agree to 1e-6. Returns its row.
+    int compare(const std::string& label, const std::string& formula, double covaria) {
+        book_.text(row_, name, label);
+        book_.formula(row_, estimate, formula, covaria);
+        book_.number(row_, unit, covaria, Look::stated);
+        const std::string live = cell_name(row_, estimate), stated = cell_name(row_, unit);
+        book_.text_formula(row_, u,
+                           "=IF(ISNUMBER(" + stated + "),IF(ABS(" + live + "-" + stated + ")<=1E-6*ABS(" +
+                               stated + "),\"yes\",\"NO\"),IF(" + live + "=" + stated + ",\"yes\",\"NO\"))",
+                           "yes");
+        return row_++;
+    }
+
+    XlsxBook& book_;
+    const UncertaintyResult& result_;
+    const OutputResult& output_;
+    std::size_t index_;
+    Unit y_;  ///< of uncertainties of the output
+    std::string title_, analysis_, before_;
+    std::vector<SheetLine> lines_;
+    int row_ = 1, last_ = 4, result_row_ = 0, first_pair_ = 0, pairs_ = 0;
+};
+
+void write_results_sheet(XlsxBook& book, const WriterSource& source, std::vector<std::string>& said) {
+    book.add_sheet("Results");
+    book.text(1, 1, source.made.project().title, Look::title);
+    const std::vector<std::pair<const char*, double>> heads{{"Analysis", 24},
+                                                            {"Output", 10},
+                                                            {"Measurand", 34},
+                                                            {"Unit", 10},
+                                                            {"y", 18},
+                                                            {"u", 14},
+                                                            {"nu_eff", 10},
+                                                            {"k", 10},
+                                                            {"U", 14},
+                                                            {"Interval low", 18},
+                                                            {"Interval high", 18},
+                                                            {"By", 18}};
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+        book.text(3, static_cast<int>(i) + 1, heads[i].first, Look::head);
+        book.set_width(static_cast<int>(i) + 1, heads[i].second);
+    }
+    int row = 4;
+    for (const EvaluatedAnalysis& evaluated : source.analyses) {
+        const UncertaintyResult& result = *evaluated.result;
+        if (!represents_measurand(result)) {
+            said.push_back("not written: analysis " + evaluated.analysis->id + ", whose result " +
+                           does_not_represent);
+            continue;
+        }
+        for (const OutputResult& output : result.outputs) {
+            const Unit unit = output.quantity.unit, interval = unit.interval();
+            const CoverageInterval covered = coverage_interval_of(output, result);
+            book.text(row, 1, evaluated.analysis->name);
+            book.text(row, 2, output.quantity.symbol);
+            book.text(row, 3, output.quantity.name);
+            book.text(row, 4, unit.display());
+            const double numbers[] = {unit.from_si(output.estimate),
+                                      interval.interval_from_si(output.standard_uncertainty),
+                                      output.first_order.effective_degrees_of_freedom,
+                                      output.coverage_factor,
+                                      interval.interval_from_si(output.expanded_uncertainty),
+                                      unit.from_si(covered.low),
+                                      unit.from_si(covered.high)};
+            for (int i = 0; i < 7; ++i) book.number(row, 5 + i, numbers[i], Look::stated);
+            book.text(row, 12, output.monte_carlo ? "Monte Carlo" : "law of propagation");
+            ++row;
+        }
+    }
+}
+
+Result<WrittenFile> write_xlsx(const WriterSource& source) {
+    if (source.analyses.empty()) return fail(ErrorCode::bad_input, "there are no results to write");
+    WrittenFile file;
+    XlsxBook book;
+    write_results_sheet(book, source, file.said);
+    std::size_t budgets = 0, beyond = 0;
+    for (const EvaluatedAnalysis& evaluated : source.analyses) {
+        if (!represents_measurand(*evaluated.result)) continue;
+        for (std::size_t j = 0; j < evaluated.result->outputs.size(); ++j) {
+            if (budgets == most_budget_sheets) {
+                ++beyond;
+                continue;
+            }
+            const OutputQuantity& quantity = evaluated.result->outputs[j].quantity;
+            book.add_sheet(quantity.symbol + (quantity.group.empty() ? "" : " " + quantity.group));
+            BudgetSheet(book, evaluated, j).write();
+            ++budgets;
+        }
+    }
+    auto bytes = book.finish();
+    if (!bytes) return fail(bytes.error());
+    file.bytes = std::move(*bytes);
+    file.said.insert(file.said.begin(), "sheet Results and " + std::to_string(budgets) +
+                                            " budgets with live formulas, which say whether they agree with "
+                                            "Covaria to 1e-6");
+    if (beyond > 0) file.said.push_back("without a sheet: " + std::to_string(beyond) + " more budgets");
+    return file;
+}
+
+}  // namespace
+
+Writer xlsx_writer() {
+    return {.name = "xlsx",
+            .title = "Excel workbook",
+            .ending = ".xlsx",
+            .writes =
+                "results, and the budget of every output with live formulas (contributions, u, nu_eff, k, U) "
+                "beside Covaria's values",
+            .write = write_xlsx};
+}
+
+}  // namespace covaria

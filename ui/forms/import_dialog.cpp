@@ -1,0 +1,246 @@
+// Reading is that of core/readers, so that the window and `covaria import` agree.
+#include "ui/forms/import_dialog.h"
+
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/base/file_io.h"
+#include "core/base/guarded.h"
+#include "core/made/made_project.h"
+#include "core/readers/proposal_text.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+namespace {
+
+/// With its place, as the command line prints it.
+QString words_of(const Error& error) {
+    const QString message = to_qt(error.message);
+    return error.line > 0 ? ImportDialog::tr("Line %1: %2").arg(error.line).arg(message) : message;
+}
+
+/// What the project would complain about; empty if it may be evaluated.
+QString contradictions(const Proposals& proposals) {
+    Project project;
+    add_to_project(project, proposals);
+    const Problems problems = MadeProject::make(std::move(project))->problems();
+    for (const Problem& problem : problems.items())
+        if (problem.severity == Severity::error)
+            return ImportDialog::tr("What the file says contradicts itself: %1").arg(to_qt(problem.message));
+    return {};
+}
+
+}  // namespace
+
+ImportDialog::ImportDialog(const QString& file, QWidget* parent)
+    : QDialog(parent),
+      file_(file),
+      readers_(new QComboBox(this)),
+      sheets_(new QComboBox(this)),
+      unit_(new QComboBox(this)),
+      sheets_label_(new QLabel(tr("&Sheet"), this)),
+      table_label_(new QLabel(tr("Columns of the file and what each is read as"), this)),
+      summary_(new QLabel(this)),
+      table_(new QTableWidget(this)),
+      preview_(new QPlainTextEdit(this)),
+      stamp_(new QCheckBox(tr("&Note the file with its size, time and SHA-256 in what is added"), this)) {
+    setWindowTitle(tr("Import %1").arg(QFileInfo(file).fileName()));
+    if (auto read = read_file(to_path(file)))
+        text_ = std::move(*read);
+    else
+        failure_ = to_qt(read.error().message);
+    for (const char* unit : {"", "mm", "m", "cm", "in", "ft"})
+        unit_->addItem(*unit ? QString::fromLatin1(unit) : tr("as the file says, else mm"),
+                       QString::fromLatin1(unit));
+    readers_->setObjectName(QStringLiteral("reader"));
+    sheets_->setObjectName(QStringLiteral("sheet"));
+    unit_->setObjectName(QStringLiteral("unit"));
+    table_->setObjectName(QStringLiteral("table"));
+    preview_->setObjectName(QStringLiteral("preview"));
+    stamp_->setObjectName(QStringLiteral("stamp"));
+    summary_->setObjectName(QStringLiteral("summary"));
+    stamp_->setChecked(true);
+    make_layout();
+    offer_readers();
+    connect(readers_, &QComboBox::currentIndexChanged, this, [this] {
+        reader_chosen_ = true;
+        change_reader();
+    });
+    connect(sheets_, &QComboBox::currentIndexChanged, this, &ImportDialog::change_reader);
+    connect(unit_, &QComboBox::currentIndexChanged, this, &ImportDialog::read);
+    change_reader();
+}
+
+void ImportDialog::make_layout() {
+    table_->setAccessibleName(table_label_->text());
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->horizontalHeader()->hide();
+    table_->verticalHeader()->hide();
+    preview_->setAccessibleName(tr("What becomes of the file"));
+    preview_->setReadOnly(true);
+    preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
+    preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    summary_->setWordWrap(true);
+    sheets_label_->setBuddy(sheets_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    accept_ = buttons->button(QDialogButtonBox::Ok);
+    accept_->setText(tr("Import"));
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Read as"), readers_);
+    form->addRow(sheets_label_, sheets_);
+    form->addRow(tr("&Unit of lengths"), unit_);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(table_label_);
+    layout->addWidget(table_, 1);
+    layout->addWidget(new QLabel(tr("What becomes of it, and what is not taken over"), this));
+    layout->addWidget(preview_, 2);
+    layout->addWidget(summary_);
+    layout->addWidget(stamp_);
+    layout->addWidget(buttons);
+    resize(900, 720);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+/// Those that recognise the file first; none is chosen where several do.
+void ImportDialog::offer_readers() {
+    const RecognisedReaders found = recognise_reader(text_, to_std(QFileInfo(file_).fileName()));
+    readers_->addItem(found.readers.empty() ? tr("no reader recognises it: choose one")
+                                            : tr("several readers recognise it: choose one"));
+    std::vector<const Reader*> listed = found.readers;
+    listed.insert(listed.end(), found.others.begin(), found.others.end());
+    const std::size_t known = listed.size();
+    for (const Reader& reader : reader_registry())
+        if (std::find(listed.begin(), listed.end(), &reader) == listed.end()) listed.push_back(&reader);
+    for (std::size_t i = 0; i < listed.size(); ++i)
+        readers_->addItem(
+            i < known ? tr("%1 (recognised)").arg(to_qt(listed[i]->title)) : to_qt(listed[i]->title),
+            to_qt(listed[i]->name));
+    readers_->setCurrentIndex(found.readers.size() == 1 ? 1 : 0);
+}
+
+const Reader* ImportDialog::reader() const {
+    return find_reader(to_std(readers_->currentData().toString()));
+}
+
+ReadChoice ImportDialog::choice() const {
+    ReadChoice choice{.file_name = to_std(QFileInfo(file_).fileName())};
+    if (const QString unit = unit_->currentData().toString(); !unit.isEmpty())
+        choice.length_unit = Unit::of(to_std(unit));
+    choice.sheet = to_std(sheets_->currentData().toString());
+    choice.chosen = reader_chosen_;
+    for (int column = 0; table_chosen_ && column < table_->columnCount(); ++column) {
+        const auto* box = qobject_cast<QComboBox*>(table_->cellWidget(0, column));
+        const std::string word = box ? to_std(box->currentData().toString()) : std::string();
+        choice.columns.push_back(word.empty() ? "-" : word);
+    }
+    return choice;
+}
+
+void ImportDialog::change_reader() {
+    table_chosen_ = false;
+    show_table();
+    read();
+}
+
+void ImportDialog::show_table() {
+    const Reader* chosen = reader();
+    auto table = chosen && chosen->table ? chosen->table(text_, choice())
+                                         : Result<SourceTable>(fail(ErrorCode::not_found, ""));
+    const QSignalBlocker quiet(sheets_);
+    sheets_->clear();
+    for (const std::string& sheet : table ? table->sheets : std::vector<std::string>())
+        sheets_->addItem(to_qt(sheet), to_qt(sheet));
+    if (table) sheets_->setCurrentIndex(sheets_->findData(to_qt(table->sheet)));
+    for (QWidget* widget : std::initializer_list<QWidget*>{sheets_, sheets_label_})
+        widget->setVisible(sheets_->count() > 0);
+    table_->setVisible(table.has_value());
+    table_label_->setVisible(table.has_value());
+    if (table) offer_columns(*table);
+}
+
+void ImportDialog::offer_columns(const SourceTable& table) {
+    table_->clear();
+    table_->setColumnCount(static_cast<int>(table.columns.size()));
+    table_->setRowCount(static_cast<int>(table.rows.size()) + 1);
+    for (int column = 0; column < table_->columnCount(); ++column) {
+        const std::string& word = table.columns[static_cast<std::size_t>(column)];
+        auto* box = new QComboBox;
+        box->setObjectName(QStringLiteral("column-%1").arg(column + 1));
+        box->setAccessibleName(tr("Column %1 is read as").arg(column + 1));
+        box->addItem(word.empty() ? tr("unknown: choose") : tr("as it is named"), to_qt(word));
+        for (const SourceTable::Word& other : table.words) {
+            box->addItem(to_qt(other.title), to_qt(other.key));
+            if (other.key == word) box->setCurrentIndex(box->count() - 1);
+        }
+        table_->setCellWidget(0, column, box);
+        connect(box, &QComboBox::currentIndexChanged, this, [this] {
+            table_chosen_ = true;
+            read();
+        });
+        for (std::size_t row = 0; row < table.rows.size(); ++row)
+            if (const auto& cells = table.rows[row]; static_cast<std::size_t>(column) < cells.size())
+                table_->setItem(static_cast<int>(row) + 1, column,
+                                new QTableWidgetItem(to_qt(cells[static_cast<std::size_t>(column)])));
+    }
+    table_->resizeColumnsToContents();
+}
+
+void ImportDialog::read() {
+    proposals_.reset();
+    preview_->clear();
+    QString failure = failure_;
+    const Reader* chosen = reader();
+    if (failure.isEmpty() && !chosen) failure = tr("Choose what the file is read as.");
+    if (failure.isEmpty()) {
+        const ReadChoice stated = choice();
+        auto guarded_read = guarded([&] { return chosen->read(text_, stated); });
+        if (!guarded_read)
+            failure = words_of(guarded_read.error());
+        else if (!*guarded_read)
+            failure = words_of(guarded_read->error());
+        else
+            proposals_ = std::move(**guarded_read);
+    }
+    if (proposals_) {
+        preview_->setPlainText(to_qt(text_of(*chosen, *proposals_, true)));
+        failure = contradictions(*proposals_);
+        if (failure.isEmpty())
+            summary_->setText(tr("%1 assets and %2 analyses are added, in one step that can be undone.")
+                                  .arg(proposals_->assets.size())
+                                  .arg(proposals_->analyses.size()));
+    }
+    if (!failure.isEmpty()) summary_->setText(failure);
+    accept_->setEnabled(failure.isEmpty());
+}
+
+QString ImportDialog::stamp() const {
+    const QFileInfo info(file_);
+    const QByteArray bytes = QByteArray::fromRawData(text_.data(), static_cast<qsizetype>(text_.size()));
+    return tr("Imported from %1, %2 bytes, of %3, SHA-256 %4.")
+        .arg(info.fileName())
+        .arg(text_.size())
+        .arg(info.lastModified().toUTC().toString(Qt::ISODate))
+        .arg(QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex()));
+}
+
+Proposals ImportDialog::proposals() const {
+    Proposals taken = proposals_.value_or(Proposals());
+    if (!stamp_->isChecked()) return taken;
+    const std::string words = to_std(stamp());
+    const auto note = [&](std::string& notes) { notes += (notes.empty() ? "" : "\n") + words; };
+    for (AssetEntry& asset : taken.assets) note(asset.notes);
+    for (AnalysisEntry& analysis : taken.analyses) note(analysis.notes);
+    return taken;
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,51 @@
+// A file of others before it enters the project: which reader, what its columns are, what becomes of it, and
+// what is not taken over. One dialog for all readers.
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <optional>
+#include <string>
+
+#include "core/readers/readers.h"
+
+namespace covaria::ui {
+
+class ImportDialog : public QDialog {
+    Q_OBJECT
+public:
+    explicit ImportDialog(const QString& file, QWidget* parent = nullptr);
+
+    /// What is taken over; with the stamp of the file in the notes, if that is wanted.
+    Proposals proposals() const;
+
+private:
+    void make_layout();
+    void offer_readers();
+    const Reader* reader() const;
+    ReadChoice choice() const;
+    void change_reader();
+    void show_table();
+    void offer_columns(const SourceTable& table);
+    void read();
+    QString stamp() const;
+
+    QString file_, failure_;
+    std::string text_;
+    bool reader_chosen_ = false;  ///< not only recognised
+    bool table_chosen_ = false;   ///< people said what a column is
+    std::optional<Proposals> proposals_;
+    QComboBox *readers_, *sheets_, *unit_;
+    QLabel *sheets_label_, *table_label_, *summary_;
+    QTableWidget* table_;  ///< row 0: what each column is read as
+    QPlainTextEdit* preview_;
+    QCheckBox* stamp_;
+    QPushButton* accept_;
+};
+
+}  // namespace covaria::ui
