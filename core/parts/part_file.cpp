@@ -28,7 +28,7 @@ std::uint64_t check_sum(std::string_view bytes) {
     return sum;
 }
 
-Json head_of(const Part& part) {
+Json head_of(const Part& part, const ProgramIdentity& by) {
     Json sections = Json::array();
     for (const PartSection& s : part.sections)
         sections.push_back({{"analysis", s.work.analysis},
@@ -37,8 +37,8 @@ Json head_of(const Part& part) {
                             {"units", s.work.units},
                             {"first", s.range.first},
                             {"last", s.range.last}});
-    return {{"program", this_program().program},
-            {"instructions", this_program().instructions},
+    return {{"program", by.program},
+            {"instructions", by.instructions},
             {"project", part.request.project},
             {"arguments", part.request.arguments},
             {"sections", sections}};
@@ -70,10 +70,10 @@ tl::unexpected<Error> foreign(const std::filesystem::path& file, const std::stri
 
 }  // namespace
 
-Result<void> write_part(const std::filesystem::path& file, const Part& part) {
+Result<void> write_part(const std::filesystem::path& file, const Part& part, const ProgramIdentity& by) {
     ByteWriter writer;
     writer.put_all(std::span<const char>(format_line));
-    writer.put_all(std::span<const char>(head_of(part).dump() + "\n"));
+    writer.put_all(std::span<const char>(head_of(part, by).dump() + "\n"));
     for (const PartSection& section : part.sections)
         for (const std::string& partial : section.partials) writer.put_list(partial);
     std::string bytes = writer.take();

@@ -41,7 +41,8 @@ struct Part {
 inline constexpr const char* part_extension = ".part";
 
 /// Atomically. Error{io}; Error{numeric} if it would be larger than a file that can be read again.
-Result<void> write_part(const std::filesystem::path& file, const Part& part);
+Result<void> write_part(const std::filesystem::path& file, const Part& part,
+                        const ProgramIdentity& by = this_program());
 /// Errors name the file: it cannot be read, is damaged, or was made by another program or for other
 /// instructions. `with_partials` false: sections without their partial results.
 Result<Part> read_part(const std::filesystem::path& file, bool with_partials = true);
