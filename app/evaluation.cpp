@@ -61,8 +61,9 @@ std::string words_of(const FailedAnalysis& failed) {
 /// Evaluates analysis after analysis and keeps what failed.
 class Evaluator {
 public:
-    Evaluator(MadeProject::Pointer made, const RunRequest& request, const std::stop_token& stop)
-        : made_(std::move(made)), request_(request), stop_(stop) {
+    Evaluator(MadeProject::Pointer made, const RunRequest& request, const std::stop_token& stop,
+              UnitStores* stores)
+        : made_(std::move(made)), request_(request), stop_(stop), stores_(stores) {
         evaluation.made = made_;
     }
 
@@ -84,12 +85,16 @@ public:
     Evaluation evaluation;
 
 private:
+    RunControl control(const std::string& what, const std::string& id, const std::string& study) const {
+        return {stop_, progress_line(what), request_.threads, stores_ ? stores_->of(id, study) : nullptr};
+    }
+
     Result<EvaluatedAnalysis> evaluate(const std::string& id) const {
         const Problems problems = made_->problems_of_analysis(id);
         const auto prepared = made_->analysis(id);
         if (!prepared) return fail(ErrorCode::bad_input, why(problems));
         if (!prepared->forecast.empty()) print_message(id + ": " + prepared->forecast);
-        auto result = run_analysis(*prepared, {stop_, progress_line("analysis " + id), request_.threads});
+        auto result = run_analysis(*prepared, control("analysis " + id, id, ""));
         if (!result) return fail(result.error());
         EvaluatedAnalysis evaluated{
             prepared, std::make_shared<const UncertaintyResult>(std::move(*result)), {}};
@@ -117,9 +122,7 @@ private:
         const auto prepared = prepare_study(made_, id, study, problems);
         if (!prepared) return fail(ErrorCode::bad_input, why(problems));
         const std::string what = "study " + id + "/" + study;
-        auto ran = guarded([&] {
-            return run_study(*prepared, {stop_, progress_line(what), request_.threads});
-        });
+        auto ran = guarded([&] { return run_study(*prepared, control(what, id, study)); });
         if (!ran) return fail(ran.error());
         if (!*ran) return fail(ran->error());
         if (const std::size_t failed = (*ran)->failed(); failed > 0)
@@ -142,6 +145,7 @@ private:
     const MadeProject::Pointer made_;
     const RunRequest& request_;
     std::stop_token stop_;
+    UnitStores* stores_;
 };
 
 }  // namespace
@@ -162,11 +166,19 @@ void say_what_is_missing(const Project& project) {
     print_problems(missing);
 }
 
+MadeProject::Pointer requested(const MadeProject::Pointer& opened, const RunRequest& request) {
+    return MadeProject::make(with_overrides(opened->project(), request), opened);
+}
+
+Result<std::vector<std::string>> requested_analyses(const Project& project, const RunRequest& request) {
+    return selected(project, request.analyses);
+}
+
 Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,
-                                     const std::stop_token& stop) {
-    const auto ids = selected(opened->project(), request.analyses);
+                                     const std::stop_token& stop, UnitStores* stores) {
+    const auto ids = requested_analyses(opened->project(), request);
     if (!ids) return fail(ids.error());
-    Evaluator evaluator(MadeProject::make(with_overrides(opened->project(), request), opened), request, stop);
+    Evaluator evaluator(requested(opened, request), request, stop, stores);
     for (const std::string& id : *ids)
         if (auto added = evaluator.add(id); !added) return fail(added.error());
     return std::move(evaluator.evaluation);

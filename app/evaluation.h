@@ -34,6 +34,14 @@ Result<MadeProject::Pointer> open_project(const std::string& file,
 /// Warns of what a certificate must say and the project does not.
 void say_what_is_missing(const Project& project);
 
+/// Where the units of analyses and studies are shared with other processes.
+class UnitStores {
+public:
+    virtual ~UnitStores() = default;
+    /// Of the trials of an analysis (`study` empty) or of the points of its study.
+    virtual UnitStore* of(const std::string& analysis, const std::string& study) = 0;
+};
+
 /// What was evaluated, and what has no results.
 struct Evaluation {
     MadeProject::Pointer made;  ///< with what the request changes: what was evaluated
@@ -44,7 +52,11 @@ struct Evaluation {
 /// Evaluates the requested analyses one after the other, with progress on a terminal. One that fails is said
 /// and does not keep the others from being evaluated. Errors: an unknown analysis, stopped.
 Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,
-                                     const std::stop_token& stop);
+                                     const std::stop_token& stop, UnitStores* stores = nullptr);
+/// The project as this request evaluates it.
+MadeProject::Pointer requested(const MadeProject::Pointer& opened, const RunRequest& request);
+/// Error{not_found}: an analysis that the project has not.
+Result<std::vector<std::string>> requested_analyses(const Project& project, const RunRequest& request);
 /// Error{numeric} that names what failed, if anything did: the command ends with status 1.
 Result<void> check_complete(const Evaluation& evaluation);
 

@@ -20,6 +20,9 @@ struct Command {
 };
 
 Command run_command(CLI::App& app);
+Command part_command(CLI::App& app);
+Command merge_command(CLI::App& app);
+Command submit_command(CLI::App& app);
 Command check_command(CLI::App& app);
 Command design_command(CLI::App& app);
 Command report_command(CLI::App& app);

@@ -7,6 +7,8 @@
 
 namespace covaria {
 
+class UnitStore;  // core/base/unit_store.h
+
 struct Progress {
     std::uint64_t trials_done = 0;
     std::uint64_t trials_planned = 0;  ///< 0 = not known (adaptive)
@@ -16,7 +18,8 @@ struct RunControl {
     std::stop_token stop = {};
     /// Called only on the thread that called the engine, some ten times a second at most. May be empty.
     std::function<void(const Progress&)> progress = {};
-    int threads = 0;  ///< 0 = as many as the machine has
+    int threads = 0;             ///< 0 = as many as the machine has
+    UnitStore* units = nullptr;  ///< where the computation is shared with other processes
 };
 
 }  // namespace covaria

@@ -174,6 +174,22 @@ void BatchSummariser::add_figures(const UnitStatistics& statistics, TrialBlockRu
     }
 }
 
+void BatchSummary::write(ByteWriter& writer) const {
+    writer.put_list(values);
+    writer.put(static_cast<std::uint64_t>(figures.size()));
+    for (const BatchFigures& f : figures) writer.put_all(std::span<const double>(f.values));
+}
+
+void BatchSummary::read(ByteReader& reader) {
+    reader.get_list(values);
+    figures.clear();
+    std::array<double, BatchFigures::count> values_of_row{};
+    for (auto left = reader.get<std::uint64_t>(); left > 0 && !reader.is_short(); --left) {
+        reader.get_all(std::span<double>(values_of_row));
+        figures.push_back({values_of_row});
+    }
+}
+
 AdaptiveProcedure::AdaptiveProcedure(const EvaluationOptions& options, WatchedStatistics watched)
     : options_(options), watched_(std::move(watched)), judged_(watched_.judged()) {}
 

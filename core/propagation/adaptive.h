@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/bytes.h"
 #include "core/propagation/batch_estimates.h"
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/first_order.h"
@@ -18,6 +19,8 @@ namespace covaria::detail {
 struct BatchSummary {
     std::vector<double> values;
     std::vector<BatchFigures> figures;  ///< of each row of the source, where they are asked for
+    void write(ByteWriter& writer) const;
+    void read(ByteReader& reader);
 };
 
 /// Of an output that a Student t of so few degrees of freedom reaches. With four or fewer its fourth moment

@@ -42,6 +42,14 @@ std::string in_a_row(const std::vector<std::string>& symbols) {
     return text;
 }
 
+RunSize size_of_run(const EvaluationOptions& options) {
+    const bool in_batches =
+        options.method == Method::adaptive || options.variance_reduction != VarianceReduction::none;
+    const std::uint64_t unit = in_batches ? batch_of_run(options) : unit_trials;
+    if (options.method == Method::monte_carlo) return {options.trials, unit};
+    return {options.maximum_trials / unit * unit, unit};
+}
+
 /// What is evaluated.
 struct Subject {
     const MeasurementModel& model;
@@ -76,8 +84,6 @@ private:
     Result<void> add_monte_carlo();
     Result<Pilot> pilot_of_run();
     Result<MonteCarloRun> trials_of_run();
-    std::uint64_t unit_of_run() const;
-    std::uint64_t most_trials() const;
     std::unique_ptr<AdaptiveProcedure> adaptive_procedure() const;
     void take_over(const MonteCarloRun& run, std::vector<MonteCarloOutput> outputs);
     void warn_about(const MonteCarloRun& run);
@@ -178,26 +184,16 @@ std::unique_ptr<AdaptiveProcedure> Evaluation::adaptive_procedure() const {
 Result<Pilot> Evaluation::pilot_of_run() {
     if (options_.variance_reduction != VarianceReduction::none)
         reduced_.emplace(source_, inputs_, correlations_, law_, options_);
-    auto pilot = run_pilot(context_of_run(), most_trials());
+    auto pilot = run_pilot(context_of_run(), size_of_run(options_).trials);
     if (pilot && reduced_)
         if (auto ok = reduced_->choose(*pilot, monitor_); !ok) return fail(ok.error());
     return pilot;
 }
 
-std::uint64_t Evaluation::unit_of_run() const {
-    if (options_.method == Method::adaptive || reduced_) return batch_of_run(options_);
-    return unit_trials;
-}
-
-std::uint64_t Evaluation::most_trials() const {
-    if (options_.method == Method::monte_carlo) return options_.trials;
-    return options_.maximum_trials / unit_of_run() * unit_of_run();
-}
-
 Result<MonteCarloRun> Evaluation::trials_of_run() {
     auto pilot = pilot_of_run();
     if (!pilot) return fail(pilot.error());
-    const RunSize size{most_trials(), unit_of_run()};
+    const RunSize size = size_of_run(options_);
     BatchWatch watch{nullptr, reduced_ ? reduced_->estimates() : nullptr};
     if (options_.method == Method::monte_carlo)
         return run_monte_carlo(context_of_run(), std::move(*pilot), size, watch);
@@ -380,6 +376,10 @@ Result<UncertaintyResult> evaluate(const PropagatedModel& model, const Evaluatio
     const auto& propagation = model.propagation();
     if (!propagation) return fail(propagation.error());
     return detail::Evaluation({*model.model(), model.inputs(), *propagation}, options, control, {}).run();
+}
+
+std::uint64_t units_of_run(const EvaluationOptions& options) {
+    return options.method == Method::first_order ? 0 : detail::size_of_run(options).units();
 }
 
 Result<UncertaintyResult> evaluate_first_order(const MeasurementModel& model, const InputSet& inputs,

@@ -25,6 +25,10 @@ Result<UncertaintyResult> evaluate(const MeasurementModel& model, const InputSet
 Result<UncertaintyResult> evaluate(const PropagatedModel& model, const EvaluationOptions& options,
                                    const RunControl& control = {});
 
+/// Blocks of trials of such a run, at most: what several processes may share (`RunControl::units`). What is
+/// small beside them (pilot, regions, contributors) each does by itself.
+std::uint64_t units_of_run(const EvaluationOptions& options);
+
 /// Law of propagation only (JCGM 100/102): for live editing.
 Result<UncertaintyResult> evaluate_first_order(const MeasurementModel& model, const InputSet& inputs,
                                                const EvaluationOptions& options);

@@ -10,6 +10,7 @@
 #include "core/propagation/engine_parts.h"
 #include "core/propagation/interval_collector.h"
 #include "core/propagation/moments.h"
+#include "core/propagation/summary_controls.h"
 #include "core/propagation/take_trials.h"
 #include "core/propagation/trial_block_runner.h"
 #include "core/result/result_line.h"
@@ -37,14 +38,19 @@ public:
     }
 
     /// False: stopped.
-    Result<bool> add_trials(const TrialSource& source, const std::function<bool(std::uint64_t)>& advance) {
-        Moments moments(estimates());
-        const std::size_t bytes = EngineSettings{}.tail_bytes / std::max<std::size_t>(1, outputs_.size());
-        std::vector<IntervalCollector> collectors(outputs_.size(),
+    Result<bool> add_trials(TrialSource source, const Correlations& correlations,
+                            const std::function<bool(std::uint64_t)>& advance) {
+        if (options_.variance_reduction == VarianceReduction::control_variate)
+            controls_.emplace(inputs_, correlations, law_, outputs_);
+        const std::size_t rows = outputs_.size() + (controls_ ? controls_->rows().size() : 0);
+        if (rows > outputs_.size()) source.linear = &controls_->rows();
+        Moments moments(shift(rows));
+        const std::size_t bytes = EngineSettings{}.tail_bytes / std::max<std::size_t>(1, rows);
+        std::vector<IntervalCollector> collectors(rows,
                                                   IntervalCollector(options_.coverage_probability, bytes));
         if (!run(source, &moments, collectors, advance)) return false;
         if (moments.count() < 2) return fail(ErrorCode::numeric, "no trial has a value");
-        std::vector<std::optional<CoverageInterval>> intervals(outputs_.size());
+        std::vector<std::optional<CoverageInterval>> intervals(rows);
         const auto take = [&] {
             for (std::size_t k = 0; k < collectors.size(); ++k)
                 if (!intervals[k]) intervals[k] = collectors[k].interval();
@@ -55,18 +61,28 @@ public:
             take();
         }
         failed_trials_ = options_.trials - moments.count();
-        covariance_ = moments.covariance();
         line_.trials = options_.trials;
+        TrialFigures figures{moments.means(), moments.covariance(), {}};
+        for (const auto& interval : intervals) figures.intervals.push_back(*interval);
+        // The linear part of the trials that have a value has another distribution than that of all trials.
+        if (controls_ && failed_trials_ == 0) controls_->improve(figures, options_.coverage_probability);
+        take_figures(figures);
+        return true;
+    }
+
+    void take_figures(const TrialFigures& figures) {
+        const Eigen::Index own = covariance_.rows();
+        covariance_ = figures.covariance.topLeftCorner(own, own);
         const std::vector<double> least = least_degrees_of_freedom(inputs_, law_);
         for (std::size_t k = 0; k < outputs_.size(); ++k) {
+            const auto index = static_cast<Eigen::Index>(k);
             MonteCarloOutput trials;
-            trials.mean = moments.mean(static_cast<Eigen::Index>(k));
-            trials.standard_uncertainty = std::sqrt(moments.variance(static_cast<Eigen::Index>(k)));
-            trials.symmetric = *intervals[k];
+            trials.mean = figures.mean(index);
+            trials.standard_uncertainty = std::sqrt(std::max(0.0, covariance_(index, index)));
+            trials.symmetric = figures.intervals[k];
             OutputResult& output = line_.outputs[k];
             take_trials(output, std::move(trials), least[outputs_[k]], line_);
         }
-        return true;
     }
 
     EvaluationSummary take() {
@@ -89,15 +105,25 @@ private:
         return y;
     }
 
+    /// Of the outputs, and of linear parts, which are deviations.
+    Eigen::VectorXd shift(std::size_t rows) const {
+        Eigen::VectorXd shift = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows));
+        shift.head(static_cast<Eigen::Index>(outputs_.size())) = estimates();
+        return shift;
+    }
+
     /// The trials in order; only the chosen outputs are looked at. `moments` null: tails once more.
     bool run(const TrialSource& source, Moments* moments, std::vector<IntervalCollector>& collectors,
              const std::function<bool(std::uint64_t)>& advance) const {
         TrialBlockRunner runner(source);
-        TrialRows chosen(outputs_.size()), scratch(outputs_.size());
+        TrialRows chosen(collectors.size()), scratch(collectors.size());
+        const std::size_t first_linear = source.outputs();
         for (std::uint64_t first = 0; first < options_.trials; first += block_trials) {
             runner.run(first, std::min<std::uint64_t>(block_trials, options_.trials - first));
-            for (std::size_t k = 0; k < outputs_.size(); ++k) {
-                std::copy_n(runner.output(outputs_[k]), padded_to_lanes(runner.valid()), chosen.row(k));
+            for (std::size_t k = 0; k < collectors.size(); ++k) {
+                const std::size_t row =
+                    k < outputs_.size() ? outputs_[k] : first_linear + k - outputs_.size();
+                std::copy_n(runner.output(row), padded_to_lanes(runner.valid()), chosen.row(k));
                 collectors[k].add(chosen.row(k), runner.valid());
             }
             if (moments) moments->add(chosen.data(), runner.valid(), scratch);
@@ -110,6 +136,7 @@ private:
     const std::vector<std::size_t>& outputs_;
     const EvaluationOptions& options_;
     const LawOfPropagation& law_;
+    std::optional<SummaryControls> controls_;
     UncertaintyResult line_;
     Eigen::MatrixXd covariance_;
     std::uint64_t failed_trials_ = 0;
@@ -131,7 +158,8 @@ Result<EvaluationSummary> evaluate_summary(const MeasurementModel& model, const 
         finished = advance(1);
     } else {
         const DrawPlan plan(inputs, *correlations);
-        const auto added = maker.add_trials({&model, &plan, options.seed, law->estimate}, advance);
+        const auto added =
+            maker.add_trials({&model, &plan, options.seed, law->estimate}, *correlations, advance);
         if (!added) return fail(added.error());
         finished = *added;
     }

@@ -40,12 +40,24 @@ void IntervalCollector::add_to_tails(const double* values, std::size_t count) {
     tails_->high.to_cells();
 }
 
+/// Two values in their order, without all others in theirs.
+CoverageInterval IntervalCollector::interval_of_first(const CoverageRanks& ranks) {
+    const auto place = [this](std::uint64_t rank) {
+        return first_.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+    };
+    const auto low = place(ranks.r), high = place(ranks.r + ranks.q);
+    std::nth_element(first_.begin(), high, first_.end());
+    std::nth_element(first_.begin(), low, high);
+    return {*low, *high};
+}
+
 std::optional<CoverageInterval> IntervalCollector::interval() {
+    const CoverageRanks ranks = coverage_ranks(count_, probability_);
+    if (!tails_ && count_ >= 2) return interval_of_first(ranks);
     if (!tails_) {
         std::vector<double> sorted = first_;
         begin_tails(look_at(sorted, 1.0));
     }
-    const CoverageRanks ranks = coverage_ranks(count_, probability_);
     const std::uint64_t needed = needed_tail(ranks);
     if (tails_->low.count() < needed || tails_->high.count() < needed) {
         begin_tails(widened(pilot_));

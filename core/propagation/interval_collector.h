@@ -24,6 +24,7 @@ public:
     std::optional<CoverageInterval> interval();
 
 private:
+    CoverageInterval interval_of_first(const CoverageRanks& ranks);
     void begin_tails(const OutputPilot& pilot);
     void add_to_tails(const double* values, std::size_t count);
 

@@ -87,6 +87,24 @@ void Moments::merge(const Moments& other) {
     linear_products_ += other.linear_products_;
 }
 
+void Moments::write(ByteWriter& writer) const {
+    writer.put(count_);
+    for (const auto& sums :
+         {std::span(powers_.data(), static_cast<std::size_t>(powers_.size())),
+          std::span(products_.data(), static_cast<std::size_t>(products_.size())),
+          std::span(linear_products_.data(), static_cast<std::size_t>(linear_products_.size()))})
+        writer.put_all(sums);
+}
+
+void Moments::read(ByteReader& reader) {
+    count_ = reader.get<std::uint64_t>();
+    for (const auto& sums :
+         {std::span(powers_.data(), static_cast<std::size_t>(powers_.size())),
+          std::span(products_.data(), static_cast<std::size_t>(products_.size())),
+          std::span(linear_products_.data(), static_cast<std::size_t>(linear_products_.size()))})
+        reader.get_all(sums);
+}
+
 double Moments::mean(Eigen::Index j) const {
     return shift_(j) + powers_(j, 0) / static_cast<double>(count_);
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "core/base/bytes.h"
 #include "core/propagation/trial_rows.h"
 
 namespace covaria::detail {
@@ -21,6 +22,9 @@ public:
     /// row per output. No allocation.
     void add(const double* first_row, std::size_t count, TrialRows& scratch);
     void merge(const Moments& other);
+    /// The sums, without the shift.
+    void write(ByteWriter& writer) const;
+    void read(ByteReader& reader);  ///< into moments of as many rows
 
     std::uint64_t count() const { return count_; }
     double mean(Eigen::Index j) const;

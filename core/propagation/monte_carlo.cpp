@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/propagation/adaptive.h"
-#include "core/propagation/parallel_blocks.h"
+#include "core/propagation/stored_units.h"
 
 namespace covaria::detail {
 namespace {
@@ -89,6 +89,17 @@ struct Partial {
     BatchSummary summary;
 };
 
+PartialBytes<Partial> bytes_of_partials() {
+    return {[](const Partial& partial, ByteWriter& writer) {
+                partial.statistics.write(writer);
+                partial.summary.write(writer);
+            },
+            [](ByteReader& reader, Partial& partial) {
+                partial.statistics.read(reader);
+                partial.summary.read(reader);
+            }};
+}
+
 /// One thread of the main pass.
 class Worker {
 public:
@@ -138,7 +149,7 @@ WorkEnd collect_again(const RunContext& context, RunSize size, const std::vector
                       const Pilot& pilot, TailCollector& collector) {
     using Outside = std::vector<OutsideValues>;
     OrderedWork<Outside> work;
-    work.units = (size.trials + size.per_unit - 1) / size.per_unit;
+    work.units = size.units();
     work.make_partial = [&outputs] { return Outside(outputs.size()); };
     work.make_worker = [&] {
         return [&, runner = std::make_shared<TrialBlockRunner>(context.source)](std::uint64_t unit,
@@ -204,7 +215,7 @@ Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, Ru
     const WatchedStatistics watched = watched_by(watch, context.probability);
 
     OrderedWork<Partial> work;
-    work.units = (size.trials + size.per_unit - 1) / size.per_unit;
+    work.units = size.units();
     work.make_partial = [&run] { return Partial{UnitStatistics(run.pilot), {}}; };
     work.make_worker = [&] {
         auto worker = std::make_shared<Worker>(context, run.pilot, size);
@@ -220,7 +231,7 @@ Result<MonteCarloRun> run_monte_carlo(const RunContext& context, Pilot pilot, Ru
         if (watch.estimates) add_batch(partial, size, *watch.estimates);
         return !(watch.adaptive && watch.adaptive->stable_after(partial.summary, run.moments));
     };
-    WorkEnd end = run_in_order(work, context.monitor);
+    WorkEnd end = run_units(work, bytes_of_partials(), context.monitor);
     log.append(run.trials, run.moments, run.convergence);
     run.exact = collector.exact();
     run.tails = std::move(collector.tails());

@@ -16,6 +16,7 @@ class BatchEstimates;
 struct RunSize {
     std::uint64_t trials = 0;              ///< at most
     std::uint64_t per_unit = unit_trials;  ///< a unit, or a batch of the adaptive procedure
+    std::uint64_t units() const { return (trials + per_unit - 1) / per_unit; }
 };
 
 /// What a run has found, before intervals are taken from it.

@@ -19,6 +19,7 @@ public:
     /// After each block: counts its trials. On the calling thread reports progress now and then. False: stop.
     bool advance(std::uint64_t trials);
     int threads() const { return threads_; }
+    UnitStore* units() const { return control_.units; }
 
 private:
     const RunControl& control_;

@@ -55,4 +55,26 @@ void UnitStatistics::add(const Pilot& pilot, const TrialBlockRunner& runner, Tri
     }
 }
 
+void UnitStatistics::write(ByteWriter& writer) const {
+    writer.put(trials);
+    moments.write(writer);
+    for (const OutsideValues& o : outside) {
+        writer.put_list(o.values);
+        writer.put(o.equal_low);
+        writer.put(o.equal_high);
+    }
+    writer.put_all(std::span<const std::uint32_t>(cells));
+}
+
+void UnitStatistics::read(ByteReader& reader) {
+    trials = reader.get<std::uint64_t>();
+    moments.read(reader);
+    for (OutsideValues& o : outside) {
+        reader.get_list(o.values);
+        o.equal_low = reader.get<std::uint64_t>();
+        o.equal_high = reader.get<std::uint64_t>();
+    }
+    reader.get_all(std::span<std::uint32_t>(cells));
+}
+
 }  // namespace covaria::detail

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/bytes.h"
 #include "core/propagation/moments.h"
 #include "core/propagation/pilot.h"
 
@@ -23,6 +24,8 @@ struct UnitStatistics {
     void clear();
     /// Adds the runner's block. Allocates only while `outside` grows to its steady size.
     void add(const Pilot& pilot, const TrialBlockRunner& runner, TrialRows& scratch);
+    void write(ByteWriter& writer) const;
+    void read(ByteReader& reader);  ///< into statistics made for the same pilot
 
     Moments moments;
     std::vector<OutsideValues> outside;

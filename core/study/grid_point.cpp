@@ -45,6 +45,38 @@ EvaluatedPoint without_values(const std::string& reason) {
 
 }  // namespace
 
+void EvaluatedPoint::write(ByteWriter& writer) const {
+    writer.put_list(reason);
+    writer.put(point.failed_trials);
+    writer.put(static_cast<std::uint64_t>(point.values.size()));
+    for (const StudyValue& v : point.values)
+        for (const double number : {v.estimate, v.standard_uncertainty, v.expanded_uncertainty})
+            writer.put(number);
+    writer.put(static_cast<std::uint64_t>(point.places.size()));
+    for (const StudyPlace& place : point.places) {
+        writer.put_all(std::span<const double>(place.p_W.data(), 3));
+        writer.put_all(std::span<const double>(place.R_WQ.data(), 9));
+        writer.put_all(std::span<const double>(place.covariance.data(), 9));
+    }
+}
+
+void EvaluatedPoint::read(ByteReader& reader) {
+    *this = {};
+    reader.get_list(reason);
+    point.failed_trials = reader.get<std::uint64_t>();
+    for (auto left = reader.get<std::uint64_t>(); left > 0 && !reader.is_short(); --left) {
+        StudyValue& v = point.values.emplace_back();
+        for (double* number : {&v.estimate, &v.standard_uncertainty, &v.expanded_uncertainty})
+            *number = reader.get<double>();
+    }
+    for (auto left = reader.get<std::uint64_t>(); left > 0 && !reader.is_short(); --left) {
+        StudyPlace& place = point.places.emplace_back();
+        reader.get_all(std::span<double>(place.p_W.data(), 3));
+        reader.get_all(std::span<double>(place.R_WQ.data(), 9));
+        reader.get_all(std::span<double>(place.covariance.data(), 9));
+    }
+}
+
 StudyPlan::StudyPlan(const PreparedStudy& study)
     : prepared(study),
       numbers{study.made, study.analysis, study.study.axes, study.targets},

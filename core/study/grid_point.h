@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "core/base/bytes.h"
 #include "core/propagation/evaluate_summary.h"
 #include "core/study/changed_project.h"
 #include "core/study/study.h"
@@ -28,6 +29,8 @@ struct EvaluatedPoint {
     StudyPoint point = {};
     std::string reason = {};
     bool cancelled = false;
+    void write(ByteWriter& writer) const;
+    void read(ByteReader& reader);
 };
 
 /// The points of the grid, each evaluated by itself.

@@ -1,7 +1,7 @@
 // All points of a study on several threads, their results in the order of the grid.
 #include <map>
 
-#include "core/propagation/parallel_blocks.h"
+#include "core/propagation/stored_units.h"
 #include "core/study/grid_point.h"
 #include "core/study/varied_part.h"
 
@@ -53,6 +53,10 @@ private:
 
 }  // namespace
 
+std::uint64_t units_of_study(const PreparedStudy& study) {
+    return StudyPlan(study).points;
+}
+
 Result<StudyResult> run_study(const PreparedStudy& study, const RunControl& control) {
     const StudyPlan plan(study);
     StudyResult result = frame_of(plan);
@@ -76,7 +80,10 @@ Result<StudyResult> run_study(const PreparedStudy& study, const RunControl& cont
         result.points.push_back(std::move(evaluated.point));
         return true;
     };
-    if (run_in_order(work, monitor) == WorkEnd::cancelled)
+    const PartialBytes<EvaluatedPoint> bytes{
+        [](const EvaluatedPoint& point, ByteWriter& writer) { point.write(writer); },
+        [](ByteReader& reader, EvaluatedPoint& point) { point.read(reader); }};
+    if (run_units(work, bytes, monitor) == WorkEnd::cancelled)
         return fail(ErrorCode::cancelled, "the study was stopped");
     return result;
 }

@@ -36,4 +36,7 @@ Project study_part(const Project& project, const AnalysisEntry& entry, const Stu
 /// Progress counts trials, and grid points at first order.
 Result<StudyResult> run_study(const PreparedStudy& study, const RunControl& control = {});
 
+/// Grid points: what several processes may share (`RunControl::units`).
+std::uint64_t units_of_study(const PreparedStudy& study);
+
 }  // namespace covaria

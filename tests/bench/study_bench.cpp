@@ -37,12 +37,15 @@ std::shared_ptr<const PreparedStudy> network_map(Method method) {
 }
 
 /// One pose of the platform, its position varied.
-std::shared_ptr<const PreparedStudy> pose_map(Method method) {
+std::shared_ptr<const PreparedStudy> pose_map(Method method, std::uint64_t trials = 100'000,
+                                              VarianceReduction reduction = VarianceReduction::none) {
     Project project = load_project(data_directory() / "projects/stewart-platform.covaria").project;
     AnalysisEntry& analysis = project.analyses.front();
+    std::get<SetupTable>(analysis.setup.values.at("poses")).rows.resize(1);
     Problems problems;
     const auto choices = study_targets(project, analysis, nullptr);
-    Study study{.id = "map", .method = method};
+    Study study{.id = "map", .method = method, .trials = trials};
+    analysis.options.variance_reduction = reduction;
     for (const StudyTargetChoice& choice : choices) {
         if (study.axes.size() == 3) break;
         if (!choice.axis.asset.empty() || choice.target.kind != StudyTarget::Kind::cell) continue;
@@ -75,8 +78,18 @@ void network_trials(benchmark::State& state) {
     run(state, network_map(Method::monte_carlo));
 }
 
+void pose_trials(benchmark::State& state) {
+    run(state, pose_map(Method::monte_carlo));
+}
+/// At the standard error of `pose_trials`, or less: see docs/performance.md.
+void pose_control_variates(benchmark::State& state) {
+    run(state, pose_map(Method::monte_carlo, 1'024, VarianceReduction::control_variate));
+}
+
 BENCHMARK(network_first_order)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(pose_first_order)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(pose_trials)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+BENCHMARK(pose_control_variates)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(network_trials)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 }  // namespace

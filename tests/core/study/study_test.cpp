@@ -279,5 +279,35 @@ TEST(Study, FingerprintFollowsWhatMatters) {
     EXPECT_NE(prepared(project, problems)->fingerprint, before);
 }
 
+/// Fewer trials than plain Monte Carlo needs for a hundredth of u, and the answer of some hundred thousand.
+TEST(Study, ControlVariatesGiveTheAnswerOfManyTrials) {
+    Project project = network();
+    Study study{.id = "s",
+                .axes = {cell_of_b("x", 3500, 4500, 3)},
+                .outputs = {{"B", "x"}, {"B", "y"}, {"B", "z"}},
+                .method = Method::monte_carlo};
+    const auto run_with = [&](VarianceReduction reduction, std::uint64_t trials, int threads) {
+        study.trials = trials;
+        project.analyses[0].options.variance_reduction = reduction;
+        project.analyses[0].studies = {study};
+        return run(project, threads);
+    };
+    constexpr std::uint64_t many = 400'000, few = 2'000;
+    const StudyResult reference = run_with(VarianceReduction::none, many, 2);
+    const StudyResult reduced = run_with(VarianceReduction::control_variate, few, 2);
+    expect_equal(reduced, run_with(VarianceReduction::control_variate, few, 1));
+    const double of_u = 4.0 / std::sqrt(2.0 * many);
+    // An end of the 95 % interval: root of q (1 - q) over the density of a normal distribution there.
+    const double of_end = 4.0 * std::sqrt(0.025 * 0.975 / many) / 0.0584;
+    for (std::size_t i = 0; i < reference.points.size(); ++i)
+        for (std::size_t j = 0; j < reference.outputs.size(); ++j) {
+            const StudyValue &a = reduced.points[i].values[j], &b = reference.points[i].values[j];
+            const double u = b.standard_uncertainty;
+            EXPECT_NEAR(a.estimate, b.estimate, 4.0 * u / std::sqrt(many));
+            EXPECT_NEAR(a.standard_uncertainty, u, of_u * u);
+            EXPECT_NEAR(a.expanded_uncertainty, b.expanded_uncertainty, of_end * u);
+        }
+}
+
 }  // namespace
 }  // namespace covaria::study_test

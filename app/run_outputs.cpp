@@ -1,0 +1,67 @@
+#include "app/run_outputs.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/pictures.h"
+#include "app/report_files.h"
+#include "app/terminal.h"
+#include "core/report/result_files.h"
+#include "core/result/representation.h"
+
+namespace covaria {
+namespace {
+
+void say_what_does_not_represent(const Project& project, const std::vector<EvaluatedAnalysis>& analyses) {
+    for (const EvaluatedAnalysis& one : analyses) {
+        if (represents_measurand(*one.result)) continue;
+        const AnalysisEntry* entry = project.find_analysis(one.analysis->id);
+        const bool required = entry && !entry->requirements.empty();
+        print_message("the result of " + one.analysis->id + " " + does_not_represent +
+                      (required ? "; its requirements are not judged" : ""));
+    }
+}
+
+Result<void> write_documents(const RunOutputs& outputs, const ReportSource& source, bool chosen,
+                             const std::stop_token& stop) {
+    const auto write = [&](DocumentKind kind, const char* name) {
+        ReportFiles files{outputs.folder};
+        files.name = name;
+        return write_document(build_document(kind, source.made, source.analyses, source.failed, chosen),
+                              source, files, stop);
+    };
+    if (outputs.report)
+        if (auto written = write(DocumentKind::report, "report"); !written) return written;
+    if (!outputs.certificate) return {};
+    say_what_is_missing(source.made.project());
+    return write(DocumentKind::certificate, "certificate");
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& command, RunOutputs& outputs) {
+    command.add_option("--out", outputs.folder, "folder for the results")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_flag("--report", outputs.report, "write the report too (PDF, HTML, Markdown)");
+    command.add_flag("--certificate", outputs.certificate,
+                     "write a calibration certificate too (PDF, HTML, Markdown): the project's section "
+                     "\"certificate\" and the results");
+    command.add_flag("--pictures", outputs.pictures, "write pictures of every analysis too (PNG)");
+}
+
+Result<void> write_run_outputs(const RunOutputs& outputs, const MadeProject& opened,
+                               const Evaluation& evaluation, bool chosen, const std::stop_token& stop) {
+    const std::vector<EvaluatedAnalysis>& analyses = evaluation.analyses;
+    say_what_does_not_represent(opened.project(), analyses);
+    ResultListing listing{evaluation.failed, {}};
+    std::vector<PlannedPicture> pictures;
+    if (outputs.pictures) pictures = planned_pictures(analyses);
+    for (const PlannedPicture& picture : pictures) listing.files.push_back(listed(picture, analyses));
+    if (auto written = write_result_files(outputs.folder, *evaluation.made, analyses, std::move(listing));
+        !written)
+        return written;
+    if (auto written = write_pictures(outputs.folder, analyses, pictures, stop); !written) return written;
+    return write_documents(outputs, {*evaluation.made, analyses, evaluation.failed}, chosen, stop);
+}
+
+}  // namespace covaria
