@@ -4,6 +4,7 @@
 
 #include "core/base/guarded.h"
 #include "core/design/layout_constraints.h"
+#include "core/design/reduction_search.h"
 #include "core/design/row_search.h"
 #include "core/design/value_search.h"
 #include "core/propagation/engine.h"
@@ -36,7 +37,7 @@ Candidate present_candidate(const PreparedDesign& design) {
 
 class DesignRun {
 public:
-    DesignRun(const PreparedDesign& design, const DesignControl& control)
+    DesignRun(const PreparedDesign& design, const RunControl& control)
         : design_(design), control_(control), chosen_(present_candidate(design)) {}
 
     Result<DesignResult> run() {
@@ -46,7 +47,11 @@ public:
         if (auto possible = check_constraints(); !possible) return fail(possible.error());
         SearchBook book(design_, *references, control_);
         judge_present(book, *references);
-        search(book);
+        if (!design_.design.reductions.empty()) {
+            if (auto reduced = reduce(book); !reduced) return fail(reduced.error());
+        } else {
+            search(book);
+        }
         finish(book, *references);
         return std::move(result_);
     }
@@ -117,6 +122,22 @@ private:
         if (now.feasible()) result_.before = now.objective;
     }
 
+    Result<void> reduce(SearchBook& book) {
+        for (const DesignedOutput& output : design_.outputs)
+            if (!output.target)
+                return fail(ErrorCode::bad_input,
+                            "the cheapest reductions need target uncertainties: state requirements");
+        const auto found = find_reductions(book);
+        if (!found) return fail(found.error());
+        result_.found = true;
+        chosen_.values = found->factors;
+        result_.cost = found->cost;
+        result_.front = found->front;
+        for (std::size_t k = 0; k < result_.goals.size(); ++k)
+            if (found->prices[k] > 0.0) result_.goals[k].price_of_target = found->prices[k];
+        return {};
+    }
+
     void search(SearchBook& book) {
         result_.found = true;
         if (design_.table) {
@@ -138,7 +159,7 @@ private:
         for (const auto& [reason, count] : book.notes().reasons) result_.reasons.push_back({reason, count});
         std::stable_sort(result_.reasons.begin(), result_.reasons.end(),
                          [](const auto& a, const auto& b) { return a.count > b.count; });
-        result_.path = book.notes().steps;
+        if (design_.design.reductions.empty()) result_.path = book.notes().steps;
         state_values();
         if (!result_.found) {
             result_.evaluations = book.notes().evaluations;
@@ -154,13 +175,17 @@ private:
     }
 
     void state_values() {
-        for (std::size_t i = 0; i < design_.design.variables.size(); ++i) {
-            const DesignVariable& variable = design_.design.variables[i];
+        const Design& design = design_.design;
+        for (std::size_t i = 0; i < design_.numbers.axes.size(); ++i) {
+            const StudyAxis& axis = design_.numbers.axes[i];
             Text title = design_.numbers.targets[i].title;
-            if (variable.number.change == StudyChange::factor) title += ", factor";
-            if (variable.number.change == StudyChange::added) title += ", added";
-            result_.values.push_back({title, variable.number.unit, variable.number.from, variable.number.to,
-                                      design_.present[i], chosen_.values[i], variable.tolerance});
+            if (axis.change == StudyChange::factor) title += ", factor";
+            if (axis.change == StudyChange::added) title += ", added";
+            result_.values.push_back(
+                {title, axis.unit, axis.from, axis.to, design_.present[i], chosen_.values[i], 0.0, {}});
+            if (i < design.variables.size()) result_.values.back().tolerance = design.variables[i].tolerance;
+            if (i < design.reductions.size())
+                result_.values.back().cost = cost_of(design.reductions[i], chosen_.values[i]);
         }
     }
 
@@ -203,14 +228,14 @@ private:
     }
 
     const PreparedDesign& design_;
-    const DesignControl& control_;
+    const RunControl& control_;
     Candidate chosen_;
     DesignResult result_;
 };
 
 }  // namespace
 
-Result<DesignResult> run_design(const PreparedDesign& design, const DesignControl& control) {
+Result<DesignResult> run_design(const PreparedDesign& design, const RunControl& control) {
     try {
         return DesignRun(design, control).run();
     } catch (const Stopped&) {
