@@ -45,9 +45,10 @@ Project design_part(const Project& project, const AnalysisEntry& entry, const De
 /// Whether the same design would be found in two such parts.
 bool same_search(Project a, Project b);
 
-/// First the rows (at the present values), then the values. Same bits for any number of threads. Errors:
-/// cancelled, within 100 ms of a stop request (between two evaluations; progress counts them); bad_input:
-/// without target uncertainties U is looked at relative to that of the present design, which has no result.
+/// First the rows (at the present values), then the values, then both in turn. Same bits for any number of
+/// threads. Errors: cancelled, within 100 ms of a stop request (between two evaluations; progress counts
+/// them); bad_input: without target uncertainties U is looked at relative to that of the present design,
+/// which has no result.
 Result<DesignResult> run_design(const PreparedDesign& design, const RunControl& control = {});
 
 /// The project with the chosen rows and values in it. Error: a component of uncertainty that several

@@ -128,13 +128,14 @@ private:
         if (!at_least || !present) return fail(at_least ? present.error() : at_least.error());
         const double low = at_least->objective, high = present->objective;
         if (!(high > low)) return {};
-        for (std::size_t i = 1; i <= front_points; ++i) {
+        for (std::size_t i = 1; i < front_points; ++i) {
             const double ratio =
                 low * std::pow(high / low, static_cast<double>(i) / static_cast<double>(front_points));
             CheapestReductions best;
             if (auto solved = solve(ratio, best); !solved) return solved;
             if (best.possible) front.push_back({ratio, best.cost});
         }
+        front.push_back({high, 0.0});
         return {};
     }
 

@@ -149,9 +149,24 @@ private:
             if (found.feasible) result_.curve = rows.curve(found.rows);
         }
         if (!design_.design.variables.empty()) {
-            const FoundValues found = find_values(book, chosen_.rows);
+            const FoundValues found = find_values(book, chosen_.rows, chosen_.values);
             chosen_.values = found.values;
             result_.found = found.feasible;
+            if (design_.table && found.feasible) alternate(book);
+        }
+    }
+
+    /// Rows with the values found, values with the rows found, as long as other rows gain. Both searches
+    /// begin where the other ended, so that it never becomes worse.
+    void alternate(SearchBook& book) {
+        constexpr int most_turns = 10;
+        for (int turn = 0; turn < most_turns && book.left() > 0; ++turn) {
+            RowSearch rows(book, chosen_.values);
+            const RowSearch::Found better = rows.improve(chosen_.rows);
+            if (!better.feasible || better.rows == chosen_.rows) return;
+            chosen_.rows = better.rows;
+            const FoundValues found = find_values(book, chosen_.rows, std::vector<double>(chosen_.values));
+            if (found.feasible) chosen_.values = found.values;
         }
     }
 
@@ -195,10 +210,20 @@ private:
         const auto& fixed = design_.design.choose->fixed;
         for (std::size_t i = 0; i < chosen_.rows.size(); ++i) {
             const std::size_t row = chosen_.rows[i];
-            result_.rows.push_back({row, row_words(design_.table->rows, row),
+            result_.rows.push_back({row, name_of_row(row),
                                     std::find(fixed.begin(), fixed.end(), row) != fixed.end(),
                                     row >= design_.table->present, without[i]});
         }
+    }
+
+    /// With its number, from 1, where others are called the same.
+    std::string name_of_row(std::size_t row) const {
+        const SetupTable& table = design_.table->rows;
+        const std::string words = row_words(table, row);
+        for (std::size_t other = 0; other < table.rows.size(); ++other)
+            if (other != row && row_words(table, other) == words)
+                return words + " (row " + std::to_string(row + 1) + ")";
+        return words;
     }
 
     void verify(CandidateJudge& judge) {

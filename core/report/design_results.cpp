@@ -121,9 +121,10 @@ DataTable reasons_table(const DesignResult& result) {
     return table;
 }
 
-/// Neither empty throughout, nor "no", nor zero; nor the unit that the quantities beside it have with them.
+/// Neither empty throughout, nor "no", nor zero; nor what the cells beside it say: unit, number of a row.
 bool says_something(const DataTable& table, std::size_t column) {
     if (table.id == "outputs" && table.columns[column].header == "unit") return false;
+    if (table.columns[column].header == "row") return false;  // its name stands beside it
     return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<TableCell>& row) {
         const TableCell& cell = row[column];
         if (const auto* text = std::get_if<std::string>(&cell))
@@ -295,7 +296,7 @@ std::vector<DataTable> design_tables(const DesignResult& result) {
 }
 
 std::vector<DataTable> readable_design_tables(const DesignResult& result) {
-    static const std::set<std::string> counts{"row", "rows", "count"};
+    static const std::set<std::string> counts{"rows", "count"};
     std::vector<DataTable> tables;
     for (const DataTable& table : design_tables(result)) {
         if (table.id == "path") continue;

@@ -365,7 +365,8 @@ void DesignsForm::refresh_choice(const Design& shown) {
     const auto table = shown.choose ? find_design_table(document_.project(), *entry(), *shown.choose, ignored)
                                     : std::optional<DesignTable>();
     for (std::size_t row = 0; table && row < table->rows.rows.size(); ++row) {
-        auto* item = new QListWidgetItem(to_qt(row_words(table->rows, row)), fixed_);
+        auto* item = new QListWidgetItem(
+            QStringLiteral("%1: %2").arg(row + 1).arg(to_qt(row_words(table->rows, row))), fixed_);
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         const bool stays = std::ranges::count(shown.choose->fixed, row) > 0;
         item->setCheckState(stays ? Qt::Checked : Qt::Unchecked);

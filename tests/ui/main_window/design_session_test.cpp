@@ -1,5 +1,6 @@
 // A user adds a design, chooses what may be chosen, lets it be searched, looks at what was found, takes it
 // over in one step and takes it back.
+#include <QListWidget>
 #include <QTextBrowser>
 
 #include "tests/ui/main_window/session_fixture.h"
@@ -85,6 +86,8 @@ TEST_F(DesignSession, RowsAreChosenAndShownWithWhatEachIsWorth) {
     EXPECT_EQ(design_status().result->rows.size(), 15u);
     EXPECT_EQ(tab().view().chart_list().itemText(0), QStringLiteral("What more rows give"));
     EXPECT_GE(tab().view().chart_list().count(), 3);
+    EXPECT_TRUE(
+        wait_for([this] { return tab().view().chart().isVisible() && tab().view().chart().width() > 200; }));
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/design.png"));
     press(tab(), "take_over_design");
     EXPECT_EQ(std::get<SetupTable>(analysis().setup.values.at("measured_points")).rows.size(), 15u);

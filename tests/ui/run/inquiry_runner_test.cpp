@@ -47,6 +47,33 @@ TEST(StudyRunner, ResultIsCurrentUntilSomethingThatMattersChanges) {
     EXPECT_FALSE(runner.status(analysis, sweep).result);
 }
 
+TEST(DesignRunner, ResultIsOfTheDesignAndItsTargets) {
+    ProjectMaker maker(Execution::inline_execution);
+    DesignRunner runner(design_inquiries(), maker, Execution::inline_execution);
+    const ProjectSnapshot project = changed(network(), [](AnalysisEntry& entry) {
+        entry.designs[0].most_evaluations = 20;
+        entry.designs[0].starts = 1;
+        entry.designs[0].trials = 1000;
+    });
+    maker.request(project);
+    const QString design = QStringLiteral("tracker-for-distances");
+    runner.run(analysis, design);
+    ASSERT_TRUE(runner.status(analysis, design).is_current());
+    EXPECT_GT(runner.status(analysis, design).result->evaluations, 0u);
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.designs[0].name = "another name"; }));
+    EXPECT_TRUE(runner.status(analysis, design).is_current());
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.designs[1].starts = 3; }));
+    EXPECT_TRUE(runner.status(analysis, design).is_current()) << "another design";
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.designs[0].starts = 3; }));
+    EXPECT_FALSE(runner.status(analysis, design).is_current());
+    maker.request(changed(project, [](AnalysisEntry& entry) {
+        entry.requirements.push_back({"distances", "AB", Quantity{0.1, Unit::of("mm")}});
+    }));
+    EXPECT_FALSE(runner.status(analysis, design).is_current()) << "a design looks at targets";
+    maker.request(project);
+    EXPECT_TRUE(runner.status(analysis, design).is_current()) << "undone";
+}
+
 TEST(StudyRunner, FailureSaysWhy) {
     ProjectMaker maker(Execution::inline_execution);
     StudyRunner runner(study_inquiries(), maker, Execution::inline_execution);
