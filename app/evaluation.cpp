@@ -2,6 +2,7 @@
 
 #include "app/terminal.h"
 #include "core/base/guarded.h"
+#include "core/design/design.h"
 #include "core/made/load_project.h"
 #include "core/project/project_file.h"
 #include "core/project/set_values.h"
@@ -78,6 +79,7 @@ public:
         }
         for (const std::string& warning : one->result->warnings) print_message(id + ": warning: " + warning);
         auto studies = request_.studies ? evaluate_studies(*one) : Result<void>{};
+        if (studies && request_.designs) studies = evaluate_designs(*one);
         evaluation.analyses.push_back(std::move(*one));
         return studies;
     }
@@ -134,6 +136,24 @@ private:
                           std::to_string((*ran)->points.size()) + " grid points " + does_not_represent +
                           ": more than 1 % of the trials have no value");
         return std::move(**ran);
+    }
+
+    Result<void> evaluate_designs(EvaluatedAnalysis& evaluated) {
+        const std::string& id = evaluated.analysis->id;
+        for (const Design& design : made_->project().find_analysis(id)->designs) {
+            Problems problems;
+            const auto prepared = prepare_design(made_, id, design.id, problems);
+            const std::string what = "design " + id + "/" + design.id;
+            auto result = prepared ? run_design(*prepared, {stop_, progress_line(what), request_.threads})
+                                   : Result<DesignResult>(fail(ErrorCode::bad_input, why(problems)));
+            end_progress_line();
+            if (!result && result.error().code == ErrorCode::cancelled) return fail(result.error());
+            if (!result)
+                note_failure(id, design.id, result.error().message);
+            else
+                evaluated.designs.push_back(std::make_shared<const DesignResult>(std::move(*result)));
+        }
+        return {};
     }
 
     void note_failure(const std::string& id, const std::string& study, const std::string& cause) {

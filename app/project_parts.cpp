@@ -33,6 +33,7 @@ const std::vector<Definition>& definitions() {
         {{"designs", "where to stand, what to measure"}, "design"},
         {{"variables", "numbers that a design chooses"}, "designVariable"},
         {{"choose", "rows that a design chooses from"}, "designChoice"},
+        {{"reductions", "what a design may pay for"}, "designReduction"},
         {{"boxes", "boxes of a design, in keepOut and hiddenBy"}, "designBox"}};
     return all;
 }

@@ -50,9 +50,9 @@ Result<DesignPlace> find_design(const Project& project, const DesignArguments& a
                     known);
 }
 
-void show(const DesignPlace& place, const DesignProgress& progress) {
-    show_progress(place.analysis + "/" + place.design + ": " + std::to_string(progress.evaluations) + " of " +
-                  std::to_string(progress.most) + " evaluations" +
+void show(const DesignPlace& place, const Progress& progress) {
+    show_progress(place.analysis + "/" + place.design + ": " + std::to_string(progress.trials_done) + " of " +
+                  std::to_string(progress.trials_planned) + " evaluations" +
                   (progress.best ? ", best so far " + format_significant(*progress.best, 5) : ""));
 }
 
@@ -93,8 +93,7 @@ Result<bool> design(const DesignArguments& arguments, const std::stop_token& sto
         return fail(ErrorCode::bad_input, "the design cannot be searched");
     }
     const auto result = run_design(
-        *prepared,
-        {stop, [&](const DesignProgress& progress) { show(*place, progress); }, arguments.threads});
+        *prepared, {stop, [&](const Progress& progress) { show(*place, progress); }, arguments.threads});
     end_progress_line();
     if (!result) return fail(result.error());
     std::fputs(design_text(*result).c_str(), stdout);

@@ -76,6 +76,7 @@ Command report_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("report", "Evaluate a project; write its report as PDF, HTML and Markdown");
     add_run_options(*command, arguments->request);
+    command->add_flag("--designs", arguments->request.designs, "search the designs too, for their chapter");
     auto* folder = command->add_option("--out", arguments->files.folder, "folder for the report")
                        ->type_name("DIR")
                        ->capture_default_str();

@@ -3,15 +3,18 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 
 namespace covaria {
 
 class UnitStore;  // core/base/unit_store.h
 
+/// Trials, grid points or evaluations.
 struct Progress {
     std::uint64_t trials_done = 0;
     std::uint64_t trials_planned = 0;  ///< 0 = not known (adaptive)
+    std::optional<double> best = {};   ///< of a search: the smallest objective so far
 };
 
 struct RunControl {

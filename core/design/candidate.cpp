@@ -122,6 +122,7 @@ Judged CandidateJudge::judge_model(const ChangedModel& changed, Constraints cons
         evaluate_summary(model, changed.inputs, indices, options_, [](std::uint64_t) { return true; });
     if (!summary) return infeasible(summary.error().message);
     Judged judged;
+    judged.standard.assign(summary->standard_uncertainty.begin(), summary->standard_uncertainty.end());
     for (const double U : summary->expanded_uncertainty) {
         if (!std::isfinite(U)) return infeasible("an uncertainty has no finite value");
         // Differences that cancel, as between directions that are equal; not a measurement without

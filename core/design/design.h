@@ -2,12 +2,11 @@
 // uncertainties of an analysis smallest, by the law of propagation, verified by Monte Carlo.
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/base/run_control.h"
 #include "core/project/design_check.h"
 #include "core/result/design_result.h"
 #include "core/study/changed_project.h"
@@ -40,23 +39,17 @@ std::shared_ptr<const PreparedDesign> prepare_design(const MadeProject::Pointer&
                                                      const std::string& analysis_id,
                                                      const std::string& design_id, Problems& problems);
 
-struct DesignProgress {
-    std::uint64_t evaluations = 0;
-    std::uint64_t most = 0;
-    std::optional<double> best = {};  ///< objective, so far
-};
+/// The assets that the analysis uses, and the analysis with this design: everything that influences what it
+/// finds.
+Project design_part(const Project& project, const AnalysisEntry& entry, const Design& design);
+/// Whether the same design would be found in two such parts.
+bool same_search(Project a, Project b);
 
-struct DesignControl {
-    std::stop_token stop = {};
-    /// Called only on the calling thread, some ten times a second at most. May be empty.
-    std::function<void(const DesignProgress&)> progress = {};
-    int threads = 0;  ///< 0 = as many as the machine has
-};
-
-/// First the rows (at the present values), then the values. Same bits for any number of threads. Errors:
-/// cancelled, within 100 ms of a stop request (between two evaluations); bad_input: without target
-/// uncertainties U is looked at relative to that of the present design, which has no result.
-Result<DesignResult> run_design(const PreparedDesign& design, const DesignControl& control = {});
+/// First the rows (at the present values), then the values, then both in turn. Same bits for any number of
+/// threads. Errors: cancelled, within 100 ms of a stop request (between two evaluations; progress counts
+/// them); bad_input: without target uncertainties U is looked at relative to that of the present design,
+/// which has no result.
+Result<DesignResult> run_design(const PreparedDesign& design, const RunControl& control = {});
 
 /// The project with the chosen rows and values in it. Error: a component of uncertainty that several
 /// quantities share, or of another analysis, cannot be written there.

@@ -3,6 +3,7 @@
 
 #include "core/design/design.h"
 #include "core/project/links.h"
+#include "core/project/project_file.h"
 #include "core/project/stated_requirements.h"
 #include "core/study/varied_part.h"
 
@@ -20,6 +21,9 @@ Problems problems_of(const MadeProject& made, const PreparedAnalysis& analysis, 
     for (std::size_t i = 0; i < design.variables.size(); ++i)
         refuse_idle_asset(made, analysis.id, design.variables[i].number.asset,
                           first + "/variables/" + std::to_string(i) + "/asset", found);
+    for (std::size_t i = 0; i < design.reductions.size(); ++i)
+        refuse_idle_asset(made, analysis.id, design.reductions[i].number.asset,
+                          first + "/reductions/" + std::to_string(i) + "/asset", found);
     if (design.choose)
         refuse_idle_asset(made, analysis.id, design.choose->asset, first + "/choose/asset", found);
     for (Problem problem : found.items()) {
@@ -120,6 +124,20 @@ std::optional<Project> part_for(const Project& project, const AnalysisEntry& ent
 
 }  // namespace
 
+Project design_part(const Project& project, const AnalysisEntry& entry, const Design& design) {
+    Project part = analysis_part(project, entry);
+    part.analyses.front().designs = {design};
+    return part;
+}
+
+bool same_search(Project a, Project b) {
+    for (Project* part : {&a, &b})
+        for (Design& design : part->analyses.front().designs) design.name.clear();
+    const AnalysisEntry &of_a = a.analyses.front(), &of_b = b.analyses.front();
+    return of_a.designs == of_b.designs && of_a.requirements == of_b.requirements &&
+           same_numbers(std::move(a), std::move(b));
+}
+
 std::shared_ptr<const PreparedDesign> prepare_design(const MadeProject::Pointer& made,
                                                      const std::string& analysis_id,
                                                      const std::string& design_id, Problems& problems) {
@@ -145,10 +163,12 @@ std::shared_ptr<const PreparedDesign> prepare_design(const MadeProject::Pointer&
     prepared->outputs = designed_outputs(entry, *analysis, *design);
     for (const DesignVariable& variable : design->variables)
         prepared->numbers.axes.push_back(variable.number);
+    for (const DesignReduction& reduction : design->reductions)
+        prepared->numbers.axes.push_back(reduction.number);
     auto part = part_for(project, entry, *prepared);
     if (!part || !find_targets(analysis->inputs, prepared->numbers.axes, *part, prepared->numbers.targets))
         return nullptr;
-    for (std::size_t i = 0; i < design->variables.size(); ++i)
+    for (std::size_t i = 0; i < prepared->numbers.axes.size(); ++i)
         prepared->present.push_back(present_value(prepared->numbers.axes[i], prepared->numbers.targets[i]));
     if (prepared->table) find_assets_of_rows(*part, *prepared);
     prepared->numbers.made = MadeProject::make(without_choices(*std::move(part)), made);

@@ -112,6 +112,12 @@ RowSearch::Found RowSearch::find() {
     return found;
 }
 
+RowSearch::Found RowSearch::improve(const Rows& rows) {
+    Found found{exchanged(rows, "exchange")};
+    found.feasible = merit_of(found.rows).feasible;
+    return found;
+}
+
 // Choices in lexicographic order, as masks of the rows that are not fixed.
 Rows RowSearch::of_all_choices() {
     Rows free_rows;

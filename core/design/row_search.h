@@ -25,6 +25,8 @@ public:
         bool proved = false;
     };
     Found find();
+    /// By exchange from these rows, which stay where nothing gains.
+    Found improve(const Rows& rows);
     /// The best of each number of rows; `find` looks at some, this at those that differ from `rows` by a few.
     std::vector<DesignCount> curve(const Rows& rows);
     /// Objective of `rows` without each of its rows.

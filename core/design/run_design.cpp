@@ -4,6 +4,7 @@
 
 #include "core/base/guarded.h"
 #include "core/design/layout_constraints.h"
+#include "core/design/reduction_search.h"
 #include "core/design/row_search.h"
 #include "core/design/value_search.h"
 #include "core/propagation/engine.h"
@@ -36,7 +37,7 @@ Candidate present_candidate(const PreparedDesign& design) {
 
 class DesignRun {
 public:
-    DesignRun(const PreparedDesign& design, const DesignControl& control)
+    DesignRun(const PreparedDesign& design, const RunControl& control)
         : design_(design), control_(control), chosen_(present_candidate(design)) {}
 
     Result<DesignResult> run() {
@@ -46,7 +47,11 @@ public:
         if (auto possible = check_constraints(); !possible) return fail(possible.error());
         SearchBook book(design_, *references, control_);
         judge_present(book, *references);
-        search(book);
+        if (!design_.design.reductions.empty()) {
+            if (auto reduced = reduce(book); !reduced) return fail(reduced.error());
+        } else {
+            search(book);
+        }
         finish(book, *references);
         return std::move(result_);
     }
@@ -117,6 +122,22 @@ private:
         if (now.feasible()) result_.before = now.objective;
     }
 
+    Result<void> reduce(SearchBook& book) {
+        for (const DesignedOutput& output : design_.outputs)
+            if (!output.target)
+                return fail(ErrorCode::bad_input,
+                            "the cheapest reductions need target uncertainties: state requirements");
+        const auto found = find_reductions(book);
+        if (!found) return fail(found.error());
+        result_.found = true;
+        chosen_.values = found->factors;
+        result_.cost = found->cost;
+        result_.front = found->front;
+        for (std::size_t k = 0; k < result_.goals.size(); ++k)
+            if (found->prices[k] > 0.0) result_.goals[k].price_of_target = found->prices[k];
+        return {};
+    }
+
     void search(SearchBook& book) {
         result_.found = true;
         if (design_.table) {
@@ -128,9 +149,24 @@ private:
             if (found.feasible) result_.curve = rows.curve(found.rows);
         }
         if (!design_.design.variables.empty()) {
-            const FoundValues found = find_values(book, chosen_.rows);
+            const FoundValues found = find_values(book, chosen_.rows, chosen_.values);
             chosen_.values = found.values;
             result_.found = found.feasible;
+            if (design_.table && found.feasible) alternate(book);
+        }
+    }
+
+    /// Rows with the values found, values with the rows found, as long as other rows gain. Both searches
+    /// begin where the other ended, so that it never becomes worse.
+    void alternate(SearchBook& book) {
+        constexpr int most_turns = 10;
+        for (int turn = 0; turn < most_turns && book.left() > 0; ++turn) {
+            RowSearch rows(book, chosen_.values);
+            const RowSearch::Found better = rows.improve(chosen_.rows);
+            if (!better.feasible || better.rows == chosen_.rows) return;
+            chosen_.rows = better.rows;
+            const FoundValues found = find_values(book, chosen_.rows, std::vector<double>(chosen_.values));
+            if (found.feasible) chosen_.values = found.values;
         }
     }
 
@@ -138,7 +174,7 @@ private:
         for (const auto& [reason, count] : book.notes().reasons) result_.reasons.push_back({reason, count});
         std::stable_sort(result_.reasons.begin(), result_.reasons.end(),
                          [](const auto& a, const auto& b) { return a.count > b.count; });
-        result_.path = book.notes().steps;
+        if (design_.design.reductions.empty()) result_.path = book.notes().steps;
         state_values();
         if (!result_.found) {
             result_.evaluations = book.notes().evaluations;
@@ -154,13 +190,17 @@ private:
     }
 
     void state_values() {
-        for (std::size_t i = 0; i < design_.design.variables.size(); ++i) {
-            const DesignVariable& variable = design_.design.variables[i];
+        const Design& design = design_.design;
+        for (std::size_t i = 0; i < design_.numbers.axes.size(); ++i) {
+            const StudyAxis& axis = design_.numbers.axes[i];
             Text title = design_.numbers.targets[i].title;
-            if (variable.number.change == StudyChange::factor) title += ", factor";
-            if (variable.number.change == StudyChange::added) title += ", added";
-            result_.values.push_back({title, variable.number.unit, variable.number.from, variable.number.to,
-                                      design_.present[i], chosen_.values[i], variable.tolerance});
+            if (axis.change == StudyChange::factor) title += ", factor";
+            if (axis.change == StudyChange::added) title += ", added";
+            result_.values.push_back(
+                {title, axis.unit, axis.from, axis.to, design_.present[i], chosen_.values[i], 0.0, {}});
+            if (i < design.variables.size()) result_.values.back().tolerance = design.variables[i].tolerance;
+            if (i < design.reductions.size())
+                result_.values.back().cost = cost_of(design.reductions[i], chosen_.values[i]);
         }
     }
 
@@ -170,10 +210,20 @@ private:
         const auto& fixed = design_.design.choose->fixed;
         for (std::size_t i = 0; i < chosen_.rows.size(); ++i) {
             const std::size_t row = chosen_.rows[i];
-            result_.rows.push_back({row, row_words(design_.table->rows, row),
+            result_.rows.push_back({row, name_of_row(row),
                                     std::find(fixed.begin(), fixed.end(), row) != fixed.end(),
                                     row >= design_.table->present, without[i]});
         }
+    }
+
+    /// With its number, from 1, where others are called the same.
+    std::string name_of_row(std::size_t row) const {
+        const SetupTable& table = design_.table->rows;
+        const std::string words = row_words(table, row);
+        for (std::size_t other = 0; other < table.rows.size(); ++other)
+            if (other != row && row_words(table, other) == words)
+                return words + " (row " + std::to_string(row + 1) + ")";
+        return words;
     }
 
     void verify(CandidateJudge& judge) {
@@ -203,14 +253,14 @@ private:
     }
 
     const PreparedDesign& design_;
-    const DesignControl& control_;
+    const RunControl& control_;
     Candidate chosen_;
     DesignResult result_;
 };
 
 }  // namespace
 
-Result<DesignResult> run_design(const PreparedDesign& design, const DesignControl& control) {
+Result<DesignResult> run_design(const PreparedDesign& design, const RunControl& control) {
     try {
         return DesignRun(design, control).run();
     } catch (const Stopped&) {

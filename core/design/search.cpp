@@ -30,7 +30,7 @@ void SearchNotes::add(const Judged& judged, const std::string& search, bool whol
         steps.push_back({evaluations, search, judged.objective});
 }
 
-SearchBook::SearchBook(const PreparedDesign& design, References references, const DesignControl& control)
+SearchBook::SearchBook(const PreparedDesign& design, References references, const RunControl& control)
     : design_(design),
       judges_(design, std::move(references)),
       best_(std::numeric_limits<double>::infinity()),
@@ -39,8 +39,9 @@ SearchBook::SearchBook(const PreparedDesign& design, References references, cons
     if (!control.progress) return;
     control_.progress = [this, progress = control.progress](const Progress& done) {
         const double best = best_;
-        progress({done.trials_done, done.trials_planned,
-                  std::isfinite(best) ? std::optional<double>(best) : std::nullopt});
+        Progress with_best = done;
+        if (std::isfinite(best)) with_best.best = best;
+        progress(with_best);
     };
 }
 

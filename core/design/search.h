@@ -45,7 +45,7 @@ struct SearchNotes {
 /// Everything that one run of a design keeps beside the candidates themselves.
 class SearchBook {
 public:
-    SearchBook(const PreparedDesign& design, References references, const DesignControl& control);
+    SearchBook(const PreparedDesign& design, References references, const RunControl& control);
 
     /// In the order of the candidates. Throws Stopped.
     std::vector<Judged> judge_all(const std::vector<Candidate>& candidates, const std::string& search);

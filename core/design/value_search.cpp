@@ -35,9 +35,11 @@ std::vector<double> values_at(const std::vector<StudyAxis>& axes, const std::vec
 /// One start: place of the unit cube -> objective, on one thread.
 class Start {
 public:
-    Start(SearchBook& book, const std::vector<std::size_t>& rows, std::size_t number, std::uint64_t budget)
+    Start(SearchBook& book, const std::vector<std::size_t>& rows, const std::vector<double>& from,
+          std::size_t number, std::uint64_t budget)
         : book_(book),
           rows_(rows),
+          from_(from),
           number_(number),
           budget_(budget),
           variables_(book.design().design.variables.size()),
@@ -52,7 +54,7 @@ public:
                                  : "start " + std::to_string(number_);
         try {
             if (number_ == 0)
-                judged_at(present());
+                judged_at(first_place());
             else
                 random_place();
             if (number_ == 1) search_globally();
@@ -79,12 +81,11 @@ private:
     }
     double merit_of(const std::vector<double>& place) { return judged_at(place).merit(); }
 
-    std::vector<double> present() const {
+    std::vector<double> first_place() const {
         std::vector<double> place;
         for (std::size_t i = 0; i < variables_; ++i) {
             const StudyAxis& axis = book_.design().numbers.axes[i];
-            place.push_back(
-                std::clamp((book_.design().present[i] - axis.from) / (axis.to - axis.from), 0.0, 1.0));
+            place.push_back(std::clamp((from_[i] - axis.from) / (axis.to - axis.from), 0.0, 1.0));
         }
         return place;
     }
@@ -188,6 +189,7 @@ private:
 
     SearchBook& book_;
     const std::vector<std::size_t>& rows_;
+    const std::vector<double>& from_;
     std::size_t number_;
     std::uint64_t budget_;
     std::size_t variables_;
@@ -199,7 +201,8 @@ private:
 
 }  // namespace
 
-FoundValues find_values(SearchBook& book, const std::vector<std::size_t>& rows) {
+FoundValues find_values(SearchBook& book, const std::vector<std::size_t>& rows,
+                        const std::vector<double>& from) {
     const std::size_t starts = book.design().design.starts + 1;  // and the global search
     const std::uint64_t share = std::max<std::uint64_t>(1, book.left() / starts);
     FoundValues found;
@@ -208,9 +211,9 @@ FoundValues find_values(SearchBook& book, const std::vector<std::size_t>& rows) 
     work.units = starts;
     work.make_partial = [] { return StartResult{}; };
     work.make_worker = [&] {
-        return [&book, &rows, share](std::uint64_t number, StartResult& result) {
+        return [&book, &rows, &from, share](std::uint64_t number, StartResult& result) {
             result = {};
-            return Start(book, rows, static_cast<std::size_t>(number), share).run(result);
+            return Start(book, rows, from, static_cast<std::size_t>(number), share).run(result);
         };
     };
     work.merge = [&](std::uint64_t, StartResult& result) {

@@ -25,6 +25,22 @@ struct DesignChoice {
     bool operator==(const DesignChoice&) const = default;
 };
 
+/// What it costs to have f times a standard uncertainty: nothing at f = 1, `price` at f = 1/2, convex in f².
+enum class PriceLaw {
+    inverse,      ///< price · (1/f − 1)
+    repeats,      ///< price · (1/f² − 1)/3: further readings whose mean is taken
+    logarithmic,  ///< price · log2(1/f): every halving costs the same
+};
+
+/// A number that uncertainties are proportional to, and what its reduction costs.
+struct DesignReduction {
+    /// `from`: the smallest factor that can be had; `to`: 1.
+    StudyAxis number = {.change = StudyChange::factor, .from = 0.1, .to = 1.0, .values = 2};
+    double price = 1.0;  ///< of the first halving
+    PriceLaw law = PriceLaw::inverse;
+    bool operator==(const DesignReduction&) const = default;
+};
+
 /// What is made of the ratios U/target; the smallest is the best.
 enum class DesignObjective { largest, mean, root_mean_square };
 
@@ -41,6 +57,8 @@ struct Design {
     std::string name = {};
     std::vector<DesignVariable> variables = {};
     std::optional<DesignChoice> choose = {};
+    /// Instead of variables and rows: the cheapest of these so that all targets are met.
+    std::vector<DesignReduction> reductions = {};
     /// Looked at; empty: all with a target uncertainty, or where none has one, all measurands.
     std::vector<StudyOutput> outputs = {};
     DesignObjective objective = DesignObjective::largest;

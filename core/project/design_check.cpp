@@ -6,6 +6,7 @@
 
 #include "core/base/in_quotes.h"
 #include "core/project/csv_table.h"
+#include "core/project/entry_graph.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/project_id.h"
 #include "core/setup/message_text.h"
@@ -72,8 +73,15 @@ public:
         path_ = path;
         if (!is_project_id(design.id))
             error("/id", "the id " + in_quotes(design.id) + " must be made of letters, digits, '-' and '_'");
-        if (design.variables.empty() && !design.choose)
-            error("", "a design needs 'variables', or a table to 'choose' from");
+        if (design.variables.empty() && !design.choose && design.reductions.empty())
+            error("", "a design needs 'variables', a table to 'choose' from, or 'reductions'");
+        if (!design.reductions.empty() && (design.choose || !design.variables.empty()))
+            error("/reductions",
+                  "the cheapest reductions are a design of their own, without variables and rows");
+        if (design.reductions.size() > most_design_variables)
+            error("/reductions",
+                  "a design has at most " + std::to_string(most_design_variables) + " reductions");
+        for (std::size_t i = 0; i < design.reductions.size(); ++i) check_reduction(design, i);
         if (design.variables.size() > most_design_variables)
             error("/variables",
                   "a design has at most " + std::to_string(most_design_variables) + " variables");
@@ -105,6 +113,21 @@ private:
             if (design.variables[j].number.asset == variable.number.asset &&
                 design.variables[j].number.target == variable.number.target)
                 error(below + "/target", in_quotes(variable.number.target) + " is chosen by two variables");
+    }
+
+    void check_reduction(const Design& design, std::size_t i) {
+        const DesignReduction& reduction = design.reductions[i];
+        const std::string below = "/reductions/" + std::to_string(i);
+        const auto target = find_study_target(project_, analysis_, inputs_, reduction.number);
+        if (!target) error(below + target.error().path, target.error().message);
+        if (!(reduction.number.from > 0.0) || !(reduction.number.from < 1.0))
+            error(below + "/least", "the smallest factor is between 0 and 1");
+        if (!(reduction.price >= 0.0) || !std::isfinite(reduction.price))
+            error(below + "/price", "a price must not be negative");
+        for (std::size_t j = 0; j < i; ++j)
+            if (design.reductions[j].number.asset == reduction.number.asset &&
+                design.reductions[j].number.target == reduction.number.target)
+                error(below + "/target", in_quotes(reduction.number.target) + " is reduced twice");
     }
 
     void check_choice(const DesignChoice& choice) {
@@ -192,6 +215,30 @@ std::optional<DesignTable> find_design_table(const Project& project, const Analy
     problems.take(own, "");
     if (own.has_errors()) return {};
     return std::move(table);
+}
+
+std::vector<DesignTableOffer> tables_to_choose_from(const Project& project, const AnalysisEntry& analysis) {
+    std::vector<DesignTableOffer> offers;
+    const auto add = [&](const SetupSchema* schema, const Setup& setup, const AssetEntry* asset) {
+        if (!schema) return;
+        for (const FieldSpec& field : schema->fields()) {
+            if (field.kind != FieldKind::table || !is_shown(*schema, field, setup)) continue;
+            const auto* table = std::get_if<SetupTable>(&value_of(field, setup));
+            const std::size_t rows = table ? table->rows.size() : 0;
+            if (rows < 2) continue;
+            const Text prefix = asset ? (asset->name.empty() ? asset->id : asset->name) + ": " : "";
+            offers.push_back({{.asset = asset ? asset->id : "",
+                               .table = "/setup/" + field.key + "/rows",
+                               .keep = std::max<std::size_t>({1, field.min_rows, rows / 2})},
+                              prefix + field.title});
+        }
+    };
+    add(schema_of(analysis), analysis.setup, nullptr);
+    for (const std::string& id : assets_used_by(project, analysis)) {
+        const AssetEntry& asset = *project.find_asset(id);
+        add(schema_of(asset), asset.setup, &asset);
+    }
+    return offers;
 }
 
 void check_designs(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,

@@ -21,6 +21,14 @@ struct DesignTable {
 std::optional<DesignTable> find_design_table(const Project& project, const AnalysisEntry& analysis,
                                              const DesignChoice& choice, Problems& problems);
 
+/// The tables of the analysis and of the assets that it uses which a design could choose from, with their
+/// titles ("Sensors", "tracker: Targets").
+struct DesignTableOffer {
+    DesignChoice choice;
+    Text title;
+};
+std::vector<DesignTableOffer> tables_to_choose_from(const Project& project, const AnalysisEntry& analysis);
+
 /// Problems of the designs of one analysis, paths relative to it ("/designs/0/variables/1/target").
 /// `outputs` and `inputs` are null when the model could not be made.
 void check_designs(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,

@@ -16,6 +16,34 @@ constexpr std::array<Word<DesignObjective>, 3> objectives{
      {DesignObjective::mean, "mean"},
      {DesignObjective::root_mean_square, "root-mean-square"}}};
 
+constexpr std::array<Word<PriceLaw>, 3> price_laws{
+    {{PriceLaw::inverse, "inverse"}, {PriceLaw::repeats, "repeats"}, {PriceLaw::logarithmic, "logarithmic"}}};
+
+DesignReduction read_reduction(const Json& value, const std::string& path, Problems& problems) {
+    ObjectReader reader(value, path, "a reduction of a design", problems);
+    DesignReduction reduction;
+    reduction.number.asset = reader.text("asset");
+    reduction.number.target = reader.text("target", true);
+    reduction.number.from = reader.number("least").value_or(reduction.number.from);
+    reduction.price = reader.number("price", true).value_or(reduction.price);
+    read_word(reader, "law", price_laws, reduction.law);
+    reader.refuse_unknown_keys();
+    return reduction;
+}
+
+void write_reduction(JsonWriter& out, const DesignReduction& reduction) {
+    const DesignReduction defaults;
+    out.begin_object(Style::one_line);
+    if (!reduction.number.asset.empty()) out.member("asset", reduction.number.asset);
+    out.member("target", reduction.number.target);
+    out.key("least");
+    out.finite_number(reduction.number.from);
+    out.key("price");
+    out.finite_number(reduction.price);
+    if (reduction.law != defaults.law) out.member("law", key_of(price_laws, reduction.law));
+    out.end();
+}
+
 DesignVariable read_variable(const Json& value, const std::string& path, Problems& problems) {
     ObjectReader reader(value, path, "a variable of a design", problems);
     DesignVariable variable;
@@ -130,6 +158,10 @@ const char* key_of(DesignObjective objective) {
     return key_of(objectives, objective);
 }
 
+const char* key_of(PriceLaw law) {
+    return key_of(price_laws, law);
+}
+
 Design design_from_json(const Json& value, const std::string& path, Problems& problems) {
     ObjectReader reader(value, path, "a design", problems);
     Design design;
@@ -138,6 +170,7 @@ Design design_from_json(const Json& value, const std::string& path, Problems& pr
     read_list(reader, "variables", design.variables, read_variable);
     if (const Json* choice = reader.find("choose"))
         design.choose = read_choice(*choice, reader.path_of("choose"), problems);
+    read_list(reader, "reductions", design.reductions, read_reduction);
     read_list(reader, "outputs", design.outputs, read_study_output);
     read_word(reader, "objective", objectives, design.objective);
     design.least_distance = reader.quantity("leastDistance");
@@ -158,6 +191,7 @@ void write_design(JsonWriter& out, const Design& design) {
         out.key("choose");
         write_choice(out, *design.choose);
     }
+    write_list(out, "reductions", design.reductions, write_reduction);
     write_list(out, "outputs", design.outputs, write_study_output);
     if (design.objective != defaults.objective) out.member("objective", key_of(design.objective));
     if (design.least_distance) {

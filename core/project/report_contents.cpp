@@ -31,6 +31,7 @@ const std::vector<ReportChapterField>& report_chapters() {
         {scene, "scene", "Set-up in space"},
         {correlation, "correlation", "Correlation"},
         {studies, "studies", "Studies"},
+        {designs, "designs", "Designs"},
         {notes, "notes", "Notes"},
         {provenance, "provenance", "Provenance"}};
     return chapters;

@@ -24,6 +24,7 @@ enum class ReportChapter {
     scene,
     correlation,
     studies,
+    designs,
     notes,
     provenance
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "core/base/version.h"
@@ -31,6 +32,12 @@ TableCell number_cell(const std::optional<double>& number) {
     return number ? TableCell(*number) : TableCell();
 }
 
+/// Cost of a unit less of the target.
+std::optional<double> price_in(const Unit& unit, const DesignGoal& goal) {
+    if (!goal.price_of_target) return {};
+    return *goal.price_of_target * unit.interval_to_si(1.0);
+}
+
 DataTable table_of(const std::string& id, const std::string& title, const std::vector<std::string>& heads) {
     DataTable table;
     table.id = id;
@@ -43,6 +50,8 @@ DataTable outputs_table(const DesignResult& result) {
     DataTable table = table_of(
         "outputs", "Uncertainties",
         {"output", "unit", "target", "U before", "U", "U by Monte Carlo", "validated (clause 8)", "met"});
+    const bool priced = result.cost.has_value();
+    if (priced) table.columns.push_back({"cost per unit of target", {}, false, 0});
     for (const DesignGoal& goal : result.goals) {
         const Unit& unit = goal.output.unit;
         std::vector<TableCell> row{name_of(goal.output), unit.text(), interval_cell(goal.target, unit),
@@ -52,6 +61,7 @@ DataTable outputs_table(const DesignResult& result) {
         row.push_back(goal.validated ? TableCell(std::string(yes_or_no(*goal.validated))) : TableCell());
         row.push_back(goal.target && result.found ? TableCell(std::string(yes_or_no(goal.met())))
                                                   : TableCell());
+        if (priced) row.push_back(number_cell(price_in(unit, goal)));
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -60,9 +70,13 @@ DataTable outputs_table(const DesignResult& result) {
 DataTable values_table(const DesignResult& result) {
     DataTable table =
         table_of("values", "Values", {"variable", "unit", "from", "to", "before", "chosen", "tolerance"});
-    for (const DesignValue& value : result.values)
+    const bool priced = result.cost.has_value();
+    if (priced) table.columns.push_back({"cost", {}, false, 0});
+    for (const DesignValue& value : result.values) {
         table.rows.push_back({to_unicode(value.title), value.unit.text(), value.from, value.to, value.before,
                               value.chosen, value.tolerance});
+        if (priced) table.rows.back().push_back(number_cell(value.cost));
+    }
     return table;
 }
 
@@ -87,6 +101,12 @@ DataTable curve_table(const DesignResult& result) {
     return table;
 }
 
+DataTable front_table(const DesignResult& result) {
+    DataTable table = table_of("front", "Cost and uncertainty", {"largest U/target", "cost"});
+    for (const DesignCost& cost : result.front) table.rows.push_back({cost.largest_ratio, cost.cost});
+    return table;
+}
+
 DataTable path_table(const DesignResult& result) {
     DataTable table = table_of("path", "Improvements", {"evaluation", "search", "objective"});
     for (const DesignStep& step : result.path)
@@ -99,6 +119,19 @@ DataTable reasons_table(const DesignResult& result) {
     for (const DesignReason& reason : result.reasons)
         table.rows.push_back({static_cast<double>(reason.count), reason.reason});
     return table;
+}
+
+/// Neither empty throughout, nor "no", nor zero; nor what the cells beside it say: unit, number of a row.
+bool says_something(const DataTable& table, std::size_t column) {
+    if (table.id == "outputs" && table.columns[column].header == "unit") return false;
+    if (table.columns[column].header == "row") return false;  // its name stands beside it
+    return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<TableCell>& row) {
+        const TableCell& cell = row[column];
+        if (const auto* text = std::get_if<std::string>(&cell))
+            return (*text != "no" || table.id == "outputs") && !text->empty() && *text != "1";
+        if (const auto* number = std::get_if<double>(&cell)) return *number != 0.0;
+        return std::holds_alternative<Quantity>(cell);
+    });
 }
 
 OrderedJson cell_json(const TableCell& cell) {
@@ -177,10 +210,29 @@ void write_values(std::ostringstream& out, const DesignResult& result) {
     if (result.values.empty()) return;
     out << "\nValues\n";
     std::vector<std::vector<std::string>> rows{{"", "before", "chosen", "", "allowed"}};
-    for (const DesignValue& value : result.values)
+    if (result.cost) rows.front().push_back("cost");
+    for (const DesignValue& value : result.values) {
         rows.push_back({to_unicode(value.title), format_significant(value.before, 6),
                         format_significant(value.chosen, 6), value.unit == Unit{} ? "" : value.unit.text(),
                         format_short(value.from, 6) + " to " + format_short(value.to, 6)});
+        if (value.cost) rows.back().push_back(format_significant(*value.cost, 4));
+    }
+    write_table(out, rows);
+}
+
+void write_cost(std::ostringstream& out, const DesignResult& result) {
+    if (!result.cost) return;
+    out << "\nThe cheapest reductions cost " << format_significant(*result.cost, 6) << '\n';
+    for (const DesignGoal& goal : result.goals)
+        if (const auto price = price_in(goal.output.unit, goal))
+            out << "  the target of U(" << name_of(goal.output) << ") costs " << format_significant(*price, 4)
+                << " for every " << (goal.output.unit == Unit{} ? "unit" : goal.output.unit.text())
+                << " less\n";
+    if (result.front.empty()) return;
+    out << "\nCost with other targets, all by the same factor\n";
+    std::vector<std::vector<std::string>> rows;
+    for (const DesignCost& cost : result.front)
+        rows.push_back({format_significant(cost.largest_ratio, 4), format_significant(cost.cost, 4)});
     write_table(out, rows);
 }
 
@@ -237,9 +289,27 @@ void write_end(std::ostringstream& out, const DesignResult& result) {
 
 std::vector<DataTable> design_tables(const DesignResult& result) {
     std::vector<DataTable> tables{outputs_table(result)};
-    for (DataTable table : {values_table(result), rows_table(result), curve_table(result), path_table(result),
-                            reasons_table(result)})
+    for (DataTable table : {values_table(result), rows_table(result), curve_table(result),
+                            front_table(result), path_table(result), reasons_table(result)})
         if (!table.rows.empty()) tables.push_back(std::move(table));
+    return tables;
+}
+
+std::vector<DataTable> readable_design_tables(const DesignResult& result) {
+    static const std::set<std::string> counts{"rows", "count"};
+    std::vector<DataTable> tables;
+    for (const DataTable& table : design_tables(result)) {
+        if (table.id == "path") continue;
+        DataTable readable{
+            table.id, table.title, {}, std::vector<std::vector<TableCell>>(table.rows.size()), {}};
+        for (std::size_t c = 0; c < table.columns.size(); ++c) {
+            if (!says_something(table, c)) continue;
+            readable.columns.push_back(table.columns[c]);
+            if (!counts.contains(table.columns[c].header)) readable.columns.back().digits = 4;
+            for (std::size_t r = 0; r < table.rows.size(); ++r) readable.rows[r].push_back(table.rows[r][c]);
+        }
+        tables.push_back(std::move(readable));
+    }
     return tables;
 }
 
@@ -259,6 +329,7 @@ std::string design_json(const DesignResult& result) {
                      {"before", optional_json(result.before)},
                      {"whyNotBefore", result.why_not_before},
                      {"best", result.found ? json_number(result.objective) : OrderedJson(nullptr)},
+                     {"cost", optional_json(result.cost)},
                      {"candidates", result.candidates},
                      {"evaluations", result.evaluations},
                      {"trials", result.trials},
@@ -295,6 +366,7 @@ std::string design_text(const DesignResult& result) {
         out << '\n';
         write_outputs(out, result);
         write_values(out, result);
+        write_cost(out, result);
         write_rows(out, result);
         write_curve(out, result);
     }

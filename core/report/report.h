@@ -8,6 +8,7 @@
 
 #include "core/made/made_project.h"
 #include "core/report/report_document.h"
+#include "core/result/design_result.h"
 #include "core/result/study_result.h"
 #include "core/result/uncertainty_result.h"
 
@@ -18,12 +19,13 @@ struct EvaluatedAnalysis {
     std::shared_ptr<const UncertaintyResult> result;
     std::vector<std::string> warnings = {};  ///< of its assets and of its model: `warnings_of`
     std::vector<std::shared_ptr<const StudyResult>> studies = {};
+    std::vector<std::shared_ptr<const DesignResult>> designs = {};
 };
 
-/// An analysis of the project, or a study of one, that has no results.
+/// An analysis of the project, or a study or design of one, that has no results.
 struct FailedAnalysis {
     std::string id, name;
-    std::string study = {};  ///< its id, where only the study failed
+    std::string study = {};  ///< its id, where only the study or design failed
     std::string cause;
 };
 /// What a report is made of.

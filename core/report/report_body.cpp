@@ -48,13 +48,14 @@ Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evalua
     add_scene(begin(scene), evaluated);
     add_correlation(begin(correlation), evaluated);
     add_studies(begin(studies), evaluated);
+    add_designs(begin(designs), evaluated);
     return all;
 }
 
 /// What a reader misses most comes first.
 int rank_of(const std::optional<ReportChapter>& chapter) {
     using enum ReportChapter;
-    static const std::array order{budgets, setup,         evaluation, assets,    scene,       inputs,
+    static const std::array order{budgets, setup,         evaluation, assets,    scene,       inputs, designs,
                                   studies, distributions, comparison, influence, correlation, regions};
     if (!chapter) return -1;
     return static_cast<int>(std::find(order.begin(), order.end(), *chapter) - order.begin());

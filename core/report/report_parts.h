@@ -44,6 +44,7 @@ void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_correlation(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_notes(Blocks& blocks, const ReportSource& source);
 void add_provenance(Blocks& blocks, const ReportSource& source);
 

@@ -19,6 +19,7 @@ struct DesignValue {
     double from = 0.0, to = 0.0;
     double before = 0.0, chosen = 0.0;
     double tolerance = 0.0;
+    std::optional<double> cost{};  ///< of a reduction
 };
 
 /// A candidate row that was kept.
@@ -38,6 +39,8 @@ struct DesignGoal {
     double after = 0.0;                   ///< U of the chosen design, first order
     std::optional<double> monte_carlo{};  ///< U of the chosen design
     std::optional<bool> validated{};      ///< JCGM 101 clause 8
+    std::optional<double>
+        price_of_target{};  ///< of reductions: what the target costs, per SI unit less of it
     /// Where clause 8 does not validate first order, Monte Carlo must meet the target too.
     bool met() const;
 };
@@ -53,6 +56,12 @@ struct DesignStep {
 struct DesignCount {
     std::size_t rows = 0;
     double objective = 0.0;
+};
+
+/// What reductions cost when all targets are so much wider.
+struct DesignCost {
+    double largest_ratio = 1.0;  ///< U/target
+    double cost = 0.0;
 };
 
 struct DesignReason {
@@ -74,6 +83,8 @@ struct DesignResult {
     std::vector<DesignGoal> goals;
     std::vector<DesignCount> curve;
     std::vector<DesignStep> path;
+    std::optional<double> cost{};   ///< of the reductions
+    std::vector<DesignCost> front;  ///< likewise, by rising ratio
     std::uint64_t evaluations = 0;
     std::vector<DesignReason> reasons;            ///< of evaluations without result, by falling count
     std::uint64_t trials = 0, failed_trials = 0;  ///< of the verification

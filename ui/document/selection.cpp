@@ -13,6 +13,7 @@ void Selection::select_entry(const SetupAddress& entry) {
         analysis_ = to_qt(entry.id);
         output_ = -1;
         study_.clear();
+        design_.clear();
     }
     // Who is told of the one looks at the other as well: both are as they are now before anybody is told.
     if (other_analysis) emit analysis_changed(analysis_);
@@ -43,12 +44,19 @@ void Selection::select_study(const QString& study) {
     emit study_changed(study);
 }
 
+void Selection::select_design(const QString& design) {
+    if (design == design_) return;
+    design_ = design;
+    emit design_changed(design);
+}
+
 void Selection::clear() {
     entry_ = {};
     analysis_.clear();
     group_.clear();
     field_.clear();
     study_.clear();
+    design_.clear();
     output_ = -1;
     emit entry_changed();
     emit analysis_changed(analysis_);

@@ -21,15 +21,17 @@ public:
     /// The analysis last looked at: results stay in view while an asset is edited.
     const QString& analysis() const { return analysis_; }
     const QString& group() const { return group_; }
-    int output() const { return output_; }           ///< index into the result's outputs; -1 = none
-    const QString& study() const { return study_; }  ///< id of a study of the analysis
-    const QString& field() const { return field_; }  ///< JSON pointer within the entry's set-up
+    int output() const { return output_; }             ///< index into the result's outputs; -1 = none
+    const QString& study() const { return study_; }    ///< id of a study of the analysis
+    const QString& design() const { return design_; }  ///< likewise of a design
+    const QString& field() const { return field_; }    ///< JSON pointer within the entry's set-up
 
     void select_entry(const SetupAddress& entry);
     void select_group(const QString& group);
     void select_output(int output);
     void select_field(const QString& field);
     void select_study(const QString& study);
+    void select_design(const QString& design);
     void clear();
 
 signals:
@@ -39,10 +41,11 @@ signals:
     void output_changed(int output);
     void field_changed(const QString& field);
     void study_changed(const QString& study);
+    void design_changed(const QString& design);
 
 private:
     SetupAddress entry_;
-    QString analysis_, group_, field_, study_;
+    QString analysis_, group_, field_, study_, design_;
     int output_ = -1;
 };
 

@@ -56,9 +56,9 @@ UnreadTexts::Held UnreadTexts::held(const Project& project) const {
     Held held;
     for (const auto& [place, text] : texts_) {
         if (place.entry.owner == SetupOwner::project || !exists(project, place.entry)) continue;
-        const bool of_study = place.part.starts_with("/studies/");
+        const bool of_inquiry = place.part.starts_with("/studies/") || place.part.starts_with("/designs/");
         const bool of_analysis = place.entry.owner == SetupOwner::analysis;
-        std::vector<std::string> users = of_analysis && !of_study
+        std::vector<std::string> users = of_analysis && !of_inquiry
                                              ? analyses_taking_from(project, place.entry.id)
                                              : std::vector<std::string>{};
         if (of_analysis)
@@ -67,8 +67,8 @@ UnreadTexts::Held UnreadTexts::held(const Project& project) const {
             users = analyses_using(project, place.entry.id);
         for (const std::string& id : users) {
             const QString reason = tr("What is typed in a field cannot be read. %1").arg(text.reason);
-            held.studies.try_emplace(id, reason);
-            if (!of_study) held.analyses.try_emplace(id, reason);
+            held.inquiries.try_emplace(id, reason);
+            if (!of_inquiry) held.analyses.try_emplace(id, reason);
         }
     }
     return held;

@@ -48,9 +48,9 @@ public:
 
     /// As problems of the project; those of entries that are gone are left out.
     Problems problems(const Project& project) const;
-    /// The analyses that must not run, by id, with the reason; those whose studies must not.
+    /// The analyses that must not run, by id, with the reason; those whose studies and designs must not.
     struct Held {
-        std::map<std::string, QString> analyses, studies;
+        std::map<std::string, QString> analyses, inquiries;
     };
     Held held(const Project& project) const;
 

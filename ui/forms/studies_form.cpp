@@ -3,14 +3,10 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <algorithm>
 #include <charconv>
 
-#include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
-#include "ui/forms/finish_typing.h"
-#include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -18,13 +14,6 @@ namespace covaria::ui {
 namespace {
 
 constexpr std::size_t most_axes = 3;
-
-QPushButton* button(const QString& text, const QString& name, const QString& tip) {
-    auto* made = new QPushButton(text);
-    made->setObjectName(name);
-    made->setToolTip(tip);
-    return made;
-}
 
 }  // namespace
 
@@ -49,42 +38,30 @@ StudiesForm::StudiesForm(Document& document, AnalysisRunner& runner, Selection& 
 }
 
 void StudiesForm::build_head() {
-    auto* column = static_cast<QVBoxLayout*>(layout());
-    list_ = new QComboBox;
-    list_->setObjectName(QStringLiteral("studies"));
-    list_->setAccessibleName(tr("Study"));
-    QPushButton* add = button(tr("Add"), QStringLiteral("add_study"), tr("Adds a study of this analysis"));
-    duplicate_ = button(tr("Duplicate"), QStringLiteral("duplicate_study"), tr("Adds a copy of this study"));
-    remove_ = button(tr("Delete"), QStringLiteral("remove_study"), tr("Deletes this study"));
-    run_ = button(tr("Run"), QStringLiteral("run_study"),
-                  tr("Evaluates the analysis at every grid point of this study"));
-    auto* row = new QHBoxLayout;
-    for (QPushButton* each : {add, duplicate_, remove_, run_}) row->addWidget(each);
-    row->addStretch(1);
-    column->addWidget(list_);
-    column->addLayout(row);
-    hint_ =
-        new QLabel(tr("A study evaluates this analysis for many values of a number: a sweep over one, a map "
-                      "over two or three. Add one to see how the uncertainty depends on the set-up."));
-    hint_->setWordWrap(true);
-    hint_->setEnabled(false);
-    column->addWidget(hint_);
-    connect(list_, &QComboBox::activated, this,
-            [this](int index) { selection_.select_study(list_->itemData(index).toString()); });
-    connect(add, &QPushButton::clicked, this,
-            [this] { selection_.select_study(to_qt(add_study(document_, analysis_))); });
-    connect(duplicate_, &QPushButton::clicked, this, [this] {
-        if (const Study* shown = study())
-            selection_.select_study(to_qt(duplicate_study(document_, analysis_, shown->id)));
+    head_ = new InquiryHead(
+        {QStringLiteral("study"), QStringLiteral("studies"), tr("Study"), tr("Adds a study of this analysis"),
+         tr("Adds a copy of this study"), tr("Deletes this study"),
+         tr("Evaluates the analysis at every grid point of this study"),
+         tr("A study evaluates this analysis for many values of a number: a sweep over one, a map "
+            "over two or three. Add one to see how the uncertainty depends on the set-up.")});
+    layout()->addWidget(head_);
+    connect(head_, &InquiryHead::chosen, &selection_, &Selection::select_study);
+    connect(head_, &InquiryHead::add_wanted, this, [this] {
+        if (const AnalysisEntry* entry = document_.project().find_analysis(analysis_))
+            selection_.select_study(
+                to_qt(study_list().add(document_, analysis_, new_study(document_.project(), *entry))));
     });
-    connect(remove_, &QPushButton::clicked, this, [this] {
+    connect(head_, &InquiryHead::duplicate_wanted, this, [this] {
+        if (const Study* shown = study())
+            selection_.select_study(to_qt(study_list().duplicate(document_, analysis_, shown->id)));
+    });
+    connect(head_, &InquiryHead::remove_wanted, this, [this] {
         const Study* shown = study();
         if (!shown) return;
         document_.unread().replace_under({SetupOwner::analysis, analysis_}, "/studies/", {});
-        remove_study(document_, analysis_, std::string(shown->id));
+        study_list().remove(document_, analysis_, std::string(shown->id));
     });
-    connect(run_, &QPushButton::clicked, this, [this] {
-        finish_typing();
+    connect(head_, &InquiryHead::run_wanted, this, [this] {
         if (const Study* shown = study()) runner_.studies().run(to_qt(analysis_), to_qt(shown->id));
     });
 }
@@ -114,8 +91,9 @@ void StudiesForm::build_body() {
     column->addLayout(form);
     axes_ = new QVBoxLayout;
     column->addLayout(axes_);
-    add_axis_ = button(tr("Add Axis"), QStringLiteral("add_axis"),
-                       tr("Varies one more number: every combination is evaluated"));
+    add_axis_ = new QPushButton(tr("Add Axis"));
+    add_axis_->setObjectName(QStringLiteral("add_axis"));
+    add_axis_->setToolTip(tr("Varies one more number: every combination is evaluated"));
     column->addWidget(add_axis_, 0, Qt::AlignLeft);
     build_outputs();
     layout()->addWidget(body_);
@@ -132,19 +110,20 @@ void StudiesForm::build_body() {
 }
 
 void StudiesForm::build_outputs() {
-    outputs_ = new QListWidget;
+    outputs_ = new OutputTicks;
     outputs_->setObjectName(QStringLiteral("study_outputs"));
     outputs_->setAccessibleName(tr("Output quantities of the study"));
     outputs_->setToolTip(tr("Output quantities looked at; with none ticked, all measurands"));
-    outputs_->setMinimumHeight(8 * fontMetrics().height());
     auto* title = new QLabel(tr("Outputs (none ticked: all measurands)"));
     static_cast<QVBoxLayout*>(body_->layout())->addWidget(title);
     static_cast<QVBoxLayout*>(body_->layout())->addWidget(outputs_);
-    connect(outputs_, &QListWidget::itemChanged, this, &StudiesForm::take_outputs);
+    connect(outputs_, &OutputTicks::ticks_edited, this, [this](const std::vector<StudyOutput>& ticked) {
+        change([&](Study& s) { s.outputs = ticked; });
+    });
 }
 
 const Study* StudiesForm::study() const {
-    return find_study(document_.project(), analysis_, to_std(selection_.study()));
+    return study_list().find(document_.project(), analysis_, to_std(selection_.study()));
 }
 
 const InputSet* StudiesForm::inputs() const {
@@ -153,7 +132,7 @@ const InputSet* StudiesForm::inputs() const {
 }
 
 void StudiesForm::change(const std::function<void(Study&)>& edit, const QString& merge_key) {
-    change_study(document_, analysis_, to_std(selection_.study()), edit, merge_key);
+    study_list().change(document_, analysis_, to_std(selection_.study()), edit, merge_key);
 }
 
 void StudiesForm::change_axis(std::size_t axis, const std::function<void(StudyAxis&)>& edit,
@@ -181,27 +160,18 @@ void StudiesForm::add_axis() {
 
 void StudiesForm::refresh_list() {
     const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
-    const QSignalBlocker blocker(list_);
-    list_->clear();
-    for (std::size_t i = 0; entry && i < entry->studies.size(); ++i) {
-        const Study& each = entry->studies[i];
-        list_->addItem(to_qt(each.name.empty() ? each.id : each.name), to_qt(each.id));
-    }
     // Only of the analysis being looked at: while another one is selected, its study is not this form's to
     // choose (the tab of results would choose back, for ever).
     const bool looked_at = selection_.analysis() == to_qt(analysis_);
     if (entry && looked_at && !entry->studies.empty() && !study())
         selection_.select_study(to_qt(entry->studies.front().id));
-    list_->setCurrentIndex(list_->findData(selection_.study()));
-    list_->setVisible(list_->count() > 0);
+    head_->show_items(entry ? &entry->studies : nullptr, selection_.study());
 }
 
 void StudiesForm::refresh() {
     refresh_list();
     const Study* shown = study();
-    hint_->setVisible(shown == nullptr);
     body_->setVisible(shown != nullptr);
-    for (QPushButton* each : {duplicate_, remove_, run_}) each->setEnabled(shown != nullptr);
     if (!shown) return;
     if (!name_->hasFocus() || name_->text() != to_qt(shown->name)) name_->setText(to_qt(shown->name));
     method_->setCurrentIndex(method_->findData(int(shown->method)));
@@ -238,7 +208,7 @@ void StudiesForm::add_axis_edit() {
             if (!entry) return {};
             return study_targets(document_.project(), *entry, inputs());
         },
-        number);
+        StudyAxisEdit::Use::axis, number);
     axes_->addWidget(edit);
     axis_edits_.push_back(edit);
     connect(edit, &StudyAxisEdit::edited, this,
@@ -267,36 +237,7 @@ void StudiesForm::refresh_axes(const Study& shown) {
 
 void StudiesForm::refresh_outputs(const Study& shown) {
     const PreparedPointer& prepared = runner_.status(to_qt(analysis_)).prepared;
-    if (!prepared) return;
-    const auto& all = prepared->model->outputs();
-    const QSignalBlocker blocker(outputs_);
-    while (outputs_->count() > int(all.size())) delete outputs_->takeItem(outputs_->count() - 1);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (outputs_->count() <= int(i)) outputs_->addItem(QString());
-        QListWidgetItem* item = outputs_->item(int(i));
-        const Text symbol = symbol_text(all[i].symbol);
-        const Text of = symbol + (all[i].group.empty() ? "" : to_std(tr(" of %1").arg(to_qt(all[i].group))));
-        item->setText(to_qt(to_unicode(of)));
-        item->setData(typeset_role, QVariant::fromValue(of));
-        item->setToolTip(to_qt(all[i].name));
-        const bool ticked =
-            std::any_of(shown.outputs.begin(), shown.outputs.end(), [&](const StudyOutput& output) {
-                return output.group == all[i].group && output.symbol == all[i].symbol;
-            });
-        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-        item->setCheckState(ticked ? Qt::Checked : Qt::Unchecked);
-    }
-}
-
-void StudiesForm::take_outputs() {
-    const PreparedPointer& prepared = runner_.status(to_qt(analysis_)).prepared;
-    if (!prepared) return;
-    const auto& all = prepared->model->outputs();
-    std::vector<StudyOutput> ticked;
-    for (std::size_t i = 0; i < all.size() && int(i) < outputs_->count(); ++i)
-        if (outputs_->item(int(i))->checkState() == Qt::Checked)
-            ticked.push_back({all[i].group, all[i].symbol});
-    change([&](Study& s) { s.outputs = ticked; });
+    if (prepared) outputs_->show_outputs(prepared->model->outputs(), shown.outputs);
 }
 
 void StudiesForm::refresh_problems() {

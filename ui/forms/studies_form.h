@@ -3,18 +3,17 @@
 
 #include <QComboBox>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <QWidget>
 #include <vector>
 
+#include "ui/document/inquiry_edits.h"
 #include "ui/document/selection.h"
-#include "ui/document/study_edits.h"
+#include "ui/forms/inquiry_head.h"
+#include "ui/forms/output_ticks.h"
 #include "ui/forms/study_axis_edit.h"
 #include "ui/run/analysis_runner.h"
-
-class QLabel;
 
 namespace covaria::ui {
 
@@ -37,7 +36,6 @@ private:
     void refresh_problems();
     void add_axis_edit();
     void add_axis();
-    void take_outputs();
     void change(const std::function<void(Study&)>& edit, const QString& merge_key = {});
     void change_axis(std::size_t axis, const std::function<void(StudyAxis&)>& edit, const QString& field);
     void forget_axes_from(std::size_t first);
@@ -49,11 +47,7 @@ private:
     AnalysisRunner& runner_;
     Selection& selection_;
     std::string analysis_;
-    QComboBox* list_ = nullptr;
-    QPushButton* duplicate_ = nullptr;
-    QPushButton* remove_ = nullptr;
-    QPushButton* run_ = nullptr;
-    QLabel* hint_ = nullptr;
+    InquiryHead* head_ = nullptr;
     QWidget* body_ = nullptr;
     QLineEdit* name_ = nullptr;
     QComboBox* method_ = nullptr;
@@ -61,7 +55,7 @@ private:
     QVBoxLayout* axes_ = nullptr;
     std::vector<StudyAxisEdit*> axis_edits_;
     QPushButton* add_axis_ = nullptr;
-    QListWidget* outputs_ = nullptr;
+    OutputTicks* outputs_ = nullptr;
 };
 
 }  // namespace covaria::ui

@@ -4,29 +4,34 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <cmath>
+#include <limits>
 
 #include "ui/document/quantity_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
-StudyAxisEdit::StudyAxisEdit(Choices choices, std::size_t number, QWidget* parent)
-    : QGroupBox(tr("Axis %1").arg(number + 1), parent),
+StudyAxisEdit::StudyAxisEdit(Choices choices, Use use, std::size_t number, QWidget* parent)
+    : QGroupBox((use == Use::axis ? tr("Axis %1") : tr("Variable %1")).arg(number + 1), parent),
       target_(new TargetBox(std::move(choices), this)),
       change_(new QComboBox(this)),
       from_(new QuantityEdit(this)),
       to_(new QuantityEdit(this)),
       values_(new QuantityEdit(this)),
       spacing_(new QComboBox(this)),
-      remove_(new QPushButton(tr("Remove Axis"), this)),
+      tolerance_(new QuantityEdit(this)),
+      remove_(new QPushButton(use == Use::axis ? tr("Remove Axis") : tr("Remove Variable"), this)),
+      use_(use),
       title_(title()) {
-    const QString name = QStringLiteral("axis_%1_").arg(number);
+    const QString name =
+        (use == Use::axis ? QStringLiteral("axis_%1_") : QStringLiteral("variable_%1_")).arg(number);
     target_->setObjectName(name + QStringLiteral("target"));
     change_->setObjectName(name + QStringLiteral("change"));
     from_->setObjectName(name + QStringLiteral("from"));
     to_->setObjectName(name + QStringLiteral("to"));
     values_->setObjectName(name + QStringLiteral("values"));
     spacing_->setObjectName(name + QStringLiteral("spacing"));
+    tolerance_->setObjectName(name + QStringLiteral("tolerance"));
     remove_->setObjectName(name + QStringLiteral("remove"));
     build();
 }
@@ -42,15 +47,31 @@ void StudyAxisEdit::build() {
     values_->setAccessibleName(tr("Number of values"));
     values_->set_integer(true);
     values_->set_range({2.0, 100000.0});
-    for (QuantityEdit* edit : {from_, to_, values_}) edit->set_optional(false);
+    tolerance_->setAccessibleName(tr("Tolerance"));
+    tolerance_->set_keeps_unit(false);
+    tolerance_->set_interval(true);
+    tolerance_->set_range({0.0, std::numeric_limits<double>::infinity()});
+    tolerance_->set_help(tr("It can be put into effect only so well: what counts is the worst within it"));
+    for (QuantityEdit* edit : {from_, to_, values_, tolerance_}) edit->set_optional(false);
     auto* form = new QFormLayout(this);
     form->addRow(tr("Varied"), target_);
     form->addRow(tr("It"), change_);
     form->addRow(tr("From"), from_);
     form->addRow(tr("To"), to_);
-    form->addRow(tr("Values"), values_);
-    form->addRow(QString(), spacing_);
+    if (use_ == Use::axis) {
+        form->addRow(tr("Values"), values_);
+        form->addRow(QString(), spacing_);
+    } else {
+        form->addRow(tr("Tolerance"), tolerance_);
+    }
+    for (QWidget* other :
+         {static_cast<QWidget*>(values_), static_cast<QWidget*>(spacing_), static_cast<QWidget*>(tolerance_)})
+        other->setVisible(form->indexOf(other) >= 0);
     form->addRow(QString(), remove_);
+    connect_parts();
+}
+
+void StudyAxisEdit::connect_parts() {
     connect(target_, &TargetBox::chosen, this, [this](const StudyAxis& chosen) {
         emit edited(
             [chosen](StudyAxis& axis) {
@@ -88,6 +109,10 @@ void StudyAxisEdit::build() {
         const auto count = static_cast<std::size_t>(quantity ? quantity->value : 2.0);
         emit edited([count](StudyAxis& axis) { axis.values = count; }, QStringLiteral("values"));
     });
+    connect(tolerance_, &QuantityEdit::quantity_edited, this,
+            [this](const std::optional<Quantity>& quantity) {
+                emit tolerance_edited(quantity ? quantity->value : 0.0);
+            });
     connect(remove_, &QPushButton::clicked, this, &StudyAxisEdit::remove_wanted);
 }
 
@@ -124,10 +149,16 @@ void StudyAxisEdit::show_axis(const StudyAxis& axis, const StudyTarget* target, 
     remove_->setVisible(!only);
 }
 
+void StudyAxisEdit::show_tolerance(double tolerance) {
+    tolerance_->set_unit(axis_.unit);
+    tolerance_->set_quantity(Quantity{tolerance, axis_.unit});
+}
+
 void StudyAxisEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
     from_->set_place(unread, {place.entry, place.part + "/from"});
     to_->set_place(unread, {place.entry, place.part + "/to"});
-    values_->set_place(unread, {place.entry, place.part + "/values"});
+    if (use_ == Use::axis) values_->set_place(unread, {place.entry, place.part + "/values"});
+    if (use_ == Use::variable) tolerance_->set_place(unread, {place.entry, place.part + "/tolerance"});
     target_->set_place(unread, {place.entry, place.part + "/target"});
 }
 

@@ -20,6 +20,7 @@
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/window_state.h"
 #include "ui/pages/budget_page.h"
+#include "ui/pages/design_tab.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
 #include "ui/pages/properties_pane.h"
@@ -290,6 +291,11 @@ void MainWindow::connect_panes() {
         docks_[1]->show();
         properties_->show_studies();
     });
+    connect(&results_->design_tab(), &DesignTab::edit_wanted, this, [this] {
+        selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
+        docks_[1]->show();
+        properties_->show_designs();
+    });
     connect(theme_, &ThemeSwitch::changed, this, [this](bool dark) {
         scene_->set_dark(dark);
         results_->set_dark(dark);
@@ -345,7 +351,8 @@ void MainWindow::show_project() {
 void MainWindow::hold_runs() {
     const UnreadTexts::Held held = document_.unread().held(document_.project());
     runner_.set_held(held.analyses);
-    runner_.studies().set_held(held.studies);
+    runner_.studies().set_held(held.inquiries);
+    runner_.designs().set_held(held.inquiries);
 }
 
 void MainWindow::count_problems() {

@@ -45,6 +45,7 @@ RunActions::RunActions(Document& document, AnalysisRunner& runner, Selection& se
         connect(&runner_, signal, this, &RunActions::update);
     connect(&runner_, &AnalysisRunner::idle, this, &RunActions::update);
     connect(&runner_.studies(), &StudyRunner::changed, this, &RunActions::update);
+    connect(&runner_.designs(), &DesignRunner::changed, this, &RunActions::update);
     connect(&selection_, &Selection::analysis_changed, this, &RunActions::update);
     connect(&document_, &Document::project_changed, this, &RunActions::update);
     update();
@@ -64,7 +65,7 @@ void RunActions::update() {
                                  [this](const AnalysisEntry& analysis) {
                                      return runner_.status(to_qt(analysis.id)).state == RunState::running;
                                  }) ||
-                     runner_.studies().is_busy());
+                     runner_.studies().is_busy() || runner_.designs().is_busy());
 }
 
 }  // namespace covaria::ui

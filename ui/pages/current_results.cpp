@@ -11,8 +11,12 @@ std::vector<EvaluatedAnalysis> current_results(const Project& project, const Ana
         if (!status.is_current()) continue;
         current.push_back({status.result_of, status.result, status.warnings});
         for (const Study& study : analysis.studies) {
-            const StudyStatus& of_study = runner.studies().status(to_qt(analysis.id), to_qt(study.id));
+            const StudyStatus of_study = runner.studies().status(to_qt(analysis.id), to_qt(study.id));
             if (of_study.is_current()) current.back().studies.push_back(of_study.result);
+        }
+        for (const Design& design : analysis.designs) {
+            const DesignStatus of_design = runner.designs().status(to_qt(analysis.id), to_qt(design.id));
+            if (of_design.is_current()) current.back().designs.push_back(of_design.result);
         }
     }
     return current;
@@ -25,9 +29,14 @@ std::vector<FailedAnalysis> failed_results(const Project& project, const Analysi
         if (status.state == RunState::failed)
             failed.push_back({analysis.id, analysis.name, {}, to_std(status.message)});
         for (const Study& study : analysis.studies) {
-            const StudyStatus& of_study = runner.studies().status(to_qt(analysis.id), to_qt(study.id));
+            const StudyStatus of_study = runner.studies().status(to_qt(analysis.id), to_qt(study.id));
             if (of_study.state == RunState::failed)
                 failed.push_back({analysis.id, analysis.name, study.id, to_std(of_study.message)});
+        }
+        for (const Design& design : analysis.designs) {
+            const DesignStatus of_design = runner.designs().status(to_qt(analysis.id), to_qt(design.id));
+            if (of_design.state == RunState::failed)
+                failed.push_back({analysis.id, analysis.name, design.id, to_std(of_design.message)});
         }
     }
     return failed;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/forms/certificate_form.h"
+#include "ui/forms/designs_form.h"
 #include "ui/forms/options_form.h"
 #include "ui/forms/report_form.h"
 #include "ui/forms/requirements_form.h"
@@ -55,6 +56,7 @@ void PropertiesPane::rebuild() {
     inputs_ = nullptr;
     options_ = nullptr;
     studies_ = nullptr;
+    designs_ = nullptr;
     requirements_ = nullptr;
     tabs_ = new QTabWidget(this);
     tabs_->setDocumentMode(true);
@@ -107,6 +109,8 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     tabs_->addTab(scrolled(options_), tr("Evaluation"));
     studies_ = new StudiesForm(document_, runner_, selection_, entry.id);
     tabs_->addTab(scrolled(studies_), tr("Studies"));
+    designs_ = new DesignsForm(document_, runner_, selection_, entry.id);
+    tabs_->addTab(scrolled(designs_), tr("Designs"));
     requirements_ = new RequirementsForm(document_, runner_, entry.id);
     tabs_->addTab(scrolled(requirements_), tr("Requirements"));
 }
@@ -139,6 +143,10 @@ void PropertiesPane::show_studies() {
     if (studies_) tabs_->setCurrentIndex(3);
 }
 
+void PropertiesPane::show_designs() {
+    if (designs_) tabs_->setCurrentIndex(4);
+}
+
 void PropertiesPane::focus_field(const QString& path) {
     const std::string field = to_std(path);
     if (certificate_ && path.startsWith(QStringLiteral("/certificate"))) {
@@ -147,7 +155,8 @@ void PropertiesPane::focus_field(const QString& path) {
         return;
     }
     if (studies_ && studies_->focus_field(field)) return tabs_->setCurrentIndex(3);
-    if (requirements_ && requirements_->focus_field(field)) return tabs_->setCurrentIndex(4);
+    if (designs_ && designs_->focus_field(field)) return tabs_->setCurrentIndex(4);
+    if (requirements_ && requirements_->focus_field(field)) return tabs_->setCurrentIndex(5);
     if (setup_ && setup_->focus_field(field))
         tabs_->setCurrentIndex(0);
     else if (options_ && options_->focus_field(field))

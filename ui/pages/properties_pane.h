@@ -20,6 +20,7 @@ class FieldHelp;
 class InputsPage;
 class OptionsForm;
 class RequirementsForm;
+class DesignsForm;
 class StudiesForm;
 class SetupForm;
 
@@ -32,6 +33,7 @@ public:
     /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
     /// The studies of the analysis.
     void show_studies();
+    void show_designs();
     void focus_field(const QString& path);
     SetupForm* setup_form() const { return setup_; }
     QTabWidget* tabs() const { return tabs_; }
@@ -56,6 +58,7 @@ private:
     InputsPage* inputs_ = nullptr;
     OptionsForm* options_ = nullptr;
     StudiesForm* studies_ = nullptr;
+    DesignsForm* designs_ = nullptr;
     RequirementsForm* requirements_ = nullptr;
     bool following_ = false;  ///< the selection's field is being set or followed
 };

@@ -14,6 +14,7 @@
 #include "core/result/representation.h"
 #include "core/text/symbol.h"
 #include "ui/charts/chart_view.h"
+#include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/sortable_table.h"
@@ -55,6 +56,8 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
             [this, evaluation](bool any) { tabs_->setTabVisible(tabs_->indexOf(evaluation), any); });
     study_ = new StudyTab(document, runner, selection);
     tabs_->addTab(study_, tr("Study"));
+    design_ = new DesignTab(document, runner, selection);
+    tabs_->addTab(design_, tr("Design"));
     report_ = new ReportPreview(document, runner);
     tabs_->addTab(report_, tr("Report"));
     auto* column = new QVBoxLayout(this);

@@ -1,5 +1,5 @@
 // The results of the analysis being looked at, in tabs: results, budget, distributions, correlation,
-// convergence, evaluation, study, report.
+// convergence, evaluation, study, design, report.
 #pragma once
 
 #include <QTabWidget>
@@ -25,6 +25,7 @@ namespace covaria::ui {
 class ChartView;
 class ReportPreview;
 class SortableTable;
+class DesignTab;
 class StudyTab;
 class UnitButton;
 
@@ -43,6 +44,7 @@ public:
     SortableTable& budget_table() { return *budget_; }
     UnitButton& units() { return *units_; }
     StudyTab& study_tab() { return *study_; }
+    DesignTab& design_tab() { return *design_; }
 
 private:
     void make_head();
@@ -85,6 +87,7 @@ private:
     ChartView* correlation_map_ = nullptr;
     ChartView* convergence_ = nullptr;
     StudyTab* study_ = nullptr;
+    DesignTab* design_ = nullptr;
     ReportPreview* report_ = nullptr;
 };
 

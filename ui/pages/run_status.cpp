@@ -7,6 +7,8 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "core/text/numbers.h"
+#include "ui/models/number_words.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/pages/entry_delegate.h"
 #include "ui/theme/icons.h"
@@ -46,8 +48,11 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
     connect(&runner_, &AnalysisRunner::progress_changed, this, &RunStatus::show_progress);
     connect(&runner_, &AnalysisRunner::state_changed, this, &RunStatus::show_state);
     connect(&runner_, &AnalysisRunner::idle, this, &RunStatus::show_idle);
-    connect(&runner_.studies(), &StudyRunner::progress_changed, this, &RunStatus::show_study_progress);
-    connect(&runner_.studies(), &StudyRunner::idle, this, &RunStatus::show_idle);
+    for (InquiryRunner* inquiries :
+         std::initializer_list<InquiryRunner*>{&runner_.studies(), &runner_.designs()}) {
+        connect(inquiries, &InquiryRunner::progress_changed, this, &RunStatus::show_inquiry_progress);
+        connect(inquiries, &InquiryRunner::idle, this, &RunStatus::show_idle);
+    }
     connect(&selection_, &Selection::analysis_changed, this, &RunStatus::show_state);
     connect(&document_, &Document::project_changed, this, &RunStatus::show_state);
     show_idle();
@@ -72,13 +77,16 @@ void RunStatus::show_progress(const QString& id, const RunProgress& progress) {
     show_bar(name_of(id) + QStringLiteral(": ") + progress_words(progress), progress);
 }
 
-void RunStatus::show_study_progress(const QString& name, const RunProgress& progress) {
+void RunStatus::show_inquiry_progress(const QString& name, const RunProgress& progress) {
     QString words = tr("%1: %2 %")
                         .arg(name)
                         .arg(progress.trials_planned > 0
                                  ? int(100.0 * double(progress.trials_done) / double(progress.trials_planned))
                                  : 0);
-    if (progress.seconds_left >= 0) words += tr(", %1 s left").arg(std::ceil(progress.seconds_left));
+    if (progress.best)
+        words += tr(", best so far %1").arg(localized(format_significant(*progress.best, 5)));
+    else if (progress.seconds_left >= 0)
+        words += tr(", %1 s left").arg(std::ceil(progress.seconds_left));
     show_bar(words, progress);
 }
 
@@ -117,7 +125,7 @@ void RunStatus::show_state() {
 }
 
 void RunStatus::show_idle() {
-    if (runner_.is_busy() || runner_.studies().is_busy()) return;
+    if (runner_.is_busy() || runner_.studies().is_busy() || runner_.designs().is_busy()) return;
     running_ = false;
     bar_->hide();
     stop_->hide();

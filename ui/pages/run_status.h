@@ -23,7 +23,7 @@ public:
 
 private:
     void show_progress(const QString& id, const RunProgress& progress);
-    void show_study_progress(const QString& name, const RunProgress& progress);
+    void show_inquiry_progress(const QString& name, const RunProgress& progress);
     void show_bar(const QString& words, const RunProgress& progress);
     void show_state();
     void show_idle();

@@ -79,7 +79,11 @@ void StudyTab::make_head() {
     });
     connect(edit_, &QPushButton::clicked, this, [this] {
         const std::string analysis = to_std(selection_.analysis());
-        if (list_->count() == 0) selection_.select_study(to_qt(add_study(document_, analysis)));
+        const AnalysisEntry* entry = document_.project().find_analysis(analysis);
+        if (entry && list_->count() == 0) {
+            const Study added = new_study(document_.project(), *entry);
+            selection_.select_study(to_qt(study_list().add(document_, analysis, added)));
+        }
         emit edit_wanted();
     });
     for (QComboBox* each : {quantity_, kind_, fixed_})
@@ -90,7 +94,7 @@ void StudyTab::make_head() {
 }
 
 const Study* StudyTab::study_of_project() const {
-    return find_study(document_.project(), to_std(selection_.analysis()), to_std(selection_.study()));
+    return study_list().find(document_.project(), to_std(selection_.analysis()), to_std(selection_.study()));
 }
 
 void StudyTab::refresh_list() {
@@ -111,7 +115,7 @@ void StudyTab::refresh_list() {
 
 void StudyTab::refresh() {
     refresh_list();
-    const StudyStatus& status = runner_.studies().status(selection_.analysis(), selection_.study());
+    const StudyStatus status = runner_.studies().status(selection_.analysis(), selection_.study());
     const bool other = status.result != result_;
     result_ = study_of_project() ? status.result : nullptr;
     current_ = status.is_current();
@@ -183,7 +187,7 @@ void StudyTab::show_study() {
 }
 
 QString StudyTab::state_words() const {
-    const StudyStatus& status = runner_.studies().status(selection_.analysis(), selection_.study());
+    const StudyStatus status = runner_.studies().status(selection_.analysis(), selection_.study());
     if (!study_of_project()) return {};
     if (status.state == RunState::running) return tr("running …");
     if (status.state == RunState::failed) return tr("Failed: %1").arg(status.message);

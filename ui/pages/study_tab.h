@@ -7,8 +7,8 @@
 #include <QWidget>
 
 #include "core/report/study_plots.h"
+#include "ui/document/inquiry_edits.h"
 #include "ui/document/selection.h"
-#include "ui/document/study_edits.h"
 #include "ui/models/study_table_model.h"
 #include "ui/run/analysis_runner.h"
 #include "ui/theme/typeset_views.h"

@@ -48,7 +48,8 @@ AnalysisRunner::AnalysisRunner(ProjectMaker& maker, RunBackend backend, Executio
     : QObject(parent),
       maker_(maker),
       backend_(std::move(backend)),
-      studies_(maker, execution),
+      studies_(study_inquiries(), maker, execution),
+      designs_(design_inquiries(), maker, execution),
       runs_([this](const RunKey& key) { return begin_run(key.analysis); }, execution),
       first_order_(execution, LatestJob::Overtaken::delivered) {
     connect(&maker_, &ProjectMaker::forgotten, this, &AnalysisRunner::reset);
@@ -230,6 +231,7 @@ void AnalysisRunner::stop(const QString& id) {
 
 void AnalysisRunner::stop_all() {
     studies_.stop_all();
+    designs_.stop_all();
     wanted_.clear();
     all_wanted_ = false;
     while (!runs_.waiting().empty()) stop(to_qt(runs_.waiting().front().analysis));

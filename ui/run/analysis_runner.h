@@ -8,10 +8,10 @@
 #include <set>
 
 #include "ui/document/project_maker.h"
+#include "ui/run/inquiries.h"
 #include "ui/run/run_backend.h"
 #include "ui/run/run_queue.h"
 #include "ui/run/run_state.h"
-#include "ui/run/study_runner.h"
 
 namespace covaria::ui {
 
@@ -31,10 +31,14 @@ public:
     void set_threads(int threads) {  ///< 0 = as many as the machine has
         runs_.set_threads(threads);
         studies_.set_threads(threads);
+        designs_.set_threads(threads);
     }
     /// Studies of the same project; they run when asked for.
     StudyRunner& studies() { return studies_; }
     const StudyRunner& studies() const { return studies_; }
+    /// Likewise designs.
+    DesignRunner& designs() { return designs_; }
+    const DesignRunner& designs() const { return designs_; }
 
     /// Analyses that must not run, with the reason, by id: their results are not current.
     void set_held(const std::map<std::string, QString>& held);
@@ -92,6 +96,7 @@ private:
     std::set<std::string> wanted_;  ///< asked for while the project was being made
     bool all_wanted_ = false;
     StudyRunner studies_;
+    DesignRunner designs_;
     RunQueue runs_;
     LatestJob first_order_;
 };

@@ -16,10 +16,10 @@
 
 namespace covaria::ui {
 
-/// What is run: an analysis, or a study of one.
+/// What is run: an analysis, or a study or design of one.
 struct RunKey {
     std::string analysis;
-    std::string study = {};
+    std::string inquiry = {};
     auto operator<=>(const RunKey&) const = default;
 };
 

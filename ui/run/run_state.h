@@ -4,6 +4,7 @@
 #include <QMetaType>
 #include <QString>
 #include <cstdint>
+#include <optional>
 
 #include "ui/run/run_backend.h"
 
@@ -23,7 +24,8 @@ struct RunProgress {
     std::uint64_t trials_done = 0;
     std::uint64_t trials_planned = 0;  ///< 0 = not known
     double trials_per_second = 0.0;
-    double seconds_left = -1.0;  ///< negative: not known
+    double seconds_left = -1.0;       ///< negative: not known
+    std::optional<double> best = {};  ///< of a search: the smallest objective so far
 };
 
 /// Speed and remaining time from what was done in `seconds`.

@@ -282,6 +282,35 @@ const char* const free_station = R"("variables":[
     {"asset":"s1","target":"/setup/station/position/0","from":-3000,"to":3000,"unit":"mm"},
     {"asset":"s1","target":"/setup/station/position/1","from":-3000,"to":3000,"unit":"mm"}])";
 
+/// With the values found, no exchange of a row that may go gains anything.
+TEST(Design, RowsAreChosenAnewForTheValuesFound) {
+    int exchanged = 0;
+    for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+        Project project = Stations(9, seed).project(
+            R"({"id":"d","choose":{"table":"/setup/sensors/rows","keep":4,"fixed":[1]},)" +
+            std::string(free_station) + R"(,"starts":2,"mostEvaluations":6000,"trials":1000})");
+        for (const char* symbol : {"x", "y", "z"})
+            project.analyses.front().requirements.push_back(
+                {.group = "P", .symbol = symbol, .target_uncertainty = Quantity{0.1, Unit::of("mm")}});
+        const DesignResult found = run(project);
+        for (const DesignStep& step : found.path) exchanged += step.search == "exchange";
+        auto& position = std::get<PoseValue>(project.assets[1].setup.values.at("station")).position;
+        for (std::size_t i = 0; i < 2; ++i) position[i] = found.values[i].chosen;
+        Design& design = project.analyses.front().designs.front();
+        design.variables.clear();
+        for (const DesignRow& goes : found.rows) {
+            if (goes.row == 1) continue;
+            design.choose->fixed.clear();
+            for (const DesignRow& stays : found.rows)
+                if (stays.row != goes.row) design.choose->fixed.push_back(stays.row);
+            const DesignResult other = run(project);
+            EXPECT_TRUE(other.proved);
+            EXPECT_GE(other.objective, found.objective * (1.0 - 1e-9)) << seed;
+        }
+    }
+    EXPECT_GT(exchanged, 0);
+}
+
 TEST(Design, SameBytesForAnyNumberOfThreads) {
     const Project project = Stations(6, 5).project(
         R"({"id":"d","choose":{"table":"/setup/sensors/rows","keep":4,"fixed":[1]},)" +

@@ -63,7 +63,11 @@ std::ostream& operator<<(std::ostream& out, const BadDesign& bad) {
 // clang-format off
 const BadDesign bad_designs[] = {
     {"UnknownKey", R"("variable": [])", "there is no 'variable' in a design", "/variable"},
-    {"NothingToChoose", R"("starts": 3)", "needs 'variables', or a table", ""},
+    {"NothingToChoose", R"("starts": 3)", "needs 'variables', a table", ""},
+    {"LeastOfOne", R"("reductions": [{"target": "/setup/gain", "price": 1, "least": 1}])", "between 0 and 1", "/reductions/0/least"},
+    {"NegativePrice", R"("reductions": [{"target": "/setup/gain", "price": -1}])", "must not be negative", "/reductions/0/price"},
+    {"ReducedTwice", R"("reductions": [{"target": "/setup/gain", "price": 1}, {"target": "/setup/gain", "price": 2}])", "reduced twice", "/reductions/1/target"},
+    {"ReductionAndVariable", R"("variables": [{"target": "/setup/gain", "from": 1, "to": 2}], "reductions": [{"target": "/setup/gain", "price": 1}])", "a design of their own", "/reductions"},
     {"UnknownTarget", R"("variables": [{"target": "/setup/gian", "from": 1, "to": 2}])", "did you mean 'gain'?", "/variables/0/target"},
     {"EqualEnds", R"("variables": [{"target": "/setup/gain", "from": 1, "to": 1}])", "two different numbers", "/variables/0/to"},
     {"NumberOfValues", R"("variables": [{"target": "/setup/gain", "from": 1, "to": 2, "values": 3}])", "there is no 'values' in a variable", "/variables/0/values"},

@@ -48,11 +48,16 @@ AnalysisEntry full_analysis() {
     a.studies.push_back({"s", "study", {axis}, {{"g", "y"}}, Method::monte_carlo, 10});
     axis.values = 2;
     axis.spacing = StudySpacing::linear;
+    DesignReduction reduction{.price = 3.0, .law = PriceLaw::repeats};
+    reduction.number.asset = "plate";
+    reduction.number.target = "/setup/k";
+    reduction.number.from = 0.2;
     const DesignBox box{"pillar", {0, 0, 0}, {1, 2, 3}, Unit::of("mm")};
     a.designs.push_back({"d",
                          "design",
                          {{axis, 0.1}},
                          DesignChoice{"plate", "/setup/points/rows", 2, {1}, "more.csv"},
+                         {reduction},
                          {{"g", "y"}},
                          DesignObjective::mean,
                          q,
@@ -70,19 +75,21 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     project.analyses.push_back(full_analysis());
     project.report = {{"a"}, {"scene"}, true};
     const Json whole = Json::parse(project_text(project)), written = whole["analyses"][0];
-    const std::pair<const char*, Json> objects[] = {{"report", whole["report"]},
-                                                    {"link", written["links"][0]},
-                                                    {"inputEdit", written["inputs"][0]},
-                                                    {"component", written["inputs"][0]["components"][0]},
-                                                    {"correlation", written["correlations"][0]},
-                                                    {"options", written["options"]},
-                                                    {"requirement", written["requirements"][0]},
-                                                    {"study", written["studies"][0]},
-                                                    {"studyAxis", written["studies"][0]["axes"][0]},
-                                                    {"design", written["designs"][0]},
-                                                    {"designVariable", written["designs"][0]["variables"][0]},
-                                                    {"designChoice", written["designs"][0]["choose"]},
-                                                    {"designBox", written["designs"][0]["keepOut"][0]}};
+    const std::pair<const char*, Json> objects[] = {
+        {"report", whole["report"]},
+        {"link", written["links"][0]},
+        {"inputEdit", written["inputs"][0]},
+        {"component", written["inputs"][0]["components"][0]},
+        {"correlation", written["correlations"][0]},
+        {"options", written["options"]},
+        {"requirement", written["requirements"][0]},
+        {"study", written["studies"][0]},
+        {"studyAxis", written["studies"][0]["axes"][0]},
+        {"design", written["designs"][0]},
+        {"designVariable", written["designs"][0]["variables"][0]},
+        {"designReduction", written["designs"][0]["reductions"][0]},
+        {"designChoice", written["designs"][0]["choose"]},
+        {"designBox", written["designs"][0]["keepOut"][0]}};
     for (const auto& [name, object] : objects) {
         EXPECT_EQ(keys_of(definitions()[name]["properties"]), keys_of(object)) << name;
         for (const auto& [key, field] : definitions()[name]["properties"].items())

@@ -23,7 +23,7 @@ protected:
     const std::vector<Study>& studies() const {
         return window_->document().project().find_analysis("recommended")->studies;
     }
-    const StudyStatus& study_status() const {
+    StudyStatus study_status() const {
         return window_->runner().studies().status(window_->selection().analysis(),
                                                   window_->selection().study());
     }

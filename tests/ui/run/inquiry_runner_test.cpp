@@ -1,13 +1,13 @@
-// Studies in the worker thread: results, what becomes out of date, stopping.
+// Studies and designs in the worker thread: results, what becomes out of date, stopping.
 #include <gtest/gtest.h>
 
 #include "core/base/guarded.h"
 #include "core/base/resource_path.h"
 #include "core/made/load_project.h"
 #include "tests/ui/qt_application.h"
-#include "ui/run/study_runner.h"
+#include "ui/run/inquiries.h"
 
-namespace covaria::ui::study_runner_test {
+namespace covaria::ui::inquiry_runner_test {
 namespace {
 
 ProjectSnapshot network() {
@@ -26,7 +26,7 @@ const QString analysis = QStringLiteral("recommended"), sweep = QStringLiteral("
 
 TEST(StudyRunner, ResultIsCurrentUntilSomethingThatMattersChanges) {
     ProjectMaker maker(Execution::inline_execution);
-    StudyRunner runner(maker, Execution::inline_execution);
+    StudyRunner runner(study_inquiries(), maker, Execution::inline_execution);
     const ProjectSnapshot project = network();
     maker.request(project);
     EXPECT_EQ(runner.status(analysis, sweep).state, RunState::out_of_date);
@@ -47,9 +47,36 @@ TEST(StudyRunner, ResultIsCurrentUntilSomethingThatMattersChanges) {
     EXPECT_FALSE(runner.status(analysis, sweep).result);
 }
 
+TEST(DesignRunner, ResultIsOfTheDesignAndItsTargets) {
+    ProjectMaker maker(Execution::inline_execution);
+    DesignRunner runner(design_inquiries(), maker, Execution::inline_execution);
+    const ProjectSnapshot project = changed(network(), [](AnalysisEntry& entry) {
+        entry.designs[0].most_evaluations = 20;
+        entry.designs[0].starts = 1;
+        entry.designs[0].trials = 1000;
+    });
+    maker.request(project);
+    const QString design = QStringLiteral("tracker-for-distances");
+    runner.run(analysis, design);
+    ASSERT_TRUE(runner.status(analysis, design).is_current());
+    EXPECT_GT(runner.status(analysis, design).result->evaluations, 0u);
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.designs[0].name = "another name"; }));
+    EXPECT_TRUE(runner.status(analysis, design).is_current());
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.designs[1].starts = 3; }));
+    EXPECT_TRUE(runner.status(analysis, design).is_current()) << "another design";
+    maker.request(changed(project, [](AnalysisEntry& entry) { entry.designs[0].starts = 3; }));
+    EXPECT_FALSE(runner.status(analysis, design).is_current());
+    maker.request(changed(project, [](AnalysisEntry& entry) {
+        entry.requirements.push_back({"distances", "AB", Quantity{0.1, Unit::of("mm")}});
+    }));
+    EXPECT_FALSE(runner.status(analysis, design).is_current()) << "a design looks at targets";
+    maker.request(project);
+    EXPECT_TRUE(runner.status(analysis, design).is_current()) << "undone";
+}
+
 TEST(StudyRunner, FailureSaysWhy) {
     ProjectMaker maker(Execution::inline_execution);
-    StudyRunner runner(maker, Execution::inline_execution);
+    StudyRunner runner(study_inquiries(), maker, Execution::inline_execution);
     maker.request(
         changed(network(), [](AnalysisEntry& entry) { entry.studies[1].axes[0].target = "/setup/nothing"; }));
     runner.run(analysis, sweep);
@@ -59,7 +86,7 @@ TEST(StudyRunner, FailureSaysWhy) {
 
 TEST(StudyRunner, RunsTheStateThatIsBeingMade) {
     ProjectMaker maker(Execution::threads);
-    StudyRunner runner(maker, Execution::threads);
+    StudyRunner runner(study_inquiries(), maker, Execution::threads);
     const ProjectSnapshot project = network();
     maker.make_now(project);
     maker.request(changed(project, [](AnalysisEntry& entry) { entry.studies[1].axes[0].values = 4; }));
@@ -78,7 +105,7 @@ TEST(StudyRunner, AStateThatCannotBeMadeFailsWhatWaitsForIt) {
             return {};
         },
         Execution::threads, nullptr);
-    StudyRunner runner(maker, Execution::threads);
+    StudyRunner runner(study_inquiries(), maker, Execution::threads);
     const ProjectSnapshot project = network();
     maker.make_now(project);
     Project other = *project;
@@ -92,7 +119,7 @@ TEST(StudyRunner, AStateThatCannotBeMadeFailsWhatWaitsForIt) {
 
 TEST(StudyRunner, StopsInTheWorkerThread) {
     ProjectMaker maker(Execution::inline_execution);
-    StudyRunner runner(maker, Execution::threads);
+    StudyRunner runner(study_inquiries(), maker, Execution::threads);
     maker.request(changed(network(), [](AnalysisEntry& entry) {
         entry.studies[1].method = Method::monte_carlo;
         entry.studies[1].trials = 1'000'000'000;
@@ -106,4 +133,4 @@ TEST(StudyRunner, StopsInTheWorkerThread) {
 }
 
 }  // namespace
-}  // namespace covaria::ui::study_runner_test
+}  // namespace covaria::ui::inquiry_runner_test

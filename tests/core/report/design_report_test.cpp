@@ -1,0 +1,117 @@
+// Designs in charts, tables for people and the report.
+#include <gtest/gtest.h>
+
+#include "core/report/design_plots.h"
+#include "core/report/design_results.h"
+#include "core/report/report.h"
+#include "tests/core/report/sample_report.h"
+
+namespace covaria::design_report_test {
+namespace {
+
+const Unit mm = Unit::of("mm");
+
+/// Three rows of five kept.
+DesignResult of_rows() {
+    DesignResult design;
+    design.id = "three";
+    design.name = "Three stations";
+    design.objective_words = "largest U/target";
+    design.found = true;
+    design.before = 1.5;
+    design.objective = 0.8;
+    design.rows = {{0, "s0", false, false, 1.6}, {2, "s2", false, false, 0.88}, {4, "s4", true, false, {}}};
+    design.candidates = 5;
+    design.goals = {{{"x", "x", mm, "B"}, 1e-3, 1.5e-3, 0.8e-3}, {{"y", "y", mm, "B"}, 1e-3, 1e-3, 0.7e-3}};
+    design.curve = {{2, 1.6}, {3, 0.8}, {4, 0.75}};
+    design.path = {{10, "greedy", 1.0}, {30, "exchange", 0.8}};
+    design.evaluations = 50;
+    return design;
+}
+
+DesignResult of_reductions() {
+    DesignResult design = of_rows();
+    design.rows.clear();
+    design.curve.clear();
+    design.path.clear();
+    design.values = {{"p: uncertainty", Unit{}, 0.1, 1.0, 1.0, 0.5, 0.0, 100.0}};
+    design.cost = 100.0;
+    design.goals[0].price_of_target = 4e5;  // per metre
+    design.front = {{0.5, 300.0}, {1.0, 100.0}};
+    return design;
+}
+
+const PlotSpecification* find(const std::vector<PlotSpecification>& plots, const std::string& id) {
+    for (const PlotSpecification& plot : plots)
+        if (plot.id == id) return &plot;
+    return nullptr;
+}
+
+TEST(DesignPlots, ShowWhatMoreRowsGiveAndWhatEachIsWorth) {
+    const auto plots = design_plots(of_rows());
+    const PlotSpecification* curve = find(plots, "design-three-curve");
+    ASSERT_TRUE(curve);
+    EXPECT_EQ(curve->series[0].x, (std::vector<double>{2, 3, 4}));
+    EXPECT_EQ(curve->series[0].y, (std::vector<double>{1.6, 0.8, 0.75}));
+    EXPECT_EQ(curve->marks[0].at, 3.0);
+    const PlotSpecification* rows = find(plots, "design-three-rows");
+    ASSERT_TRUE(rows);
+    ASSERT_EQ(rows->series[0].x.size(), 2u) << "without the last there is no result";
+    EXPECT_NEAR(rows->series[0].x[0], 100.0, 1e-9);
+    EXPECT_NEAR(rows->series[0].x[1], 10.0, 1e-9);
+    const PlotSpecification* outputs = find(plots, "design-three-outputs");
+    ASSERT_TRUE(outputs);
+    EXPECT_NEAR(outputs->series[0].y[0], 1.5, 1e-12);
+    EXPECT_NEAR(outputs->series[1].y[1], 0.7, 1e-12);
+    EXPECT_TRUE(find(plots, "design-three-path"));
+    EXPECT_FALSE(find(plots, "design-three-front"));
+    DesignResult nothing = of_rows();
+    nothing.found = false;
+    EXPECT_TRUE(design_plots(nothing).empty());
+}
+
+TEST(DesignPlots, ShowCostAgainstUncertainty) {
+    const auto plots = design_plots(of_reductions());
+    const PlotSpecification* front = find(plots, "design-three-front");
+    ASSERT_TRUE(front);
+    EXPECT_EQ(front->series[0].x, (std::vector<double>{0.5, 1.0}));
+    EXPECT_EQ(front->series[0].y, (std::vector<double>{300.0, 100.0}));
+}
+
+TEST(DesignTables, ForPeopleHaveNoColumnsThatSayNothing) {
+    for (const DataTable& table : readable_design_tables(of_rows())) {
+        EXPECT_NE(table.id, "path");
+        for (const TableColumn& column : table.columns) {
+            EXPECT_NE(column.header, "of the candidates' file");
+            EXPECT_NE(column.header, "U by Monte Carlo");
+        }
+        for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+    }
+}
+
+TEST(DesignTables, PriceOfATargetIsOfItsUnit) {
+    const DataTable outputs = design_tables(of_reductions()).front();
+    EXPECT_EQ(outputs.columns.back().header, "cost per unit of target");
+    EXPECT_NEAR(std::get<double>(outputs.rows[0].back()), 400.0, 1e-9) << "for a millimetre";
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(outputs.rows[1].back())) << "it does not bind";
+    EXPECT_NE(design_text(of_reductions()).find("costs 400.0 for every mm less"), std::string::npos);
+}
+
+TEST(DesignReport, HasAChapterThatCanBeLeftOut) {
+    EvaluatedAnalysis evaluated = test::sample_analysis(test::sample_result());
+    evaluated.designs = {std::make_shared<const DesignResult>(of_rows()),
+                         std::make_shared<const DesignResult>(of_reductions())};
+    const auto made = MadeProject::make(test::sample_project());
+    const std::string whole = to_markdown(build_report(*made, {evaluated}));
+    EXPECT_NE(whole.find("Three stations"), std::string::npos);
+    EXPECT_EQ(whole.find("Not every target is met"), std::string::npos);
+    EXPECT_NE(whole.find("50 candidates"), std::string::npos);
+    EXPECT_NE(whole.find("Cost: 100.0"), std::string::npos);
+    ReportContents contents;
+    contents.without_chapters = {"designs"};
+    const std::string without = to_markdown(build_report(*made, {evaluated}, {}, contents));
+    EXPECT_EQ(without.find("Three stations"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace covaria::design_report_test

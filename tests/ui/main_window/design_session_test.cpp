@@ -1,0 +1,116 @@
+// A user adds a design, chooses what may be chosen, lets it be searched, looks at what was found, takes it
+// over in one step and takes it back.
+#include <QListWidget>
+#include <QTextBrowser>
+
+#include "tests/ui/main_window/session_fixture.h"
+#include "ui/charts/chart_view.h"
+#include "ui/forms/target_box.h"
+#include "ui/pages/design_tab.h"
+#include "ui/pages/evaluation_view.h"
+
+namespace covaria::ui::design_session_test {
+namespace {
+
+class DesignSession : public Session {
+protected:
+    DesignTab& tab() { return window_->results().design_tab(); }
+    void press(QWidget& in, const char* name) {
+        auto* button = in.findChild<QPushButton*>(QString::fromLatin1(name));
+        ASSERT_NE(button, nullptr) << name;
+        ASSERT_TRUE(button->isVisible() && button->isEnabled()) << name;
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    const AnalysisEntry& analysis() const {
+        return *window_->document().project().find_analysis(window_->selection().analysis().toStdString());
+    }
+    DesignStatus design_status() const {
+        return window_->runner().designs().status(window_->selection().analysis(),
+                                                  window_->selection().design());
+    }
+    void open_project(const char* name, const char* id) {
+        open(project_copy(QString::fromLatin1(name)));
+        select(SetupOwner::analysis, id);
+        ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
+        show_tab(QStringLiteral("Designs"));
+        window_->results().tabs().setCurrentWidget(&tab());
+    }
+};
+
+TEST_F(DesignSession, AVariableIsSearchedTakenOverAsOneEditAndTakenBack) {
+    open_project("lsm-network", "recommended");
+    const std::size_t before = analysis().designs.size();
+    press(window_->properties(), "add_design");
+    ASSERT_EQ(analysis().designs.size(), before + 1);
+    ASSERT_TRUE(field<TargetBox>("variable_0_target")->choose(QStringLiteral("Targets, B: y")));
+    type_into("variable_0_from", QStringLiteral("-1 m"));
+    type_into("variable_0_to", QStringLiteral("1"));
+    type_into("variable_0_tolerance", QStringLiteral("10 mm"));
+    type_into("design_starts", QStringLiteral("2"));
+    type_into("design_most_evaluations", QStringLiteral("60"));
+    const Design design = analysis().designs.back();
+    EXPECT_EQ(design.variables[0].number.target, "/setup/targets/rows/1/y");
+    EXPECT_EQ(design.variables[0].number.from, -1.0);
+    EXPECT_DOUBLE_EQ(design.variables[0].tolerance, 0.01) << "in the unit of the variable";
+    EXPECT_EQ(design.starts, 2u);
+    EXPECT_EQ(design.most_evaluations, 60u);
+    press(tab(), "run_design_tab");
+    ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }));
+    EXPECT_TRUE(tab().view().text().toPlainText().contains(QStringLiteral("Values")));
+    EXPECT_FALSE(tab().view().chart().plot().series.empty());
+    const double chosen = design_status().result->values[0].chosen;
+    const Project untouched = window_->document().project();
+    const int steps = window_->document().undo_stack().index();
+    press(tab(), "take_over_design");
+    EXPECT_EQ(window_->document().undo_stack().index(), steps + 1) << "one edit";
+    const auto& targets = std::get<SetupTable>(analysis().setup.values.at("targets"));
+    const double y_mm = targets.units[2].to_si(std::get<double>(targets.rows[1][2])) * 1e3;
+    EXPECT_NEAR(y_mm, 1e3 * chosen, 1e-9);
+    ASSERT_TRUE(wait_for([this] { return !design_status().is_current(); }));
+    EXPECT_TRUE(tab().state_words().contains(QStringLiteral("Out of date")));
+    window_->document().undo_stack().undo();
+    EXPECT_TRUE(window_->document().project() == untouched);
+    EXPECT_TRUE(wait_for([this] { return design_status().is_current(); })) << "what was found counts again";
+}
+
+TEST_F(DesignSession, RowsAreChosenAndShownWithWhatEachIsWorth) {
+    open_project("ballbar-design", "points");
+    ASSERT_EQ(window_->selection().design(), QStringLiteral("twelve"));
+    type_into("design_keep", QStringLiteral("15"));
+    EXPECT_EQ(analysis().designs[0].choose->keep, 15u);
+    type_into("design_starts", QStringLiteral("1"));
+    field<QListWidget>("design_fixed")->item(3)->setCheckState(Qt::Checked);
+    EXPECT_EQ(analysis().designs[0].choose->fixed, (std::vector<std::size_t>{3}));
+    press(window_->properties(), "run_design");
+    ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }));
+    EXPECT_EQ(design_status().result->rows.size(), 15u);
+    EXPECT_EQ(tab().view().chart_list().itemText(0), QStringLiteral("What more rows give"));
+    EXPECT_GE(tab().view().chart_list().count(), 3);
+    EXPECT_TRUE(
+        wait_for([this] { return tab().view().chart().isVisible() && tab().view().chart().width() > 200; }));
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/design.png"));
+    press(tab(), "take_over_design");
+    EXPECT_EQ(std::get<SetupTable>(analysis().setup.values.at("measured_points")).rows.size(), 15u);
+}
+
+TEST_F(DesignSession, ASearchIsStopped) {
+    open_project("ballbar-design", "points");
+    type_into("design_most_evaluations", QStringLiteral("100000000"));
+    type_into("design_starts", QStringLiteral("10000"));
+    press(tab(), "run_design_tab");
+    ASSERT_TRUE(wait_for([this] { return tab().state_words().contains(QStringLiteral("searching")); }));
+    press(tab(), "stop_design");
+    ASSERT_TRUE(wait_for([this] { return !window_->runner().designs().is_busy(); }));
+    EXPECT_EQ(design_status().result, nullptr);
+    EXPECT_EQ(design_status().state, RunState::out_of_date);
+}
+
+TEST_F(DesignSession, AProblemOfADesignIsListedAndTheAnalysisStillRuns) {
+    open_project("ballbar-design", "points");
+    type_into("design_keep", QStringLiteral("99"));
+    EXPECT_FALSE(problems().filter(QStringLiteral("can be kept")).isEmpty());
+    EXPECT_NE(status().prepared, nullptr);
+}
+
+}  // namespace
+}  // namespace covaria::ui::design_session_test

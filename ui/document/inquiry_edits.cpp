@@ -1,0 +1,120 @@
+#include "ui/document/inquiry_edits.h"
+
+#include <algorithm>
+
+#include "core/project/study_target.h"
+#include "ui/document/setup_address.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+template <class Item>
+const Item* InquiryList<Item>::find(const Project& project, const std::string& analysis,
+                                    const std::string& id) const {
+    const AnalysisEntry* entry = project.find_analysis(analysis);
+    if (!entry) return nullptr;
+    const auto found = std::ranges::find(of(*entry), id, &Item::id);
+    return found == of(*entry).end() ? nullptr : &*found;
+}
+
+template <class Item>
+std::string InquiryList<Item>::free_id(const AnalysisEntry& analysis) const {
+    for (int number = 1;; ++number) {
+        const std::string id = to_std(words_().id) + "-" + std::to_string(number);
+        if (std::ranges::count(of(analysis), id, &Item::id) == 0) return id;
+    }
+}
+
+template <class Item>
+std::string InquiryList<Item>::add(Document& document, const std::string& analysis, Item item) const {
+    const AnalysisEntry* entry = document.project().find_analysis(analysis);
+    if (!entry) return {};
+    item.id = free_id(*entry);
+    item.name = to_std(words_().name.arg(of(*entry).size() + 1));
+    document.apply(words_().add, [&](Project& project) {
+        (find_analysis_entry(project, analysis)->*list_).push_back(item);
+    });
+    return item.id;
+}
+
+template <class Item>
+std::string InquiryList<Item>::duplicate(Document& document, const std::string& analysis,
+                                         const std::string& id) const {
+    const Item* original = find(document.project(), analysis, id);
+    if (!original) return {};
+    Item copy = *original;
+    copy.id = free_id(*document.project().find_analysis(analysis));
+    copy.name += to_std(Document::tr(" (copy)"));
+    document.apply(words_().duplicate, [&](Project& project) {
+        (find_analysis_entry(project, analysis)->*list_).push_back(copy);
+    });
+    return copy.id;
+}
+
+template <class Item>
+void InquiryList<Item>::remove(Document& document, const std::string& analysis, const std::string& id) const {
+    document.apply(words_().remove, [&](Project& project) {
+        if (AnalysisEntry* entry = find_analysis_entry(project, analysis))
+            std::erase_if(entry->*list_, [&](const Item& item) { return item.id == id; });
+    });
+}
+
+template <class Item>
+void InquiryList<Item>::change(Document& document, const std::string& analysis, const std::string& id,
+                               const std::function<void(Item&)>& edit, const QString& merge_key) const {
+    const QString key =
+        merge_key.isEmpty()
+            ? QString()
+            : QStringLiteral("%1:%2:%3:%4").arg(words_().id, to_qt(analysis), to_qt(id), merge_key);
+    document.apply(
+        words_().change,
+        [&](Project& project) {
+            AnalysisEntry* entry = find_analysis_entry(project, analysis);
+            if (!entry) return;
+            for (Item& item : entry->*list_)
+                if (item.id == id) edit(item);
+        },
+        key);
+}
+
+template class InquiryList<Study>;
+template class InquiryList<Design>;
+
+const InquiryList<Study>& study_list() {
+    static const InquiryList<Study> list(&AnalysisEntry::studies, [] {
+        return InquiryList<Study>::Words{Document::tr("Add study"),    Document::tr("Duplicate study"),
+                                         Document::tr("Delete study"), Document::tr("Change study"),
+                                         Document::tr("Study %1"),     QStringLiteral("study")};
+    });
+    return list;
+}
+
+const InquiryList<Design>& design_list() {
+    static const InquiryList<Design> list(&AnalysisEntry::designs, [] {
+        return InquiryList<Design>::Words{Document::tr("Add design"),    Document::tr("Duplicate design"),
+                                          Document::tr("Delete design"), Document::tr("Change design"),
+                                          Document::tr("Design %1"),     QStringLiteral("design")};
+    });
+    return list;
+}
+
+Study new_study(const Project& project, const AnalysisEntry& analysis) {
+    Study study;
+    const auto choices = study_targets(project, analysis, nullptr);
+    if (!choices.empty()) study.axes.push_back(choices.front().axis);
+    return study;
+}
+
+Design new_design(const Project& project, const AnalysisEntry& analysis) {
+    Design design;
+    for (const StudyTargetChoice& choice : study_targets(project, analysis, nullptr)) {
+        if (choice.target.whole) continue;
+        design.variables.push_back({choice.axis, 0.0});
+        design.variables.back().number.values = 2;
+        design.variables.back().number.spacing = StudySpacing::linear;
+        break;
+    }
+    return design;
+}
+
+}  // namespace covaria::ui

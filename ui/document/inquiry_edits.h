@@ -1,0 +1,51 @@
+// Adding, changing and removing what an analysis is asked beside its result (studies, designs), each as one
+// undo step.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "ui/document/document.h"
+
+namespace covaria::ui {
+
+/// One of the lists of an analysis. Instances: study_list(), design_list().
+template <class Item>
+class InquiryList {
+public:
+    /// What people read, and the beginning of ids.
+    struct Words {
+        QString add, duplicate, remove, change;
+        QString name;  ///< "Study %1"
+        QString id;
+    };
+    using Member = std::vector<Item> AnalysisEntry::*;
+    InquiryList(Member list, std::function<Words()> words) : list_(list), words_(std::move(words)) {}
+
+    const std::vector<Item>& of(const AnalysisEntry& analysis) const { return analysis.*list_; }
+    /// Null when there is none.
+    const Item* find(const Project& project, const std::string& analysis, const std::string& id) const;
+    /// With an id and a name of its own; returns the id.
+    std::string add(Document& document, const std::string& analysis, Item item) const;
+    std::string duplicate(Document& document, const std::string& analysis, const std::string& id) const;
+    void remove(Document& document, const std::string& analysis, const std::string& id) const;
+    /// `merge_key`: changes of one field that follow each other closely are one step.
+    void change(Document& document, const std::string& analysis, const std::string& id,
+                const std::function<void(Item&)>& edit, const QString& merge_key = {}) const;
+
+private:
+    std::string free_id(const AnalysisEntry& analysis) const;
+
+    Member list_;
+    std::function<Words()> words_;
+};
+
+const InquiryList<Study>& study_list();
+const InquiryList<Design>& design_list();
+
+/// What is offered first: it varies the first number that the analysis offers.
+Study new_study(const Project& project, const AnalysisEntry& analysis);
+/// Likewise, between half and twice its present value or as far as makes sense.
+Design new_design(const Project& project, const AnalysisEntry& analysis);
+
+}  // namespace covaria::ui

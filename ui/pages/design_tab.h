@@ -1,0 +1,52 @@
+// What a design has found: tables, charts, and the edit that puts it into the project.
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+#include "ui/document/inquiry_edits.h"
+#include "ui/document/selection.h"
+#include "ui/run/analysis_runner.h"
+
+class QComboBox;
+
+namespace covaria::ui {
+
+class EvaluationView;
+
+class DesignTab : public QWidget {
+    Q_OBJECT
+public:
+    DesignTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+
+    EvaluationView& view() { return *view_; }
+    QString state_words() const;
+
+signals:
+    /// The user wants to change the designs of the analysis.
+    void edit_wanted();
+
+private:
+    void make_head();
+    void refresh();
+    void refresh_list();
+    void show_result();
+    void show_progress(const RunProgress& progress);
+    void take_over_design();
+    const Design* design_of_project() const;
+    DesignStatus status() const;
+
+    Document& document_;
+    AnalysisRunner& runner_;
+    Selection& selection_;
+    DesignPointer shown_;
+    bool current_ = false;
+    QWidget* head_ = nullptr;
+    QComboBox* list_ = nullptr;
+    QPushButton *run_ = nullptr, *stop_ = nullptr, *edit_ = nullptr, *take_over_ = nullptr;
+    QLabel* state_ = nullptr;
+    EvaluationView* view_ = nullptr;
+};
+
+}  // namespace covaria::ui
