@@ -31,45 +31,60 @@ private:
     std::vector<std::array<double, most>> by_;
 };
 
-/// The sensitivity coefficients of a target that is estimated by itself. At its estimate X the condition
-/// g(X, x) = Jᵀ W r = 0 holds, so that dX/dx = −(∂g/∂X)⁻¹ ∂g/∂x; of the terms of g only those of one sight
-/// depend on its station and readings.
-class TargetByItself {
+/// The sensitivity coefficients of targets that are estimated together, or of one by itself. At the estimates
+/// X the condition g(X, x) = Jᵀ W r = 0 holds, so that dX/dx = −(∂g/∂X)⁻¹ ∂g/∂x; a station and the readings
+/// of one sight change r and J in the rows of that sight only.
+class LeastSquaresSensitivities {
 public:
-    TargetByItself(const NetworkSetup& setup, const JointSetUp& joint, std::span<const double> x,
-                   const Eigen::Vector3d& X)
-        : setup_(setup), joint_(joint), x_(x), X_(X), by_station_(6 * setup.sensors.size(), zero) {}
+    LeastSquaresSensitivities(const NetworkSetup& setup, const Part& part, std::size_t set_up,
+                              std::span<const double> x, const Eigen::Vector3d* X)
+        : setup_(setup),
+          part_(part),
+          set_up_(set_up),
+          x_(x),
+          X_(X),
+          n_(Eigen::Index(part.unknowns())),
+          by_point_(Eigen::MatrixXd::Zero(n_, n_)),
+          by_station_(Eigen::MatrixXd::Zero(n_, 6 * Eigen::Index(setup.sensors.size()))) {}
 
-    bool add_to(SensitivityRows& rows) {
+    /// The coordinates of target t are the outputs 3 (first + t) ....
+    bool add_to(std::size_t first, SensitivityRows& rows) {
         linearise();
         std::size_t row = 0;
-        for (const Sight& sight : target().sights) row = add(sight, row);
-        const Eigen::Matrix3d minus_inverse = -by_point_.inverse();
+        for (std::size_t t = 0; t < part_.count; ++t)
+            for (const Sight& sight : part_.targets[t].sights) row = add(sight, t, row);
+        for (const std::size_t b : part_.bars) add(setup_.bars[b], row++);
+        const Eigen::MatrixXd minus_inverse = -by_point_.inverse();
         if (!minus_inverse.allFinite()) return false;
-        for (std::size_t i = 0; i < by_station_.size(); ++i)
-            put(setup_.station_input(joint_.index, 0) + i, minus_inverse * by_station_[i], rows);
-        for (const auto& [input, change] : by_reading_) put(input, minus_inverse * change, rows);
-        return finite_;
+        const Eigen::MatrixXd by_stations = minus_inverse * by_station_,
+                              by_readings = minus_inverse * by_reading_;
+        for (Eigen::Index i = 0; i < by_stations.cols(); ++i)
+            put(setup_.station_input(set_up_, 0) + std::size_t(i), by_stations.col(i), first, rows);
+        for (Eigen::Index i = 0; i < by_readings.cols(); ++i)
+            put(inputs_[std::size_t(i)], by_readings.col(i), first, rows);
+        return by_stations.allFinite() && by_readings.allFinite();
     }
 
 private:
-    static inline const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    const Target& target() const { return setup_.targets[joint_.first]; }
-
-    /// W r and W J at the estimate.
+    /// W r and W J at the estimates.
     void linearise() {
         const Inputs<double> x(x_.data());
-        for (const Sight& sight : target().sights)
-            places_[sight.sensor] = place_of<double>(setup_, x, joint_.index, sight.sensor);
-        const Part part = part_of(setup_, joint_);
-        at_.take(part, places_.data(), x, &X_);
-        at_.weigh(part);
+        for (std::size_t t = 0; t < part_.count; ++t)
+            for (const Sight& sight : part_.targets[t].sights)
+                places_[sight.sensor] = place_of<double>(setup_, x, set_up_, sight.sensor);
+        at_.take(part_, places_.data(), x, X_);
+        at_.weigh(part_);
         std::array<double, most_joint_rows> column, weighted;
-        weighted_gradients_.resize(at_.rows);
-        for (int c = 0; c < 3; ++c) {
-            for (std::size_t i = 0; i < at_.rows; ++i) column[i] = at_.gradients[i][c];
-            at_.weigh(part, column.data(), weighted.data());
-            for (std::size_t i = 0; i < at_.rows; ++i) weighted_gradients_[i][c] = weighted[i];
+        std::array<double, 3 * most_joint_targets> unit{};
+        weighted_gradients_.resize(Eigen::Index(at_.rows), n_);
+        by_reading_ = Eigen::MatrixXd::Zero(n_, Eigen::Index(at_.rows));
+        inputs_.resize(at_.rows);
+        for (Eigen::Index k = 0; k < n_; ++k) {
+            unit[std::size_t(k)] = 1.0;
+            at_.multiply(part_, unit.data(), column.data());
+            unit[std::size_t(k)] = 0.0;
+            at_.weigh(part_, column.data(), weighted.data());
+            for (std::size_t i = 0; i < at_.rows; ++i) weighted_gradients_(Eigen::Index(i), k) = weighted[i];
         }
     }
 
@@ -84,63 +99,92 @@ private:
         }
     };
 
-    std::size_t add(const Sight& sight, std::size_t first_row) {
-        const std::size_t station = setup_.station_input(joint_.index, sight.sensor);
+    /// What a sight of target t does to g, its readings being the rows from `row` on; the row behind them.
+    std::size_t add(const Sight& sight, std::size_t t, std::size_t row) {
+        const std::size_t station = setup_.station_input(set_up_, sight.sensor);
         const Inputs<Dual> by_station(x_.data(), station);
-        const Place<Dual> moved = place_of<Dual>(setup_, by_station, joint_.index, sight.sensor);
-        const Changes of_station = changes(sight, first_row, moved, X_.cast<Dual>(), by_station);
-        const Vector3<Dual> X(Dual::variable(X_[0], 0), Dual::variable(X_[1], 1), Dual::variable(X_[2], 2));
-        const Place<double>& at = places_[sight.sensor];
-        const Place<Dual> place{at.R.cast<Dual>(), at.o.cast<Dual>()};
-        const Changes of_rest = changes(sight, first_row, place, X, SightInputs{x_.data(), sight});
-        for (std::size_t i = 0; i < 6; ++i) by_station_[6 * sight.sensor + i] += of_station.g.col(int(i));
-        by_point_ += of_rest.g.leftCols<3>();
-        for (std::size_t o = 0; o < 3; ++o)
-            if (sight.has[o]) by_reading_.emplace_back(sight.input[o], of_rest.g.col(3 + int(o)));
-        return first_row + of_rest.rows;
+        const Place<Dual> moved = place_of<Dual>(setup_, by_station, set_up_, sight.sensor);
+        const Eigen::Vector3d& at = X_[t];
+        const std::size_t behind = add(sight, t, row, moved, at.cast<Dual>(), by_station, [&](std::size_t k) {
+            return k < 6 ? by_station_.col(Eigen::Index(6 * sight.sensor + k)).data() : nullptr;
+        });
+        const Vector3<Dual> X(Dual::variable(at[0], 0), Dual::variable(at[1], 1), Dual::variable(at[2], 2));
+        const Place<double>& fixed = places_[sight.sensor];
+        const Place<Dual> place{fixed.R.cast<Dual>(), fixed.o.cast<Dual>()};
+        std::array<double*, 3> of_reading{};
+        for (std::size_t o = 0, r = row; o < 3; ++o) {
+            if (!sight.has[o]) continue;
+            inputs_[r] = sight.input[o];
+            of_reading[o] = by_reading_.col(Eigen::Index(r++)).data();
+        }
+        add(sight, t, row, place, X, SightInputs{x_.data(), sight}, [&](std::size_t k) -> double* {
+            if (k < 3) return by_point_.col(Eigen::Index(3 * t + k)).data();
+            return k < 6 ? of_reading[k - 3] : nullptr;
+        });
+        return behind;
     }
 
-    /// What the variables do to g through the readings of one sight.
-    struct Changes {
-        Eigen::Matrix<double, 3, Dual::size> g = Eigen::Matrix<double, 3, Dual::size>::Zero();
-        std::size_t rows = 0;
-    };
-    template <class In>
-    Changes changes(const Sight& sight, std::size_t row, const Place<Dual>& place, const Vector3<Dual>& X,
-                    const In& x) {
-        Changes sum;
+    /// Adds ∂g/∂(variable k) by the readings of one sight to change(k), where that is not null.
+    template <class In, class Change>
+    std::size_t add(const Sight& sight, std::size_t t, std::size_t row, const Place<Dual>& place,
+                    const Vector3<Dual>& X, const In& x, const Change& change) {
         const View<Dual> view(place, X);
         for (std::size_t o = 0; o < 3; ++o) {
             if (!sight.has[o]) continue;
             const Vector3<Dual> j = gradient<Dual>(sight, o, place, view, x);
             const Dual r = residual<Dual>(sight, o, view, x);
-            for (std::size_t k = 0; k < Dual::size; ++k)
+            for (std::size_t k = 0; k < Dual::size; ++k) {
+                double* to = change(k);
+                if (!to) continue;
+                Eigen::Map<Eigen::VectorXd> g(to, n_);
+                if (r.partials()[k] != 0.0)
+                    g += weighted_gradients_.row(Eigen::Index(row)).transpose() * r.partials()[k];
                 for (int c = 0; c < 3; ++c)
-                    sum.g(c, int(k)) += j[c].partials()[k] * at_.weighted[row] +
-                                        weighted_gradients_[row][c] * r.partials()[k];
+                    g[Eigen::Index(3 * t) + c] += j[c].partials()[k] * at_.weighted[row];
+            }
             ++row;
-            ++sum.rows;
         }
-        return sum;
+        return row;
     }
 
-    void put(std::size_t input, const Eigen::Vector3d& dX, SensitivityRows& rows) {
-        finite_ = finite_ && dX.allFinite();
-        for (std::size_t c = 0; c < 3; ++c)
-            if (dX[int(c)] != 0.0) rows[3 * joint_.first + c].push_back({input, dX[int(c)]});
+    /// What a calibrated length does: r = x − |X_to − X_from|.
+    void add(const ScaleBar& bar, std::size_t row) {
+        const auto to = Eigen::Index(3 * (bar.to - part_.first)),
+                   from = Eigen::Index(3 * (bar.from - part_.first));
+        const Eigen::Vector3d& j = at_.gradients[row];
+        inputs_[row] = bar.input;
+        by_reading_.col(Eigen::Index(row)) = weighted_gradients_.row(Eigen::Index(row)).transpose();
+        const auto of_residual = by_reading_.col(Eigen::Index(row));
+        by_point_.middleCols<3>(to) -= of_residual * j.transpose();
+        by_point_.middleCols<3>(from) += of_residual * j.transpose();
+        const double length = (X_[bar.to - part_.first] - X_[bar.from - part_.first]).norm();
+        const Eigen::Matrix3d turn =
+            (Eigen::Matrix3d::Identity() - j * j.transpose()) * (at_.weighted[row] / length);
+        by_point_.block<3, 3>(to, to) += turn;
+        by_point_.block<3, 3>(from, from) += turn;
+        by_point_.block<3, 3>(to, from) -= turn;
+        by_point_.block<3, 3>(from, to) -= turn;
+    }
+
+    template <class Column>
+    void put(std::size_t input, const Column& dX, std::size_t first, SensitivityRows& rows) const {
+        for (Eigen::Index i = 0; i < n_; ++i)
+            if (dX[i] != 0.0) rows[3 * first + std::size_t(i)].push_back({input, dX[i]});
     }
 
     const NetworkSetup& setup_;
-    const JointSetUp& joint_;
+    const Part part_;
+    const std::size_t set_up_;
     std::span<const double> x_;
-    const Eigen::Vector3d X_;
+    const Eigen::Vector3d* X_;
+    const Eigen::Index n_;  ///< unknowns
     std::array<Place<double>, most_sensors> places_;
     Linearised<double> at_;
-    std::vector<Eigen::Vector3d> weighted_gradients_;  ///< by reading
-    Eigen::Matrix3d by_point_ = Eigen::Matrix3d::Zero();
-    std::vector<Eigen::Vector3d> by_station_;
-    std::vector<std::pair<std::size_t, Eigen::Vector3d>> by_reading_;
-    bool finite_ = true;
+    Eigen::MatrixXd weighted_gradients_;  ///< readings x unknowns
+    Eigen::MatrixXd by_point_;            ///< ∂g/∂X
+    Eigen::MatrixXd by_station_;          ///< by the six coordinates of each station
+    Eigen::MatrixXd by_reading_;          ///< by each reading and calibrated length
+    std::vector<std::size_t> inputs_;     ///< of each of those
 };
 
 class RowMaker {
@@ -167,28 +211,37 @@ private:
     }
 
     bool add_targets(const JointSetUp& joint) {
-        if (joint.by_itself())
-            return TargetByItself(setup_, joint, x_, positions_[joint.first]).add_to(rows_);
-        if (joint.together()) return add_part(joint, joint.first, joint.targets);
+        if (joint.by_itself() || joint.together())
+            return LeastSquaresSensitivities(setup_, part_of(setup_, joint), joint.index, x_,
+                                             &positions_[joint.first])
+                .add_to(joint.first, rows_);
+        const bool nonlinear = setup_.estimator == Estimator::nonlinear;
         for (std::size_t t = 0; t < joint.targets; ++t)
-            if (!add_part(joint, joint.first + t, 1)) return false;
+            if (!(nonlinear ? add_alone(joint, joint.first + t) : add_explicit(joint, joint.first + t)))
+                return false;
         return true;
     }
 
-    bool add_part(const JointSetUp& joint, std::size_t first, std::size_t count) {
+    /// A target with weights of its readings alone.
+    bool add_alone(const JointSetUp& joint, std::size_t t) {
+        const Part part{&setup_, &setup_.targets[t], 1, {}, setup_.targets[t].inverse_normal.data(), nullptr,
+                        0};
+        return LeastSquaresSensitivities(setup_, part, joint.index, x_, &positions_[t]).add_to(t, rows_);
+    }
+
+    /// A target whose estimate is given in closed form (Eqs 3 and 4).
+    bool add_explicit(const JointSetUp& joint, std::size_t t) {
         std::vector<InputRange> ranges{{setup_.station_input(joint.index, 0), 6 * setup_.sensors.size()}};
-        for (std::size_t t = first; t < first + count; ++t)
-            for (const Sight& sight : setup_.targets[t].sights)
-                for (std::size_t i = 0; i < 3; ++i)
-                    if (sight.has[i]) add(ranges, sight.input[i]);
-        for (const std::size_t b : joint.bars) add(ranges, setup_.bars[b].input);
+        for (const Sight& sight : setup_.targets[t].sights)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (sight.has[i]) add(ranges, sight.input[i]);
         for (const InputRange& range : ranges)
             for (std::size_t done = 0; done < range.count; done += Dual::size) {
                 const std::size_t at = range.first + done;
                 const Inputs<Dual> variables(x_.data(), at);
                 DualRows out(rows_, at, std::min(Dual::size, range.count - done));
                 locate_stations(setup_, variables, joint.index, places_.data());
-                if (!some_targets(setup_, joint, first, count, places_.data(), variables, out)) return false;
+                if (!some_targets(setup_, joint, t, 1, places_.data(), variables, out)) return false;
                 if (!out.finite()) return false;
             }
         return true;
