@@ -62,6 +62,7 @@ private:
         for (const Sight& sight : target().sights)
             places_[sight.sensor] = place_of<double>(setup_, x, joint_.index, sight.sensor);
         const Part part = part_of(setup_, joint_);
+        at_.read(part, x);
         at_.take(part, places_.data(), x, &X_);
         at_.weigh(part);
         std::array<double, most_joint_rows> column, weighted;
@@ -110,10 +111,11 @@ private:
                     const In& x) {
         Changes sum;
         const View<Dual> view(place, X);
+        const ReadAngles<Dual> read(sight, x);
         for (std::size_t o = 0; o < 3; ++o) {
             if (!sight.has[o]) continue;
-            const Vector3<Dual> j = gradient<Dual>(sight, o, place, view, x);
-            const Dual r = residual<Dual>(sight, o, view, x);
+            const Vector3<Dual> j = gradient<Dual>(sight, o, place, view, read);
+            const Dual r = residual<Dual>(sight, o, view, x, read);
             for (std::size_t k = 0; k < Dual::size; ++k)
                 for (int c = 0; c < 3; ++c)
                     sum.g(c, int(k)) += j[c].partials()[k] * at_.weighted[row] +
