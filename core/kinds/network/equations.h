@@ -173,15 +173,13 @@ inline Part part_of(const NetworkSetup& setup, const JointSetUp& joint) {
 }
 
 /// Steps X += (J₀ᵀWJ₀)⁻¹ JᵀW r with J₀ at the estimates, until X stays, which is where the weighted sum of
-/// squares is least; at most so many. A lane that has converged stays as it is, whatever the others do: its
-/// last step was short, or what is left after it is, as it shrinks from step to step.
+/// squares is least; at most so many. A lane that has converged stays as it is, whatever the others do.
 template <class Real, class In>
 mask_of<Real> settle(Linearised<Real>& at, const Part& part, const Place<Real>* places, const In& x, int most,
                      mask_of<Real> done, Vector3<Real>* X) {
     using namespace real_functions;
     constexpr bool with_derivatives = std::is_same_v<Real, Dual>;
     std::array<Real, 3 * most_joint_targets> descent;
-    Real before2(0.0);
     for (int k = 0; k < most; ++k) {
         at.take(part, places, x, X);
         at.weigh(part);
@@ -196,11 +194,7 @@ mask_of<Real> settle(Linearised<Real>& at, const Part& part, const Place<Real>* 
                 const Real moved = X[t][c] + step;
                 X[t][c] = with_derivatives ? moved : Real(select(done, X[t][c], moved));
             }
-        constexpr double quick2 = 1e-4;  // a step is a hundredth of that before it
-        done = done || step2 < Real(last_step * last_step) ||
-               (step2 < Real(quick2 * before2) &&
-                Real(step2 * step2) < Real(Real(left_over * left_over) * before2));
-        before2 = step2;
+        done = done || (step2 < Real(last_step * last_step));
         if (all(done) && (!with_derivatives || k >= 7)) break;
     }
     return done;

@@ -11,7 +11,6 @@
 namespace covaria::network {
 
 inline constexpr double last_step = 1e-11;  // m; what is left then is below 1e-6 of any u that is stated
-inline constexpr double left_over = 1e-13;  // m; of an iteration that converges quickly
 
 /// Targets estimated together: those of a set-up, or one by itself.
 struct Part {
