@@ -4,6 +4,8 @@
 
 #include <span>
 
+#include "core/base/processor.h"
+
 namespace covaria {
 
 /// Density exp(-z^2/2)/sqrt(2 pi).
@@ -19,5 +21,13 @@ double normal_quantile(double p);
 void normal_quantiles(std::span<const double> p, std::span<double> z);
 /// p[i] = Phi(z[i]), vectorised in the same way: 5e-15 absolute, 1e-11 relative in the lower tail.
 void normal_distribution_functions(std::span<const double> z, std::span<double> p);
+
+namespace detail {
+
+/// The two forms of normal_quantiles, with the same bits; the second needs has_avx512().
+void normal_quantiles_avx2(std::span<const double> p, std::span<double> z);
+void normal_quantiles_avx512(std::span<const double> p, std::span<double> z);
+
+}  // namespace detail
 
 }  // namespace covaria

@@ -56,15 +56,18 @@ inline Batch clamped(Batch x, double low, double high) {
     return xsimd::min(xsimd::max(x, Batch(low)), Batch(high));
 }
 
-/// For distributions symmetric between `low` and `high`: `from_end(q)` is the distance of the q quantile from
-/// its end for q <= 1/2.
+/// The p quantile of a distribution symmetric between `low` and `high`: `from_end(q)` is the distance of the
+/// q quantile from its end for q <= 1/2.
+template <class FromEnd>
+Batch symmetric(Batch p, double low, double high, const FromEnd& from_end) {
+    const Batch distance = from_end(xsimd::min(p, Batch(1.0) - p));
+    const Batch x = xsimd::select(p < Batch(0.5), Batch(low) + distance, Batch(high) - distance);
+    return clamped(x, low, high);
+}
+
 template <class FromEnd>
 QuantileFunctionPointer make_symmetric(double low, double high, FromEnd from_end) {
-    return make_elementwise([=](Batch p) {
-        const Batch distance = from_end(xsimd::min(p, Batch(1.0) - p));
-        const Batch x = xsimd::select(p < Batch(0.5), Batch(low) + distance, Batch(high) - distance);
-        return clamped(x, low, high);
-    });
+    return make_elementwise([=](Batch p) { return symmetric(p, low, high, from_end); });
 }
 
 }  // namespace covaria::detail

@@ -57,6 +57,40 @@ private:
     std::vector<double> cumulative_;  ///< rising to 1
 };
 
+/// With w half the width, d the inexactness, c = w + d and x = centre - c(1 - e) on the lower ramp, the
+/// distribution function is (c/4d)(e + (1 - e) ln(1 - e)), the integral of the density of JCGM 101 6.4.3;
+/// straight between the ramps, which alone are inverted.
+class CurvilinearTrapezoidQuantile final : public QuantileFunction {
+public:
+    explicit CurvilinearTrapezoidQuantile(const CurvilinearTrapezoid& t)
+        : low_(t.low - t.inexactness),
+          high_(t.high + t.inexactness),
+          d_(t.inexactness),
+          c_(0.5 * (t.high - t.low) + d_),
+          inner_(0.5 * (t.high - t.low) - d_),
+          top_(inner_ > 0.0 ? std::log(c_ / inner_) / (4.0 * d_) : infinity),
+          ramp_probability_(inner_ > 0.0 ? 0.5 - inner_ * top_ : infinity) {}
+
+    void at(std::span<const double> p, std::span<double> x) const override {
+        const auto from_end = [this](Batch q) { return Batch(c_) - (Batch(0.5) - q) / Batch(top_); };
+        const auto on_ramp = [this](Batch q) {
+            return Batch(c_) * inverted_ramp(xsimd::min(Batch(4.0 * d_ / c_) * q, Batch(1.0)));
+        };
+        for_chunks(p, x, [&](std::span<const double> from, std::span<double> to) {
+            SetApart ramps;
+            ramps.gather(from, [this](double u) { return std::min(u, 1.0 - u) < ramp_probability_; });
+            transform_batches(from, to, 0.5, [&](Batch u) { return symmetric(u, low_, high_, from_end); });
+            ramps.transform(to, 0.01, [&](Batch u) { return symmetric(u, low_, high_, on_ramp); });
+        });
+    }
+
+private:
+    double low_, high_, d_, c_;
+    double inner_;  ///< half the length of the flat top
+    double top_;    ///< density there
+    double ramp_probability_;
+};
+
 class TruncatedNormalQuantile final : public QuantileFunction {
 public:
     explicit TruncatedNormalQuantile(const TruncatedNormal& t) : parameters_(t) {
@@ -90,23 +124,8 @@ private:
 
 }  // namespace
 
-/// With w half the width, d the inexactness, c = w + d and x = centre - c(1 - e) on the lower ramp, the
-/// distribution function is (c/4d)(e + (1 - e) ln(1 - e)), the integral of the density of JCGM 101 6.4.3;
-/// straight between the ramps.
 QuantileFunctionPointer make_curvilinear_trapezoid(const CurvilinearTrapezoid& parameters) {
-    const double w = 0.5 * (parameters.high - parameters.low);
-    const double d = parameters.inexactness;
-    const double c = w + d;
-    const double inner = w - d;  // half the length of the flat top
-    const double top = inner > 0.0 ? std::log(c / inner) / (4.0 * d) : infinity;  // density there
-    const double ramp_probability = inner > 0.0 ? 0.5 - inner * top : 0.5;
-    return make_symmetric(parameters.low - d, parameters.high + d, [=](Batch q) {
-        const Batch y = xsimd::min(Batch(4.0 * d / c) * q, Batch(1.0));
-        const Batch ramp = Batch(c) * inverted_ramp(y);
-        if (inner <= 0.0) return ramp;
-        const Batch straight = Batch(c) - (Batch(0.5) - q) / Batch(top);
-        return xsimd::select(q < Batch(ramp_probability), ramp, straight);
-    });
+    return std::make_shared<CurvilinearTrapezoidQuantile>(parameters);
 }
 
 QuantileFunctionPointer make_truncated_normal(const TruncatedNormal& parameters) {

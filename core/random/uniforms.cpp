@@ -6,18 +6,10 @@
 #include <cstddef>
 
 #include "core/random/philox.h"
+#include "core/random/uniform_chunks.h"
 
 namespace covaria {
 namespace {
-
-constexpr std::size_t chunk_counters = 64;  // one chunk stays in the first-level cache
-constexpr std::size_t chunk_trials = 2 * chunk_counters;
-
-struct Stream {
-    std::uint64_t seed;
-    std::uint32_t component;
-    std::uint32_t purpose;
-};
 
 /// 52 random bits as the mantissa of a number in [1, 2); both subtraction and addition are exact.
 double to_uniform(std::uint32_t low, std::uint32_t high) {
@@ -25,8 +17,11 @@ double to_uniform(std::uint32_t low, std::uint32_t high) {
     return (std::bit_cast<double>((word >> 12) | 0x3FF0000000000000u) - 1.0) + 0x1p-53;
 }
 
-/// All draws of `chunk_counters` consecutive counters.
-void fill_chunk(const Stream& stream, std::uint64_t counter, double* u) {
+}  // namespace
+
+namespace detail {
+
+void fill_chunk(const UniformStream& stream, std::uint64_t counter, double* u) {
     alignas(64) std::uint32_t c0[chunk_counters], c1[chunk_counters], c2[chunk_counters], c3[chunk_counters];
     for (std::size_t i = 0; i < chunk_counters; ++i) {
         c0[i] = static_cast<std::uint32_t>(counter + i);
@@ -54,20 +49,22 @@ void fill_chunk(const Stream& stream, std::uint64_t counter, double* u) {
     }
 }
 
-}  // namespace
+}  // namespace detail
 
 void uniforms(std::uint64_t seed, DrawPurpose purpose, std::uint32_t component, std::uint64_t first_trial,
               std::span<double> u) {
-    const Stream stream{seed, component, static_cast<std::uint32_t>(purpose)};
+    using namespace detail;
+    const UniformStream stream{seed, component, static_cast<std::uint32_t>(purpose)};
+    const auto fill = has_avx512() ? fill_chunk_avx512 : fill_chunk;
     std::uint64_t counter = first_trial / 2;
     std::size_t skip = first_trial % 2;
     alignas(64) double chunk[chunk_trials];
     for (std::size_t done = 0; done < u.size(); counter += chunk_counters) {
         const std::size_t count = std::min(chunk_trials - skip, u.size() - done);
         if (count == chunk_trials) {
-            fill_chunk(stream, counter, u.data() + done);
+            fill(stream, counter, u.data() + done);
         } else {
-            fill_chunk(stream, counter, chunk);
+            fill(stream, counter, chunk);
             std::copy_n(chunk + skip, count, u.data() + done);
         }
         done += count;

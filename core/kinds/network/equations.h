@@ -106,17 +106,18 @@ Vector3<Real> linear_estimate(const Target& target, const Place<Real>* places, c
 
 /// Residuals of the readings at X and their derivatives by X, weighted; one row each.
 template <class Real, class In>
-void reading_rows(const Target& target, const Place<Real>* places, const In& x, const Vector3<Real>& X,
-                  Rows<Real>& rows) {
+void reading_rows(const Target& target, const Place<Real>* places, const In& x, const ReadAngles<Real>* read,
+                  const Vector3<Real>& X, Rows<Real>& rows) {
     rows.clear();
     for (const Sight& sight : target.sights) {
         const Place<Real>& place = places[sight.sensor];
         const View<Real> view(place, X);
         for (std::size_t i = 0; i < 3; ++i) {
             if (!sight.has[i]) continue;
-            rows.add(gradient<Real>(sight, i, place, view, x), residual<Real>(sight, i, view, x));
+            rows.add(gradient<Real>(sight, i, place, view, *read), residual<Real>(sight, i, view, x, *read));
             rows.scale(rows.size() - 1, Real(1.0 / sight.u[i]));
         }
+        ++read;
     }
 }
 
@@ -129,9 +130,11 @@ mask_of<Real> refine(const Target& target, const Place<Real>* places, const In& 
                      Rows<Real>& rows) {
     using namespace real_functions;
     constexpr bool with_derivatives = std::is_same_v<Real, Dual>;
+    std::array<ReadAngles<Real>, most_rows> read;
+    for (std::size_t i = 0; i < target.sights.size(); ++i) read[i] = ReadAngles<Real>(target.sights[i], x);
     mask_of<Real> done(false);
     for (int k = 0; k < most_steps; ++k) {
-        reading_rows(target, places, x, X, rows);
+        reading_rows(target, places, x, read.data(), X, rows);
         const Vector3<Real> step = rows.solve();
         for (int c = 0; c < 3; ++c)
             X[c] = with_derivatives ? Real(X[c] + step[c]) : Real(select(done, X[c], Real(X[c] + step[c])));
@@ -169,33 +172,24 @@ inline Part part_of(const NetworkSetup& setup, const JointSetUp& joint) {
             joint.first};
 }
 
-/// All targets of a set-up together, X[t] for target first + t: X += (J₀ᵀWJ₀)⁻¹ JᵀW r, J₀ at the estimates,
-/// until it stays, which is where the weighted sum of squares is least.
+/// Steps X += (J₀ᵀWJ₀)⁻¹ JᵀW r with J₀ at the estimates, until X stays, which is where the weighted sum of
+/// squares is least; at most so many. A lane that has converged stays as it is, whatever the others do.
 template <class Real, class In>
-mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& joint, const Place<Real>* places,
-                               const In& x, Vector3<Real>* X) {
+mask_of<Real> settle(Linearised<Real>& at, const Part& part, const Place<Real>* places, const In& x, int most,
+                     mask_of<Real> done, Vector3<Real>* X) {
     using namespace real_functions;
-    std::array<Vector3<Real>, most_joint_targets> start;
-    {
-        Rows<Real> rows;
-        for (std::size_t t = 0; t < joint.targets; ++t)
-            X[t] = start[t] = start_of(setup.targets[joint.first + t], places, x, rows);
-    }
     constexpr bool with_derivatives = std::is_same_v<Real, Dual>;
-    const Part part = part_of(setup, joint);
-    Linearised<Real> at;
     std::array<Real, 3 * most_joint_targets> descent;
-    mask_of<Real> done(false);
-    for (int k = 0; k < most_steps; ++k) {
+    for (int k = 0; k < most; ++k) {
         at.take(part, places, x, X);
         at.weigh(part);
         at.transpose(part, at.weighted.data(), descent.data());
         const double* inverse = part.inverse_normal;
         Real step2(0.0);
-        for (std::size_t t = 0; t < joint.targets; ++t)
+        for (std::size_t t = 0; t < part.count; ++t)
             for (int c = 0; c < 3; ++c) {
                 Real step(0.0);
-                for (std::size_t i = 0; i < 3 * joint.targets; ++i) step += Real(*inverse++) * descent[i];
+                for (std::size_t i = 0; i < part.unknowns(); ++i) step += Real(*inverse++) * descent[i];
                 step2 += step * step;
                 const Real moved = X[t][c] + step;
                 X[t][c] = with_derivatives ? moved : Real(select(done, X[t][c], moved));
@@ -203,6 +197,29 @@ mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& join
         done = done || (step2 < Real(last_step * last_step));
         if (all(done) && (!with_derivatives || k >= 7)) break;
     }
+    return done;
+}
+
+/// All targets of a set-up together, X[t] for target first + t: from the estimates on, which are near; where
+/// that does not settle soon, from the linear estimates.
+template <class Real, class In>
+mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& joint, const Place<Real>* places,
+                               const In& x, Vector3<Real>* X) {
+    using namespace real_functions;
+    constexpr int soon = std::is_same_v<Real, Dual> ? most_steps : 6;
+    const Part part = part_of(setup, joint);
+    Linearised<Real> at;
+    at.read(part, x);
+    for (std::size_t t = 0; t < part.count; ++t) X[t] = part.targets[t].nominal.template cast<Real>();
+    const mask_of<Real> near = settle(at, part, places, x, soon, mask_of<Real>(false), X);
+    if (std::is_same_v<Real, Dual> || all(near)) return near;
+    std::array<Vector3<Real>, most_joint_targets> start;
+    Rows<Real> rows;
+    for (std::size_t t = 0; t < part.count; ++t) {
+        start[t] = start_of(part.targets[t], places, x, rows);
+        for (int c = 0; c < 3; ++c) X[t][c] = select(near, X[t][c], start[t][c]);
+    }
+    const mask_of<Real> done = settle(at, part, places, x, most_steps, near, X);
     return search_rest<Real>(part, places, x, start.data(), done, X);
 }
 

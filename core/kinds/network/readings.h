@@ -57,42 +57,93 @@ struct View {
     }
 };
 
+/// Sine and cosine of the angles that were read: what all steps of a trial have in common.
+template <class Real>
+struct ReadAngles {
+    Real cos_azimuth, sin_azimuth, cos_elevation, sin_elevation;
+
+    ReadAngles() = default;
+    template <class In>
+    ReadAngles(const Sight& sight, const In& x) {
+        using namespace real_functions;
+        if (sight.has[1]) {
+            const Real azimuth = azimuth_of<Real>(sight, x);
+            cos_azimuth = cos(azimuth);
+            sin_azimuth = sin(azimuth);
+        }
+        if (sight.has[2]) {
+            const Real elevation(x[sight.input[2]]);
+            cos_elevation = cos(elevation);
+            sin_elevation = sin(elevation);
+        }
+    }
+
+    /// Direction in which the elevation grows.
+    Vector3<Real> upwards() const {
+        return {Real(-sin_elevation * cos_azimuth), Real(-sin_elevation * sin_azimuth), cos_elevation};
+    }
+};
+
+/// Arctangent of t to the last bit, for |t| < small_angle.
+inline constexpr double small_angle = 0.01;
+template <class Real>
+Real small_arctangent(const Real& t) {
+    const Real t2 = t * t;
+    return t * (Real(1.0) - t2 * (Real(1.0 / 3) - t2 * (Real(1.0 / 5) - t2 * Real(1.0 / 7))));
+}
+
+/// Azimuth read minus that of v, on the circle, from the components across and along the reading.
+template <class Real>
+Real azimuth_residual(const Vector3<Real>& v, const ReadAngles<Real>& read) {
+    using namespace real_functions;
+    const Real across = read.sin_azimuth * v[0] - read.cos_azimuth * v[1];
+    const Real along = read.cos_azimuth * v[0] + read.sin_azimuth * v[1];
+    const auto small = abs(across) < Real(Real(small_angle) * along);
+    const Real near = small_arctangent(Real(across / along));
+    return all(small) ? near : Real(select(small, near, atan2(across, along)));
+}
+
+/// Elevation read minus that of v.
+template <class Real>
+Real elevation_residual(const View<Real>& view, const Real& reading, const ReadAngles<Real>& read) {
+    using namespace real_functions;
+    const Real across = read.sin_elevation * view.rho - read.cos_elevation * view.v[2];
+    const Real along = read.cos_elevation * view.rho + read.sin_elevation * view.v[2];
+    constexpr double no_whole_turn = 3.0;
+    const auto small = abs(across) < Real(Real(small_angle) * along) && abs(reading) < Real(no_whole_turn);
+    const Real near = small_arctangent(Real(across / along));
+    return all(small) ? near : Real(select(small, near, Real(reading - atan2(view.v[2], view.rho))));
+}
+
 /// Reading minus what the sensor would read of X.
 template <class Real, class In>
-Real residual(const Sight& sight, std::size_t observable, const View<Real>& view, const In& x) {
+Real residual(const Sight& sight, std::size_t observable, const View<Real>& view, const In& x,
+              const ReadAngles<Real>& read) {
     using namespace real_functions;
-    const Real reading = observable == 1 ? azimuth_of<Real>(sight, x) : Real(x[sight.input[observable]]);
     const Vector3<Real>& v = view.v;
-    if (observable == 0) return reading - sqrt(view.d2);
-    if (observable == 2 && sight.overhead && sight.has[1]) {  // past the zenith an elevation goes on growing
-        const ReadDirections<Real> e(azimuth_of<Real>(sight, x), reading);
-        return -e.elevation.dot(v) / sqrt(view.d2);
-    }
-    if (observable == 2) return reading - atan2(v[2], view.rho);
-    // The difference of two angles on the circle, from the components along and across the reading.
-    const Real c = cos(reading), s = sin(reading), across = s * v[0] - c * v[1];
-    return sight.overhead ? Real(across + across_of<Real>(sight, x))
-                          : Real(atan2(across, Real(c * v[0] + s * v[1])));
+    if (observable == 0) return Real(x[sight.input[0]]) - sqrt(view.d2);
+    if (observable == 2 && sight.overhead && sight.has[1])  // past the zenith an elevation goes on growing
+        return -read.upwards().dot(v) / sqrt(view.d2);
+    if (observable == 2) return elevation_residual<Real>(view, Real(x[sight.input[2]]), read);
+    if (!sight.overhead) return azimuth_residual<Real>(v, read);
+    return read.sin_azimuth * v[0] - read.cos_azimuth * v[1] + across_of<Real>(sight, x);
 }
 
 /// Derivative of the reading by the target's coordinates in W.
-template <class Real, class In>
+template <class Real>
 Vector3<Real> gradient(const Sight& sight, std::size_t observable, const Place<Real>& place,
-                       const View<Real>& view, const In& x) {
+                       const View<Real>& view, const ReadAngles<Real>& read) {
     using namespace real_functions;
     const Vector3<Real>& v = view.v;
     const Real zero(0.0);
     if (observable == 0) return place.R * (v * Real(Real(1.0) / sqrt(view.d2)));
     if (observable == 1) {
-        const Real azimuth = azimuth_of<Real>(sight, x);
-        const Vector3<Real> turn(Real(-v[1] / view.rho2), Real(v[0] / view.rho2), zero);
-        const Vector3<Real> across(Real(-sin(azimuth)), Real(cos(azimuth)), zero);
-        return place.R * (sight.overhead ? across : turn);
+        if (sight.overhead) return place.R * Vector3<Real>(Real(-read.sin_azimuth), read.cos_azimuth, zero);
+        const Real by_rho2 = Real(1.0) / view.rho2;
+        return place.R * Vector3<Real>(Real(-v[1] * by_rho2), Real(v[0] * by_rho2), zero);
     }
-    if (sight.overhead && sight.has[1]) {
-        const ReadDirections<Real> e(azimuth_of<Real>(sight, x), Real(x[sight.input[2]]));
-        return place.R * Vector3<Real>(e.elevation * Real(Real(1.0) / sqrt(view.d2)));
-    }
+    if (sight.overhead && sight.has[1])
+        return place.R * Vector3<Real>(read.upwards() * Real(Real(1.0) / sqrt(view.d2)));
     const Real factor = Real(1.0) / (view.rho * view.d2);
     return place.R *
            Vector3<Real>(Real(-v[0] * v[2] * factor), Real(-v[1] * v[2] * factor), Real(view.rho2 * factor));

@@ -30,21 +30,32 @@ template <class Real>
 struct Linearised {
     std::array<Vector3<Real>, most_joint_rows> gradients;  ///< of a bar by its end `to`
     std::array<Real, most_joint_rows> residuals, weighted;
+    std::array<ReadAngles<Real>, most_joint_rows> angles;  ///< by sight
     std::size_t rows = 0;
+
+    /// What `take` needs of the readings, whatever the places are.
+    template <class In>
+    void read(const Part& part, const In& x) {
+        std::size_t number = 0;
+        for (std::size_t t = 0; t < part.count; ++t)
+            for (const Sight& sight : part.targets[t].sights) angles[number++] = ReadAngles<Real>(sight, x);
+    }
 
     template <class In>
     void take(const Part& part, const Place<Real>* places, const In& x, const Vector3<Real>* X) {
         using namespace real_functions;
         rows = 0;
+        const ReadAngles<Real>* read = angles.data();
         for (std::size_t t = 0; t < part.count; ++t)
             for (const Sight& sight : part.targets[t].sights) {
                 const Place<Real>& place = places[sight.sensor];
                 const View<Real> view(place, X[t]);
                 for (std::size_t i = 0; i < 3; ++i) {
                     if (!sight.has[i]) continue;
-                    gradients[rows] = gradient<Real>(sight, i, place, view, x);
-                    residuals[rows++] = residual<Real>(sight, i, view, x);
+                    gradients[rows] = gradient<Real>(sight, i, place, view, *read);
+                    residuals[rows++] = residual<Real>(sight, i, view, x, *read);
                 }
+                ++read;
             }
         for (const std::size_t b : part.bars) {
             const ScaleBar& bar = part.setup->bars[b];
@@ -63,18 +74,19 @@ struct Linearised {
         const std::vector<double>& by_u = part.joint->by_u;
         for (std::size_t i = 0; i < rows; ++i) to[i] = Real(by_u[i]) * from[i];
         std::array<Real, most_shared> shared;
-        const double* S = part.joint->estimate_of_shared.data();
-        const std::size_t count = part.joint->shared.size() / rows;
+        const SharedWeight* weight = part.joint->shared.data();
+        const std::size_t count = part.joint->ends_of_shared.size();
         for (std::size_t k = 0; k < count; ++k) {
             Real sum(0.0);
-            for (std::size_t i = 0; i < rows; ++i) sum += Real(*S++) * to[i];
+            for (const SharedWeight* end = part.joint->end_of_shared(k); weight != end; ++weight)
+                sum += Real(weight->estimate) * to[weight->row];
             shared[k] = sum;
         }
-        const double* A = part.joint->shared.data();
-        for (std::size_t i = 0; i < rows; ++i) {
-            for (std::size_t k = 0; k < count; ++k) to[i] -= Real(*A++) * shared[k];
-            to[i] *= Real(by_u[i]);
-        }
+        weight = part.joint->shared.data();
+        for (std::size_t k = 0; k < count; ++k)
+            for (const SharedWeight* end = part.joint->end_of_shared(k); weight != end; ++weight)
+                to[weight->row] -= Real(weight->effect) * shared[k];
+        for (std::size_t i = 0; i < rows; ++i) to[i] *= Real(by_u[i]);
     }
 
     /// g = Jᵀ w.
@@ -141,7 +153,9 @@ template <class In>
 class Descent {
 public:
     Descent(const Part& part, const Place<double>* places, const In& x)
-        : part_(part), places_(places), x_(x), n_(part.unknowns()) {}
+        : part_(part), places_(places), x_(x), n_(part.unknowns()) {
+        at_.read(part, x);
+    }
 
     /// From X on; false: no end was found.
     bool run(Vector3<double>* X) {

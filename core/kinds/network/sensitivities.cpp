@@ -72,6 +72,7 @@ private:
         for (std::size_t t = 0; t < part_.count; ++t)
             for (const Sight& sight : part_.targets[t].sights)
                 places_[sight.sensor] = place_of<double>(setup_, x, set_up_, sight.sensor);
+        at_.read(part_, x);
         at_.take(part_, places_.data(), x, X_);
         at_.weigh(part_);
         std::array<double, most_joint_rows> column, weighted;
@@ -129,10 +130,11 @@ private:
     std::size_t add(const Sight& sight, std::size_t t, std::size_t row, const Place<Dual>& place,
                     const Vector3<Dual>& X, const In& x, const Change& change) {
         const View<Dual> view(place, X);
+        const ReadAngles<Dual> read(sight, x);
         for (std::size_t o = 0; o < 3; ++o) {
             if (!sight.has[o]) continue;
-            const Vector3<Dual> j = gradient<Dual>(sight, o, place, view, x);
-            const Dual r = residual<Dual>(sight, o, view, x);
+            const Vector3<Dual> j = gradient<Dual>(sight, o, place, view, read);
+            const Dual r = residual<Dual>(sight, o, view, x, read);
             for (std::size_t k = 0; k < Dual::size; ++k) {
                 double* to = change(k);
                 if (!to) continue;

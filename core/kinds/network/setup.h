@@ -69,17 +69,30 @@ struct WeightBlock {
     std::vector<double> weights;    ///< rows x rows of C⁻¹
 };
 
+/// What one reading has to do with a deviation that readings share.
+struct SharedWeight {
+    std::size_t row = 0;
+    double effect = 0.0;    ///< of the deviation on the reading: A
+    double estimate = 0.0;  ///< of the deviation from the reading: S
+};
+
 /// Targets measured while the sensors stood where they stand, estimated together.
 struct JointSetUp {
     std::size_t index = 0;  ///< of the set-up
     std::size_t first = 0;  ///< target
     std::size_t targets = 0;
     std::vector<std::size_t> bars = {};  ///< scale bars that constrain its targets
-    /// Weights W = diag(1/u) (I − A S) diag(1/u) = C⁻¹ of the readings, then the bars: 1/u; A, readings x
-    /// shared deviations, and S by rows. (JᵀWJ)⁻¹ of the targets by rows. All empty: each target by itself.
-    std::vector<double> by_u = {}, shared = {}, estimate_of_shared = {}, inverse_normal = {};
+    /// Weights W = diag(1/u) (I − A S) diag(1/u) = C⁻¹ of the readings, then the bars: 1/u; A and S,
+    /// deviation by deviation, of the readings that have to do with it. (JᵀWJ)⁻¹ of the targets by rows. All
+    /// empty: each target by itself.
+    std::vector<double> by_u = {}, inverse_normal = {};
+    std::vector<SharedWeight> shared = {};
+    std::vector<std::size_t> ends_of_shared = {};
     /// Of a target by itself these weights and (JᵀWJ)⁻¹ instead: there were too many to be weighed together.
     std::vector<WeightBlock> blocks = {};
+    const SharedWeight* end_of_shared(std::size_t deviation) const {
+        return shared.data() + ends_of_shared[deviation];
+    }
     bool together() const { return !inverse_normal.empty(); }
     bool by_itself() const { return !blocks.empty(); }
 };

@@ -156,6 +156,16 @@ Eigen::MatrixXd uncertain_columns(const Eigen::MatrixXd& shared) {
     return kept.leftCols(column);
 }
 
+/// A deviation of one station has to do with its own readings only: most of A and S is zero.
+void keep_shared(const Eigen::MatrixXd& A, const Eigen::MatrixXd& S, JointSetUp& joint) {
+    for (Eigen::Index k = 0; k < A.cols(); ++k) {
+        for (Eigen::Index i = 0; i < A.rows(); ++i)
+            if (A(i, k) != 0.0 || S(k, i) != 0.0)
+                joint.shared.push_back({static_cast<std::size_t>(i), A(i, k), S(k, i)});
+        joint.ends_of_shared.push_back(joint.shared.size());
+    }
+}
+
 void add_weights(const NetworkSetup& setup, JointSetUp& joint) {
     const Sensitivities all = sensitivities_of(setup, joint);
     const Eigen::MatrixXd F = uncertain_columns(all.shared);
@@ -163,8 +173,7 @@ void add_weights(const NetworkSetup& setup, JointSetUp& joint) {
     const Eigen::MatrixXd own = gain * all.u.asDiagonal(), shared = gain * F;
     const Eigen::MatrixXd A = all.u.cwiseInverse().asDiagonal() * F;
     for (const double u : all.u) joint.by_u.push_back(1.0 / u);
-    keep_rows(A, joint.shared);
-    keep_rows(estimate_of_shared(A), joint.estimate_of_shared);
+    keep_shared(A, estimate_of_shared(A), joint);
     keep_rows(own * own.transpose() + shared * shared.transpose(), joint.inverse_normal);
 }
 

@@ -97,6 +97,22 @@ TEST(NormalQuantile, ElementsDoNotDependOnTheirNeighbours) {
     normal_quantiles({}, {});
 }
 
+TEST(NormalQuantile, IsTheSameWithAnyWidthOfVectors) {
+    if (!has_avx512()) GTEST_SKIP() << "a processor without AVX-512";
+    std::mt19937_64 random(7);
+    std::vector<double> p = probabilities();
+    while (p.size() < 20'003) p.push_back(std::uniform_real_distribution<double>(0.0, 1.0)(random));
+    std::shuffle(p.begin(), p.end(), random);
+    for (const std::size_t size :
+         {std::size_t{1}, std::size_t{7}, std::size_t{256}, std::size_t{259}, p.size()}) {
+        const std::span<const double> some(p.data(), size);
+        std::vector<double> narrow(size), wide(size);
+        detail::normal_quantiles_avx2(some, narrow);
+        detail::normal_quantiles_avx512(some, wide);
+        EXPECT_EQ(narrow, wide) << size;
+    }
+}
+
 TEST(NormalDistributionFunction, InvertsTheQuantile) {
     for (const double p : {1e-300, 1e-12, 0.001, 0.3, 0.5, 0.9, 0.999})
         EXPECT_NEAR(normal_distribution_function(normal_quantile(p)) / p, 1.0, 1e-12) << p;

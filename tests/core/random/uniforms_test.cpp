@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/random/philox.h"
+#include "core/random/uniform_chunks.h"
 
 namespace covaria::uniforms_test {
 namespace {
@@ -49,6 +50,17 @@ TEST(Uniforms, DoNotDependOnBlocking) {
     for (std::size_t done = 0, n = 1; done < pieces.size(); done += n, n = std::min(n + 7, 1000 - done))
         uniforms(3, purpose, 5, 10 + done, std::span(pieces).subspan(done, n));
     EXPECT_EQ(whole, pieces);
+}
+
+TEST(Uniforms, AreTheSameWithAnyWidthOfVectors) {
+    if (!has_avx512()) GTEST_SKIP() << "a processor without AVX-512";
+    for (const std::uint64_t counter : {0ull, 63ull, 0xFFFF'FFF0ull, 0xFFFF'FFFF'FFFF'FFF0ull}) {
+        const detail::UniformStream stream{0xDEADBEEF12345678u, 0xFFFF'FFFDu, 3};
+        std::vector<double> narrow(detail::chunk_trials), wide(detail::chunk_trials);
+        detail::fill_chunk(stream, counter, narrow.data());
+        detail::fill_chunk_avx512(stream, counter, wide.data());
+        EXPECT_EQ(narrow, wide) << counter;
+    }
 }
 
 TEST(Uniforms, SeedComponentAndPurposeSeparateTheStreams) {
