@@ -14,6 +14,7 @@
 #include "core/result/representation.h"
 #include "core/text/symbol.h"
 #include "ui/charts/chart_view.h"
+#include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
@@ -58,6 +59,8 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     tabs_->addTab(study_, tr("Study"));
     design_ = new DesignTab(document, runner, selection);
     tabs_->addTab(design_, tr("Design"));
+    compare_ = new CompareTab(document, runner, selection);
+    tabs_->addTab(compare_, tr("Compare"));
     report_ = new ReportPreview(document, runner);
     tabs_->addTab(report_, tr("Report"));
     auto* column = new QVBoxLayout(this);
@@ -98,6 +101,7 @@ void ResultsPane::make_head() {
     connect(digits_, &QSpinBox::valueChanged, this, [this](int digits) {
         result_model_.set_digits(digits);
         budget_model_.set_digits(digits);
+        compare_->set_digits(digits);
     });
 }
 
@@ -198,6 +202,7 @@ void ResultsPane::take_result() {
 void ResultsPane::take_units() {
     result_model_.set_units(units_->units());
     budget_model_.set_units(units_->units());
+    compare_->set_units(units_->units());
     refresh_charts();
 }
 
@@ -263,11 +268,12 @@ void ResultsPane::refresh_charts() {
 
 void ResultsPane::start_over() {
     report_->start_over();
+    compare_->start_over();
 }
 
 void ResultsPane::set_dark(bool dark) {
-    for (ChartView* chart :
-         {contributions_, histogram_, quantiles_, correlation_map_, convergence_, &study_->chart()})
+    for (ChartView* chart : {contributions_, histogram_, quantiles_, correlation_map_, convergence_,
+                             &study_->chart(), &compare_->chart()})
         chart->set_theme(dark ? Theme::dark() : Theme::light());
 }
 

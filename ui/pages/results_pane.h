@@ -1,5 +1,5 @@
 // The results of the analysis being looked at, in tabs: results, budget, distributions, correlation,
-// convergence, evaluation, study, design, report.
+// convergence, evaluation, study, design, compare, report.
 #pragma once
 
 #include <QTabWidget>
@@ -23,6 +23,7 @@ struct PlotSpecification;
 namespace covaria::ui {
 
 class ChartView;
+class CompareTab;
 class ReportPreview;
 class SortableTable;
 class DesignTab;
@@ -45,6 +46,7 @@ public:
     UnitButton& units() { return *units_; }
     StudyTab& study_tab() { return *study_; }
     DesignTab& design_tab() { return *design_; }
+    CompareTab& compare_tab() { return *compare_; }
 
 private:
     void make_head();
@@ -88,6 +90,7 @@ private:
     ChartView* convergence_ = nullptr;
     StudyTab* study_ = nullptr;
     DesignTab* design_ = nullptr;
+    CompareTab* compare_ = nullptr;
     ReportPreview* report_ = nullptr;
 };
 
