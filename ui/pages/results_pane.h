@@ -13,7 +13,9 @@
 #include "ui/run/analysis_runner.h"
 #include "ui/theme/typeset_views.h"
 
+class QCheckBox;
 class QLabel;
+class QLineEdit;
 class QSpinBox;
 
 namespace covaria {
@@ -42,6 +44,10 @@ public:
     QWidget& head() { return *head_; }
     QTabWidget& tabs() { return *tabs_; }
     SortableTable& result_table() { return *results_; }
+    /// Above it: what it shows of the results.
+    QLineEdit& filter() { return *filter_; }
+    QCheckBox& only_not_met() { return *only_not_met_; }
+    QCheckBox& all_groups() { return *all_groups_; }
     SortableTable& budget_table() { return *budget_; }
     UnitButton& units() { return *units_; }
     StudyTab& study_tab() { return *study_; }
@@ -50,6 +56,7 @@ public:
 
 private:
     void make_head();
+    QWidget* make_filter();
     QWidget* make_results_tab();
     QWidget* make_budget_tab();
     QWidget* make_distributions_tab();
@@ -57,6 +64,8 @@ private:
     QWidget* make_convergence_tab();
     void connect_selection();
     void take_result();
+    void take_requirements();
+    void take_filter();
     void take_units();
     void refresh_outputs();
     void show_group(const QString& group);
@@ -65,6 +74,10 @@ private:
     void show_chart(ChartView& view, PlotSpecification plot) const;
     QString state_words() const;
 
+    /// That the tables show; empty: all.
+    QString shown_group() const;
+
+    Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
     ResultPointer result_;
@@ -80,6 +93,8 @@ private:
     TypesetComboBox* output_ = nullptr;
     QSpinBox* digits_ = nullptr;
     QTabWidget* tabs_ = nullptr;
+    QLineEdit* filter_ = nullptr;
+    QCheckBox *only_not_met_ = nullptr, *all_groups_ = nullptr;
     SortableTable* results_ = nullptr;
     SortableTable* budget_ = nullptr;
     SortableTable* correlation_ = nullptr;
