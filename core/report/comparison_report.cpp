@@ -30,7 +30,7 @@ public:
         : analysis_(analysis), comparison_(analysis.comparison), blocks_(blocks) {}
 
     void add() {
-        blocks_.push_back(HeadingBlock{2, analysis_.title});
+        blocks_.push_back(HeadingBlock{1, analysis_.title});
         blocks_.push_back(FactsBlock{
             {{"Before", method_words(*comparison_.before)}, {"After", method_words(*comparison_.after)}}});
         if (expanded_by(*comparison_.before) != expanded_by(*comparison_.after))
@@ -178,7 +178,6 @@ ReportDocument build_comparison(const ComparedSides& sides, const std::vector<Co
     document.title = "Results before and after";
     document.over = "Comparison of uncertainty evaluations";
     Blocks& blocks = document.blocks;
-    blocks.push_back(HeadingBlock{1, document.title});
     blocks.push_back(FactsBlock{{{"Before", sides.before}, {"After", sides.after}}, true});
     add_missing(blocks, "before", sides.only_before);
     add_missing(blocks, "after", sides.only_after);

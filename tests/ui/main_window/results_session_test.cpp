@@ -1,5 +1,6 @@
 // A user looks for results over all groups, and for those that do not meet what is required.
 #include <QCheckBox>
+#include <QDir>
 #include <QLineEdit>
 
 #include "tests/ui/main_window/session_fixture.h"
@@ -60,6 +61,7 @@ TEST_F(ResultsSession, AllGroupsAreFilteredBySearchAndByWhatIsNotMet) {
                       QPoint(8, window_->results().only_not_met().height() / 2));
     ASSERT_EQ(table().rowCount(), 1);
     EXPECT_EQ(words(0, "Requirement"), QStringLiteral("not met"));
+    QDir().mkpath(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/results-not-met.png"));
     window_->document().undo_stack().undo();
     EXPECT_EQ(table().rowCount(), 0) << "nothing is required any more";
