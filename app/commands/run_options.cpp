@@ -14,12 +14,7 @@ VarianceReduction reduction_of(const std::string& key) {
 
 }  // namespace
 
-void add_run_options(CLI::App& command, RunRequest& request) {
-    command.add_option("FILE", request.file, "project file (*.covaria)")->required();
-    command
-        .add_option("--analysis", request.analyses,
-                    "evaluate only the analysis with this id (may be repeated)")
-        ->type_name("ID");
+void add_method_options(CLI::App& command, RunRequest& request) {
     auto* trials = command.add_option("--trials", request.trials, "Monte Carlo with this number of trials")
                        ->type_name("N")
                        ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
@@ -40,6 +35,15 @@ void add_run_options(CLI::App& command, RunRequest& request) {
     command.add_option("--threads", request.threads, "number of threads (results do not depend on it)")
         ->type_name("T")
         ->check(CLI::Range(0, 1024));
+}
+
+void add_run_options(CLI::App& command, RunRequest& request) {
+    command.add_option("FILE", request.file, "project file (*.covaria)")->required();
+    command
+        .add_option("--analysis", request.analyses,
+                    "evaluate only the analysis with this id (may be repeated)")
+        ->type_name("ID");
+    add_method_options(command, request);
     command
         .add_option("--set", request.values,
                     "a value of the project file, for this run: /assets/0/setup/temperature=23.5 (may be "

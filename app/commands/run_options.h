@@ -11,8 +11,11 @@ class App;
 
 namespace covaria {
 
-/// Adds FILE, --analysis, --trials, --adaptive, --first-order, --seed, --threads. `request` must outlive the
-/// parser.
+// `request` must outlive the parser.
+
+/// Adds how it is evaluated: --trials, --adaptive, --first-order, --variance-reduction, --seed, --threads.
+void add_method_options(CLI::App& command, RunRequest& request);
+/// Those and FILE, --analysis, --set, --no-studies.
 void add_run_options(CLI::App& command, RunRequest& request);
 
 }  // namespace covaria

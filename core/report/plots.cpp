@@ -14,6 +14,8 @@ namespace covaria {
 namespace {
 
 using plot_parts::curve;
+using plot_parts::has_histogram;
+using plot_parts::histogram_bars;
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
@@ -48,26 +50,6 @@ std::size_t cells_to_join(const Histogram& histogram, double u, double trials) {
 double trials_of(const Histogram& histogram) {
     return static_cast<double>(
         std::accumulate(histogram.counts.begin(), histogram.counts.end(), histogram.below + histogram.above));
-}
-
-/// Cells as probability density in display units. The cells of an incomplete last group count as one, too.
-PlotSeries bars_of(const PlottedOutput& y) {
-    const MonteCarloOutput& mc = *y.trials();
-    const Histogram& histogram = mc.histogram;
-    const double all = trials_of(histogram);
-    const std::size_t cells = histogram.counts.size();
-    const std::size_t join = cells_to_join(histogram, spread_of(mc), all);
-    const double step = (histogram.high - histogram.low) / static_cast<double>(cells);
-    PlotSeries bars{"Monte Carlo", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.0};
-    bars.bar_width = y.interval(step * static_cast<double>(join));
-    for (std::size_t first = 0; first < cells; first += join) {
-        std::uint64_t count = 0;
-        for (std::size_t i = first; i < std::min(first + join, cells); ++i) count += histogram.counts[i];
-        const double middle = static_cast<double>(first) + 0.5 * static_cast<double>(join);
-        bars.x.push_back(y.value(histogram.low + step * middle));
-        bars.y.push_back(static_cast<double>(count) / (all * bars.bar_width));
-    }
-    return bars;
 }
 
 /// The axis leaves out the extreme tails, which would squeeze the rest.
@@ -119,14 +101,38 @@ void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probab
 
 }  // namespace
 
+bool plot_parts::has_histogram(const PlottedOutput& y) {
+    if (!missing_distribution(y, "the distribution").empty()) return false;
+    const Histogram& histogram = y.trials()->histogram;
+    return !histogram.counts.empty() && histogram.high > histogram.low && trials_of(histogram) > 0.0;
+}
+
+PlotSeries plot_parts::histogram_bars(const PlottedOutput& y) {
+    const MonteCarloOutput& mc = *y.trials();
+    const Histogram& histogram = mc.histogram;
+    const double all = trials_of(histogram);
+    const std::size_t cells = histogram.counts.size();
+    const std::size_t join = cells_to_join(histogram, spread_of(mc), all);
+    const double step = (histogram.high - histogram.low) / static_cast<double>(cells);
+    PlotSeries bars{"Monte Carlo", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.0};
+    bars.bar_width = y.interval(step * static_cast<double>(join));
+    for (std::size_t first = 0; first < cells; first += join) {
+        std::uint64_t count = 0;
+        for (std::size_t i = first; i < std::min(first + join, cells); ++i) count += histogram.counts[i];
+        const double middle = static_cast<double>(first) + 0.5 * static_cast<double>(join);
+        bars.x.push_back(y.value(histogram.low + step * middle));
+        bars.y.push_back(static_cast<double>(count) / (all * bars.bar_width));
+    }
+    return bars;
+}
+
 PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output,
                                  const DisplayUnits& units) {
     const PlottedOutput y(result, output, units);
     const std::string id = y.id("histogram");
     if (const Text why = missing_distribution(y, "the distribution"); !why.empty())
         return nothing_to_show(id, why);
-    const Histogram& histogram = y.trials()->histogram;
-    if (histogram.counts.empty() || !(histogram.high > histogram.low) || trials_of(histogram) == 0.0)
+    if (!has_histogram(y))
         return nothing_to_show(id,
                                "Run Monte Carlo with more trials to see the distribution of " + y.label());
     PlotSpecification plot;
@@ -134,7 +140,7 @@ PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t ou
     plot.title = "Distribution of " + y.label();
     plot.x.title = y.with_unit(y.symbol());
     plot.y.title = y.density_title();
-    plot.series.push_back(bars_of(y));
+    plot.series.push_back(histogram_bars(y));
     set_range(plot.x, plot.series.front(), y);
     add_normal_curves(plot, y);
     add_interval(plot, y, result.coverage_probability);

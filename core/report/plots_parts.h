@@ -37,6 +37,12 @@ private:
 /// A chart without series; the title says why and what to do.
 PlotSpecification nothing_to_show(std::string id, Text title);
 
+/// Whether the trials of the output give a distribution to draw.
+bool has_histogram(const PlottedOutput& y);
+/// Its cells as probability density in display units, joined to suit the number of trials. The cells of an
+/// incomplete last group count as one, too.
+PlotSeries histogram_bars(const PlottedOutput& y);
+
 /// f at `points` places, evenly spaced over [low, high].
 PlotSeries curve(double low, double high, std::size_t points, const std::function<double(double)>& f);
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <numeric>
 
+#include "core/propagation/requirements.h"
 #include "core/report/report_parts.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
@@ -269,6 +270,42 @@ std::vector<std::string> contributor_keys(const UncertaintyResult& result) {
 
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs) {
     return ResultColumns(result, std::move(outputs)).make();
+}
+
+Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
+                    const std::vector<RequirementResult>& verdicts) {
+    struct OfRow {
+        Cell target, part, met;
+    };
+    auto rows = std::make_shared<std::vector<OfRow>>();
+    for (const std::size_t output : outputs) {
+        const OutputResult& of = result.outputs[output];
+        OfRow& row = rows->emplace_back();
+        bool met = true, any = false;
+        for (const RequirementResult& verdict : verdicts) {
+            if (verdict.output != output) continue;
+            any = true;
+            met = met && is_met(verdict);
+            if (!verdict.target_uncertainty) continue;
+            const double target = *verdict.target_uncertainty;
+            row.target = Measured{target, Scale::interval, of.quantity.unit, {}};
+            if (target > 0.0) row.part = Measured{of.expanded_uncertainty / target};
+        }
+        if (any) row.met = std::string(met ? "met" : "not met");
+    }
+    Table table = results_table(result, std::move(outputs));
+    table.add("target", [rows](std::size_t row) { return (*rows)[row].target; })
+        .window("Target", "Target uncertainty that is required")
+        .digits(2)
+        .not_in_files();
+    table.add("U/target", [rows](std::size_t row) { return (*rows)[row].part; })
+        .window("U / target", "Expanded uncertainty as a part of its target: above 1 the target is not met")
+        .round({.decimals = 2})
+        .not_in_files();
+    table.add("met", [rows](std::size_t row) { return (*rows)[row].met; })
+        .window("Requirement", "Whether the target uncertainty is met and the value is accepted")
+        .not_in_files();
+    return table;
 }
 
 Table results_table(const UncertaintyResult& result) {

@@ -16,6 +16,9 @@ namespace covaria {
 /// A row for each of these outputs.
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs);
 Table results_table(const UncertaintyResult& result);  ///< all of them
+/// With what the requirements say of each row: "target", "U/target", "met".
+Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
+                    const std::vector<RequirementResult>& verdicts);
 /// Keys of the columns "U, ... held", one for each contributor.
 std::vector<std::string> contributor_keys(const UncertaintyResult& result);
 

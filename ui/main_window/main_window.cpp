@@ -20,6 +20,7 @@
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/window_state.h"
 #include "ui/pages/budget_page.h"
+#include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
@@ -208,6 +209,8 @@ void MainWindow::make_edit_menu() {
     menu->addSeparator();
     menu->addMenu(add_);
     menu->addActions({project_->duplicate_action, project_->rename_action, project_->delete_action});
+    menu->addSeparator();
+    results_->compare_tab().add_to(*menu);
     project_actions_ << add_->menuAction();
 }
 
@@ -256,6 +259,7 @@ void MainWindow::connect_panes() {
     connect(exports_, &ExportActions::certificate_wanted, this,
             [this] { go_to(QStringLiteral("/certificate")); });
     connect(project_, &ProjectPane::message, this, say);
+    connect(&results_->compare_tab(), &CompareTab::message, this, say);
     connect(imports_, &ImportActions::message, this, say);
     connect(imports_, &ImportActions::imported, &selection_, &Selection::select_entry);
     connect(&document_, &Document::project_changed, this, &MainWindow::hold_runs);

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 
+#include "core/propagation/requirements.h"
 #include "core/report/result_columns.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
-void ResultTableModel::set_result(std::shared_ptr<const UncertaintyResult> result, bool current) {
+void ResultTableModel::set_result(std::shared_ptr<const UncertaintyResult> result, bool current,
+                                  std::vector<RequirementResult> verdicts) {
+    verdicts_ = std::move(verdicts);
     result_ = std::move(result);
     current_result_ = current;
     rebuild();
@@ -25,6 +28,27 @@ void ResultTableModel::set_interval(Interval interval) {
     rebuild();
 }
 
+void ResultTableModel::set_filter(const QString& text, bool only_not_met) {
+    words_ = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    only_not_met_ = only_not_met;
+    rebuild();
+}
+
+bool ResultTableModel::is_wanted(std::size_t output) const {
+    const OutputQuantity& quantity = result_->outputs[output].quantity;
+    if (!group_.empty() && quantity.group != group_) return false;
+    const QString text = to_qt(quantity.symbol) + QLatin1Char(' ') +
+                         to_qt(to_unicode(symbol_text(quantity.symbol))) + QLatin1Char(' ') +
+                         to_qt(quantity.name) + QLatin1Char(' ') + to_qt(quantity.group);
+    const bool found = std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
+        return text.contains(word, Qt::CaseInsensitive);
+    });
+    return found && (!only_not_met_ ||
+                     std::any_of(verdicts_.begin(), verdicts_.end(), [&](const RequirementResult& verdict) {
+                         return verdict.output == output && !is_met(verdict);
+                     }));
+}
+
 int ResultTableModel::row_of(std::size_t output_index) const {
     const auto found = std::find(shown_.begin(), shown_.end(), output_index);
     return found == shown_.end() ? -1 : static_cast<int>(found - shown_.begin());
@@ -33,9 +57,9 @@ int ResultTableModel::row_of(std::size_t output_index) const {
 void ResultTableModel::rebuild() {
     shown_.clear();
     for (std::size_t i = 0; result_ && i < result_->outputs.size(); ++i)
-        if (group_.empty() || result_->outputs[i].quantity.group == group_) shown_.push_back(i);
+        if (is_wanted(i)) shown_.push_back(i);
     if (!result_) return set_contents({}, {}, {}, current_result_);
-    set_contents(result_, results_table(*result_, shown_), keys(), current_result_);
+    set_contents(result_, results_table(*result_, shown_, verdicts_), keys(), current_result_);
 }
 
 std::vector<std::string> ResultTableModel::keys() const {
@@ -43,6 +67,7 @@ std::vector<std::string> ResultTableModel::keys() const {
     const bool symmetric = interval_ == Interval::symmetric;
     keys.insert(keys.end(),
                 {symmetric ? "interval low" : "shortest low", symmetric ? "interval high" : "shortest high"});
+    if (!verdicts_.empty()) keys.insert(keys.end(), {"target", "U/target", "met"});
     constexpr std::size_t most = 6;  // a network of many instruments would fill the table
     if (result_->contributors.size() <= most)
         for (std::string& key : contributor_keys(*result_)) keys.push_back(std::move(key));

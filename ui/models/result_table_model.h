@@ -2,6 +2,7 @@
 // beside.
 #pragma once
 
+#include <QStringList>
 #include <memory>
 
 #include "core/result/uncertainty_result.h"
@@ -15,11 +16,15 @@ public:
     enum class Interval { symmetric, shortest };
     using ColumnTableModel::ColumnTableModel;
 
-    /// A null result empties the table.
-    void set_result(std::shared_ptr<const UncertaintyResult> result, bool current);
+    /// A null result empties the table. `verdicts` on this result; none: no columns about requirements.
+    void set_result(std::shared_ptr<const UncertaintyResult> result, bool current,
+                    std::vector<RequirementResult> verdicts = {});
     /// Shows outputs of one group only; empty: all.
     void set_group(const std::string& group);
     void set_interval(Interval interval);
+    /// Only rows with all the words of `text` in symbol, name or group, and on request only those whose
+    /// requirement is not met.
+    void set_filter(const QString& text, bool only_not_met);
 
     /// Index among the result's outputs.
     std::size_t output_of(int row) const { return shown_[static_cast<std::size_t>(row)]; }
@@ -31,12 +36,16 @@ protected:
 private:
     void rebuild();
     std::vector<std::string> keys() const;
+    bool is_wanted(std::size_t output) const;
 
     std::shared_ptr<const UncertaintyResult> result_;
     bool current_result_ = true;
     std::vector<std::size_t> shown_;
     std::string group_;
     Interval interval_ = Interval::symmetric;
+    std::vector<RequirementResult> verdicts_;
+    QStringList words_;
+    bool only_not_met_ = false;
 };
 
 }  // namespace covaria::ui

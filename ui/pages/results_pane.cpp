@@ -1,19 +1,23 @@
 #include "ui/pages/results_pane.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "core/project/stated_requirements.h"
 #include "core/report/plots.h"
 #include "core/result/representation.h"
 #include "core/text/symbol.h"
 #include "ui/charts/chart_view.h"
+#include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
 #include "ui/pages/report_preview.h"
@@ -42,7 +46,7 @@ QSplitter* side_by_side(QWidget* left, QWidget* right, int left_part = 1, int ri
 }  // namespace
 
 ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
-    : QWidget(parent), runner_(runner), selection_(selection) {
+    : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
     tabs_ = new QTabWidget;
     tabs_->setDocumentMode(true);
     tabs_->addTab(make_results_tab(), tr("Results"));
@@ -58,6 +62,8 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     tabs_->addTab(study_, tr("Study"));
     design_ = new DesignTab(document, runner, selection);
     tabs_->addTab(design_, tr("Design"));
+    compare_ = new CompareTab(document, runner, selection);
+    tabs_->addTab(compare_, tr("Compare"));
     report_ = new ReportPreview(document, runner);
     tabs_->addTab(report_, tr("Report"));
     auto* column = new QVBoxLayout(this);
@@ -98,7 +104,53 @@ void ResultsPane::make_head() {
     connect(digits_, &QSpinBox::valueChanged, this, [this](int digits) {
         result_model_.set_digits(digits);
         budget_model_.set_digits(digits);
+        compare_->set_digits(digits);
     });
+}
+
+QWidget* ResultsPane::make_filter() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(4, 2, 4, 2);
+    filter_ = new QLineEdit;
+    filter_->setObjectName(QStringLiteral("result_filter"));
+    filter_->setPlaceholderText(tr("Filter: symbol, name, group"));
+    filter_->setAccessibleName(tr("Filter of the results"));
+    filter_->setClearButtonEnabled(true);
+    filter_->setMaximumWidth(260);
+    all_groups_ = new QCheckBox(tr("All groups"));
+    all_groups_->setToolTip(tr("Results of all poses, points or targets, whichever is selected"));
+    only_not_met_ = new QCheckBox(tr("Not met only"));
+    only_not_met_->setToolTip(tr("Only results whose target uncertainty or tolerance is not met"));
+    row->addWidget(filter_);
+    row->addWidget(all_groups_);
+    row->addWidget(only_not_met_);
+    row->addStretch(1);
+    connect(filter_, &QLineEdit::textChanged, this, &ResultsPane::take_filter);
+    connect(only_not_met_, &QCheckBox::toggled, this, &ResultsPane::take_filter);
+    connect(all_groups_, &QCheckBox::toggled, this, [this](bool on) {
+        results_->set_column_shown(0, on);  // the group
+        show_group(selection_.group());
+    });
+    return bar;
+}
+
+void ResultsPane::take_filter() {
+    result_model_.set_filter(filter_->text(), only_not_met_->isChecked());
+    results_->select_row(result_model_.row_of(std::size_t(std::max(0, selection_.output()))));
+}
+
+QString ResultsPane::shown_group() const {
+    return all_groups_->isChecked() ? QString() : selection_.group();
+}
+
+/// Verdicts are of the requirements as they are now.
+void ResultsPane::take_requirements() {
+    const AnalysisEntry* entry = document_.project().find_analysis(to_std(selection_.analysis()));
+    std::vector<RequirementResult> verdicts;
+    if (result_ && entry) verdicts = judge(*result_, *entry);
+    only_not_met_->setEnabled(!verdicts.empty() || only_not_met_->isChecked());
+    result_model_.set_result(result_, current_, std::move(verdicts));
 }
 
 QWidget* ResultsPane::make_results_tab() {
@@ -119,7 +171,13 @@ QWidget* ResultsPane::make_results_tab() {
     };
     connect(results_, &SortableTable::row_selected, this,
             [this](int row) { selection_.select_output(int(result_model_.output_of(row))); });
-    return results_;
+    auto* tab = new QWidget;
+    auto* column = new QVBoxLayout(tab);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(make_filter());
+    column->addWidget(results_, 1);
+    return tab;
 }
 
 QWidget* ResultsPane::make_budget_tab() {
@@ -155,6 +213,7 @@ void ResultsPane::connect_selection() {
     connect(&runner_, &AnalysisRunner::result_changed, this, take);
     connect(&runner_, &AnalysisRunner::state_changed, this, take);
     connect(&selection_, &Selection::analysis_changed, this, &ResultsPane::take_result);
+    connect(&document_, &Document::project_changed, this, &ResultsPane::take_requirements);
     connect(&selection_, &Selection::group_changed, this, &ResultsPane::show_group);
     connect(&selection_, &Selection::output_changed, this, &ResultsPane::show_output);
 }
@@ -189,8 +248,8 @@ void ResultsPane::take_result() {
     state_->setText(state_words());
     state_->setToolTip(state_->text());
     units_->set_result(result_);
-    result_model_.set_group(to_std(selection_.group()));
-    result_model_.set_result(result_, current_);
+    result_model_.set_group(to_std(shown_group()));
+    take_requirements();
     refresh_outputs();
     show_group(selection_.group());
 }
@@ -198,6 +257,7 @@ void ResultsPane::take_result() {
 void ResultsPane::take_units() {
     result_model_.set_units(units_->units());
     budget_model_.set_units(units_->units());
+    compare_->set_units(units_->units());
     refresh_charts();
 }
 
@@ -215,14 +275,14 @@ void ResultsPane::refresh_outputs() {
     if (!result_) return;
     for (std::size_t i = 0; i < result_->outputs.size(); ++i) {
         const OutputQuantity& quantity = result_->outputs[i].quantity;
-        if (!selection_.group().isEmpty() && to_qt(quantity.group) != selection_.group()) continue;
+        if (!shown_group().isEmpty() && to_qt(quantity.group) != shown_group()) continue;
         const std::string of = quantity.group.empty() ? "" : to_std(tr(" of %1").arg(to_qt(quantity.group)));
         output_->add_item(symbol_text(quantity.symbol) + of, int(i));
     }
 }
 
 void ResultsPane::show_group(const QString& group) {
-    result_model_.set_group(to_std(group));
+    result_model_.set_group(to_std(shown_group()));
     correlation_model_.set_result(result_, to_std(group), current_);
     refresh_outputs();
     const bool shown = selection_.output() >= 0 && output_->findData(selection_.output()) >= 0;
@@ -263,11 +323,12 @@ void ResultsPane::refresh_charts() {
 
 void ResultsPane::start_over() {
     report_->start_over();
+    compare_->start_over();
 }
 
 void ResultsPane::set_dark(bool dark) {
-    for (ChartView* chart :
-         {contributions_, histogram_, quantiles_, correlation_map_, convergence_, &study_->chart()})
+    for (ChartView* chart : {contributions_, histogram_, quantiles_, correlation_map_, convergence_,
+                             &study_->chart(), &compare_->chart()})
         chart->set_theme(dark ? Theme::dark() : Theme::light());
 }
 

@@ -1,5 +1,5 @@
 // The results of the analysis being looked at, in tabs: results, budget, distributions, correlation,
-// convergence, evaluation, study, design, report.
+// convergence, evaluation, study, design, compare, report.
 #pragma once
 
 #include <QTabWidget>
@@ -13,7 +13,9 @@
 #include "ui/run/analysis_runner.h"
 #include "ui/theme/typeset_views.h"
 
+class QCheckBox;
 class QLabel;
+class QLineEdit;
 class QSpinBox;
 
 namespace covaria {
@@ -23,6 +25,7 @@ struct PlotSpecification;
 namespace covaria::ui {
 
 class ChartView;
+class CompareTab;
 class ReportPreview;
 class SortableTable;
 class DesignTab;
@@ -41,13 +44,19 @@ public:
     QWidget& head() { return *head_; }
     QTabWidget& tabs() { return *tabs_; }
     SortableTable& result_table() { return *results_; }
+    /// Above it: what it shows of the results.
+    QLineEdit& filter() { return *filter_; }
+    QCheckBox& only_not_met() { return *only_not_met_; }
+    QCheckBox& all_groups() { return *all_groups_; }
     SortableTable& budget_table() { return *budget_; }
     UnitButton& units() { return *units_; }
     StudyTab& study_tab() { return *study_; }
     DesignTab& design_tab() { return *design_; }
+    CompareTab& compare_tab() { return *compare_; }
 
 private:
     void make_head();
+    QWidget* make_filter();
     QWidget* make_results_tab();
     QWidget* make_budget_tab();
     QWidget* make_distributions_tab();
@@ -55,6 +64,8 @@ private:
     QWidget* make_convergence_tab();
     void connect_selection();
     void take_result();
+    void take_requirements();
+    void take_filter();
     void take_units();
     void refresh_outputs();
     void show_group(const QString& group);
@@ -63,6 +74,10 @@ private:
     void show_chart(ChartView& view, PlotSpecification plot) const;
     QString state_words() const;
 
+    /// That the tables show; empty: all.
+    QString shown_group() const;
+
+    Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
     ResultPointer result_;
@@ -78,6 +93,8 @@ private:
     TypesetComboBox* output_ = nullptr;
     QSpinBox* digits_ = nullptr;
     QTabWidget* tabs_ = nullptr;
+    QLineEdit* filter_ = nullptr;
+    QCheckBox *only_not_met_ = nullptr, *all_groups_ = nullptr;
     SortableTable* results_ = nullptr;
     SortableTable* budget_ = nullptr;
     SortableTable* correlation_ = nullptr;
@@ -88,6 +105,7 @@ private:
     ChartView* convergence_ = nullptr;
     StudyTab* study_ = nullptr;
     DesignTab* design_ = nullptr;
+    CompareTab* compare_ = nullptr;
     ReportPreview* report_ = nullptr;
 };
 

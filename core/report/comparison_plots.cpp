@@ -1,0 +1,129 @@
+// Charts of one result beside another.
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/normal_quantile.h"
+#include "core/report/comparison_columns.h"
+#include "core/report/plots_parts.h"
+#include "core/report/report_parts.h"
+
+namespace covaria {
+namespace {
+
+using plot_parts::PlottedOutput;
+
+/// Probability density as a line: through the middles of the cells of the trials, else of the law of
+/// propagation. Without x where the output has no distribution.
+PlotSeries density_line(const PlottedOutput& y) {
+    PlotSeries line;
+    const FirstOrderOutput& first = y.output().first_order;
+    const bool trials = plot_parts::has_histogram(y);
+    if (trials) {
+        line = plot_parts::histogram_bars(y);
+        line.kind = SeriesKind::line;
+        line.bar_width = 0.0;
+    } else if (first.standard_uncertainty > 0.0 && std::isfinite(first.standard_uncertainty)) {
+        const double mean = y.value(first.estimate), u = y.interval(first.standard_uncertainty);
+        line = plot_parts::curve(mean - 4.0 * u, mean + 4.0 * u, 161,
+                                 [&](double x) { return normal_density((x - mean) / u) / u; });
+    }
+    line.name = trials ? "Monte Carlo" : "normal, first order";
+    return line;
+}
+
+/// The axis shows the middle of every distribution: extreme tails would squeeze the rest.
+void extend(PlotAxis& axis, const PlottedOutput& y, bool first) {
+    const MonteCarloOutput* trials = y.trials();
+    const double u = trials && std::isfinite(trials->standard_uncertainty)
+                         ? trials->standard_uncertainty
+                         : y.output().first_order.standard_uncertainty;
+    const double low = y.value(y.output().estimate) - 4.5 * y.interval(u);
+    const double high = y.value(y.output().estimate) + 4.5 * y.interval(u);
+    axis.low = first ? low : std::min(axis.low, low);
+    axis.high = first ? high : std::max(axis.high, high);
+}
+
+Text component_label(const ResultComparison& comparison, const ComparedPlace& place) {
+    const Table table = compared_budget_table(comparison, {place});
+    const Cell cell = table.cell(0, "quantity");
+    const Symbols& symbols = std::get<Symbols>(cell);
+    const std::string name = std::get<std::string>(table.cell(0, "component"));
+    const Text words = running_text(name);
+    if (symbols.size() != 1) return name.empty() ? Text(std::get<std::string>(table.cell(0, "id"))) : words;
+    const Text symbol = symbol_text(symbols.front());
+    return name.empty() ? symbol : symbol + ", " + words;
+}
+
+}  // namespace
+
+PlotSpecification compared_distributions_plot(const ResultComparison& comparison, std::size_t output,
+                                              const DisplayUnits& units) {
+    const ComparedOutput& at = comparison.outputs[output];
+    PlotSpecification plot;
+    DisplayUnits shown = units;  // one unit for both
+    if (at.in_both()) shown.choose(units.of(comparison.output_after(at)->quantity.unit));
+    const auto add = [&](const UncertaintyResult& result, std::optional<std::size_t> index, const char* words,
+                         SeriesRole role) {
+        if (!index) return;
+        const PlottedOutput y(result, *index, shown);
+        plot.id = y.id("compared");
+        plot.title = "Distributions of " + y.label();
+        plot.x.title = y.with_unit(y.symbol());
+        plot.y.title = y.density_title();
+        PlotSeries line = density_line(y);
+        if (line.x.empty()) return;
+        line.name = Text(words) + ": " + line.name;
+        line.role = role;
+        extend(plot.x, y, plot.series.empty());
+        plot.marks.push_back({std::string(words) + " " + y.result_text(y.output().estimate),
+                              y.value(y.output().estimate), false, role});
+        plot.series.push_back(std::move(line));
+    };
+    add(*comparison.before, at.before, "before", SeriesRole::family_1);
+    add(*comparison.after, at.after, "after", SeriesRole::family_2);
+    if (plot.series.empty())
+        return plot_parts::nothing_to_show(plot.id, "The output quantity has no distribution to show");
+    return plot;
+}
+
+PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::size_t output,
+                                      std::size_t rows) {
+    const ComparedOutput& at = comparison.outputs[output];
+    const OutputResult* either = comparison.output_after(at);
+    if (!either) either = comparison.output_before(at);
+    const Text label = report_parts::output_text(either->quantity);
+    const std::string id =
+        "budget-changes-" + report_parts::id_part(either->quantity.symbol + " " + either->quantity.group);
+    if (!at.in_both()) return plot_parts::nothing_to_show(id, "Only one of the results has " + label);
+    std::vector<ComparedPlace> places = compared_places(comparison, output);
+    std::erase_if(places, [&](const ComparedPlace& place) { return !has_changed(comparison, place); });
+    const double u = comparison.output_before(at)->first_order.standard_uncertainty;
+    if (places.empty() || !(u > 0.0))
+        return plot_parts::nothing_to_show(id, "The budget of " + label + " has not changed");
+    PlotSpecification plot;
+    plot.id = id;
+    plot.title = "Changes of the budget of " + label;
+    plot.horizontal_bars = true;
+    plot.x.title = "change of the variance (% of the variance before)";
+    PlotSeries bars{"", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.72};
+    const std::size_t shown = places.size() <= rows ? places.size() : rows - 1;
+    double rest = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double change = 100.0 * places[i].component.change() / (u * u);
+        if (i >= shown) {
+            rest += change;
+            continue;
+        }
+        plot.y.categories.push_back(component_label(comparison, places[i]));
+        bars.x.push_back(change);
+    }
+    if (shown < places.size()) {
+        plot.y.categories.push_back(std::to_string(places.size() - shown) + " others");
+        bars.x.push_back(rest);
+    }
+    for (std::size_t i = 0; i < bars.x.size(); ++i) bars.y.push_back(static_cast<double>(i));
+    plot.series.push_back(std::move(bars));
+    return plot;
+}
+
+}  // namespace covaria

@@ -1,0 +1,29 @@
+// What is written down about results beside each other: `covaria compare`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/report/report_document.h"
+#include "core/result/comparison.h"
+
+namespace covaria {
+
+struct ComparedAnalysis {
+    std::string id;     ///< file-name friendly
+    std::string title;  ///< "pose", "pose beside network"
+    ResultComparison comparison;
+};
+/// What is compared, in words.
+struct ComparedSides {
+    std::string before, after;                         ///< a file, or what was changed in it
+    std::vector<std::string> only_before, only_after;  ///< analyses without a counterpart
+};
+
+/// Measurands with U beside U, then the changed components of the budgets that changed most.
+ReportDocument build_comparison(const ComparedSides& sides, const std::vector<ComparedAnalysis>& analyses);
+
+/// Everything of one analysis for CSV: "ID-compared-results" and "ID-compared-budget".
+std::vector<DataTable> comparison_tables(const ComparedAnalysis& analysis);
+
+}  // namespace covaria

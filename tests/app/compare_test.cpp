@@ -1,0 +1,63 @@
+// covaria compare: a project and what it would be with another value, two projects, two analyses of one.
+#include <gtest/gtest.h>
+
+#include "tests/app/program.h"
+
+namespace covaria::compare_test {
+namespace {
+
+const std::string gauge = shipped_project("gum/h1-end-gauge.covaria").string();
+const std::string stewart = shipped_project("stewart-platform.covaria").string();
+
+/// GUM, Table H.1: u_c^2 is 625 (standard) + 94.09 (difference) + 8.41 + 278.06 = 1005.56 nm^2. Twice the
+/// u of the difference, 19.4 nm for 9.7 nm, adds 282.27 nm^2, that is 28.1 %.
+TEST(Compare, AProjectBesideWhatItWouldBe) {
+    const auto folder = fresh_folder("compare");
+    const Outcome what_if =
+        run_program({"compare", gauge, "--analysis", "table", "--set",
+                     "/analyses/table/setup/quantities/rows/d/a=19.4", "--out", folder.string()});
+    ASSERT_EQ(what_if.status, 0) << what_if.err;
+    EXPECT_NE(what_if.out.find("1 of 1 measurands are in both results"), std::string::npos) << what_if.out;
+    EXPECT_NE(what_if.out.find("28.1"), std::string::npos) << what_if.out;
+    EXPECT_NE(what_if.out.find("d/a=19.4"), std::string::npos) << "what is after is named";
+    EXPECT_EQ(read_text(folder / "comparison.md"), what_if.out);
+    const std::string budget = read_text(folder / "table-compared-budget.csv");
+    EXPECT_NE(budget.find(",changed,nm,9.7"), std::string::npos) << budget;
+    EXPECT_NE(budget.find(",same,"), std::string::npos) << budget;
+    EXPECT_NE(read_text(folder / "table-compared-results.csv").find(",both,nm,"), std::string::npos);
+}
+
+TEST(Compare, EqualProjectsDoNotDiffer) {
+    const Outcome same = run_program({"compare", gauge, gauge, "--first-order"});
+    ASSERT_EQ(same.status, 0) << same.err;
+    EXPECT_NE(same.out.find("the budgets of 0 of them differ"), std::string::npos) << same.out;
+    EXPECT_EQ(same.out.find("| changed |"), std::string::npos) << same.out;
+}
+
+TEST(Compare, TwoAnalysesOfOneProject) {
+    const Outcome two =
+        run_program({"compare", gauge, "--analysis", "table", "--analysis", "statements", "--first-order"});
+    ASSERT_EQ(two.status, 0) << two.err;
+    EXPECT_NE(two.out.find("table (before), statements (after)"), std::string::npos) << two.out;
+    EXPECT_NE(two.out.find("| comparator, random effects | new |"), std::string::npos) << two.out;
+    const Outcome back =
+        run_program({"compare", gauge, "--analysis", "statements", "--analysis", "table", "--first-order"});
+    ASSERT_EQ(back.status, 0) << back.err;
+    EXPECT_NE(back.out.find("| comparator, random effects | gone |"), std::string::npos) << back.out;
+}
+
+TEST(Compare, WhatIsMissingIsWrongUsageOrBadInput) {
+    const Outcome alone = run_program({"compare", gauge});
+    EXPECT_EQ(alone.status, 2);
+    EXPECT_NE(alone.err.find("name what to compare with"), std::string::npos) << alone.err;
+    EXPECT_EQ(run_program({"compare"}).status, 2);
+    EXPECT_EQ(run_program({"compare", gauge, "--analysis", "table", "--analysis", "table"}).status, 2);
+    EXPECT_EQ(run_program({"compare", gauge, "/nowhere.covaria"}).status, 1);
+    const Outcome strangers = run_program({"compare", gauge, stewart});
+    EXPECT_EQ(strangers.status, 1);
+    EXPECT_NE(strangers.err.find("no analysis of the same id"), std::string::npos) << strangers.err;
+    EXPECT_EQ(run_program({"compare", stewart, stewart, "--analysis", "nothing"}).status, 1);
+}
+
+}  // namespace
+}  // namespace covaria::compare_test

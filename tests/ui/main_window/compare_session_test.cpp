@@ -1,0 +1,129 @@
+// A user keeps the results, edits, reads what changed beside what was, and goes back or keeps the edit.
+#include <QDir>
+#include <QToolButton>
+
+#include "tests/ui/main_window/session_fixture.h"
+#include "ui/charts/chart_view.h"
+#include "ui/models/roles.h"
+#include "ui/pages/compare_tab.h"
+#include "ui/pages/sortable_table.h"
+
+namespace covaria::ui::compare_session_test {
+namespace {
+
+class CompareSession : public Session {
+protected:
+    CompareTab& tab() { return window_->results().compare_tab(); }
+    void press(const char* name) {
+        auto* button = tab().findChild<QToolButton*>(QString::fromLatin1(name) + QStringLiteral("_button"));
+        ASSERT_NE(button, nullptr) << name;
+        ASSERT_TRUE(button->isVisible() && button->isEnabled()) << name;
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    bool enabled(const char* name) {
+        return tab().findChild<QAction*>(QString::fromLatin1(name))->isEnabled();
+    }
+    void open_platform() {
+        open(project_copy());
+        select(SetupOwner::analysis, "printed");
+        window_->results().tabs().setCurrentWidget(&tab());
+        run();
+    }
+    void run() {
+        trigger(QStringLiteral("Run This Analysis"));
+        ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
+    }
+    /// The number of the cell in the row and under the head.
+    static double number(const SortableTable& table, int row, const QString& head) {
+        const QAbstractItemModel& model = *table.model();
+        for (int c = 0; c < model.columnCount(); ++c)
+            if (model.headerData(c, Qt::Horizontal, id_role).toString() == head)
+                return model.index(row, c).data(exact_role).toDouble();
+        ADD_FAILURE() << "no column " << head.toStdString();
+        return 0.0;
+    }
+    static QString words(const SortableTable& table, int row, const QString& head) {
+        const QAbstractItemModel& model = *table.model();
+        for (int c = 0; c < model.columnCount(); ++c)
+            if (model.headerData(c, Qt::Horizontal, id_role).toString() == head)
+                return model.index(row, c).data().toString();
+        return {};
+    }
+};
+
+TEST_F(CompareSession, WhatWasKeptStandsBesideWhatIsEdited) {
+    open_platform();
+    EXPECT_FALSE(enabled("go_back"));
+    EXPECT_FALSE(enabled("discard_kept"));
+    EXPECT_TRUE(tab().state_words().contains(QStringLiteral("Keep the present results")));
+    trigger(QStringLiteral("Keep as Before"));
+    const Project kept = window_->document().project();
+    const double U_before = expanded_uncertainty(0);
+    ASSERT_GT(tab().results().model()->rowCount(), 0);
+    EXPECT_EQ(number(tab().results(), 0, QStringLiteral("U before")),
+              number(tab().results(), 0, QStringLiteral("U after")));
+    type_into("base_u_x", QStringLiteral("0.5 mm"));
+    ASSERT_TRUE(wait_for([&] { return expanded_uncertainty(0) > 1.1 * U_before; }));
+    run();
+    const Unit& unit = status().result->outputs[0].quantity.unit;
+    EXPECT_DOUBLE_EQ(number(tab().results(), 0, QStringLiteral("U before")), unit.interval_from_si(U_before));
+    EXPECT_DOUBLE_EQ(number(tab().results(), 0, QStringLiteral("U after")),
+                     unit.interval_from_si(expanded_uncertainty(0)));
+    EXPECT_GT(number(tab().results(), 0, QStringLiteral("Change of U in %")), 0.1);
+    window_->selection().select_output(0);
+    ASSERT_GT(tab().budget().model()->rowCount(), 3);
+    EXPECT_EQ(words(tab().budget(), 0, QStringLiteral("What")), QStringLiteral("changed"));
+    double sum = 0.0;
+    for (int row = 0; row < tab().budget().model()->rowCount(); ++row)
+        sum += number(tab().budget(), row, QStringLiteral("Change of variance / %"));
+    EXPECT_GT(sum, 0.1);
+    EXPECT_EQ(tab().chart().plot().series.size(), 2u);
+    QDir().mkpath(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/compare.png"));
+    choose_in(tab().chart_list(), QStringLiteral("Changes of the budget"));
+    EXPECT_TRUE(tab().chart().plot().horizontal_bars);
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/compare-budget.png"));
+
+    const Project edited = window_->document().project();
+    const int steps = window_->document().undo_stack().index();
+    press("go_back");
+    EXPECT_TRUE(window_->document().project() == kept);
+    EXPECT_EQ(window_->document().undo_stack().index(), steps + 1) << "one edit";
+    EXPECT_FALSE(enabled("go_back")) << "it is what was kept";
+    ASSERT_TRUE(wait_for([&] { return expanded_uncertainty(0) < 1.1 * U_before; }));
+    run();
+    EXPECT_DOUBLE_EQ(expanded_uncertainty(0), U_before) << "the same draws";
+    window_->document().undo_stack().undo();
+    EXPECT_TRUE(window_->document().project() == edited);
+    EXPECT_TRUE(enabled("go_back"));
+    press("discard_kept");
+    EXPECT_EQ(tab().results().model()->rowCount(), 0);
+    EXPECT_FALSE(enabled("go_back"));
+    EXPECT_TRUE(window_->document().project() == edited);
+}
+
+TEST_F(CompareSession, APreviewIsNotKeptAndWhatIsOutOfDateSaysSo) {
+    open(project_copy());
+    select(SetupOwner::analysis, "printed");
+    window_->results().tabs().setCurrentWidget(&tab());
+    run();
+    press("keep_before");
+    if (window_->runner().is_live()) trigger(QStringLiteral("Live"));
+    ASSERT_FALSE(window_->runner().is_live());
+    type_into("base_u_x", QStringLiteral("0.5 mm"));
+    ASSERT_TRUE(wait_for([this] { return !status().is_current(); }));
+    EXPECT_TRUE(wait_for([this] { return !enabled("keep_before"); }, 2000)) << "these results do not count";
+    EXPECT_TRUE(tab().state_words().contains(QStringLiteral("<b>"))) << to_std(tab().state_words());
+}
+
+TEST_F(CompareSession, AnotherProjectForgetsWhatWasKept) {
+    open_platform();
+    press("keep_before");
+    EXPECT_TRUE(enabled("discard_kept"));
+    open(project_copy(QStringLiteral("lsm-network")));
+    EXPECT_FALSE(enabled("discard_kept"));
+    EXPECT_EQ(tab().results().model()->rowCount(), 0);
+}
+
+}  // namespace
+}  // namespace covaria::ui::compare_session_test

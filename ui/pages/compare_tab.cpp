@@ -1,0 +1,210 @@
+#include "ui/pages/compare_tab.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "core/report/comparison_columns.h"
+#include "ui/charts/chart_view.h"
+#include "ui/forms/finish_typing.h"
+#include "ui/pages/sortable_table.h"
+#include "ui/run/result_words.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+CompareTab::CompareTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
+    : QWidget(parent), document_(document), runner_(runner), selection_(selection), kept_(runner) {
+    make_actions();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(make_head());
+    column->addWidget(make_body(), 1);
+    connect_parts();
+    refresh();
+}
+
+void CompareTab::make_actions() {
+    const auto action = [this](const QString& text, const char* name, const QString& tip) {
+        auto* made = new QAction(text, this);
+        made->setObjectName(QString::fromLatin1(name));
+        made->setToolTip(tip);
+        return made;
+    };
+    keep_ = action(tr("Keep as Before"), "keep_before",
+                   tr("Keeps the present results of this analysis, to compare later ones with"));
+    go_back_ = action(tr("Go Back to Kept State"), "go_back",
+                      tr("Makes the project what it was when the results were kept; can be undone"));
+    discard_ = action(tr("Discard Kept State"), "discard_kept",
+                      tr("Forgets the kept results; the project stays as it is now"));
+    connect(keep_, &QAction::triggered, this, &CompareTab::keep);
+    connect(go_back_, &QAction::triggered, this, &CompareTab::go_back);
+    connect(discard_, &QAction::triggered, this, [this] { kept_.discard(selection_.analysis()); });
+}
+
+void CompareTab::add_to(QMenu& menu) {
+    menu.addActions({keep_, go_back_, discard_});
+}
+
+QWidget* CompareTab::make_head() {
+    auto* head = new QWidget;
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(4, 2, 4, 2);
+    for (QAction* action : {keep_, go_back_, discard_}) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setObjectName(action->objectName() + QStringLiteral("_button"));
+        button->setFocusPolicy(Qt::StrongFocus);
+        row->addWidget(button);
+    }
+    state_ = new QLabel;
+    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row->addWidget(state_, 1);
+    chart_list_ = new QComboBox;
+    chart_list_->setAccessibleName(tr("Chart"));
+    chart_list_->addItems({tr("Distributions"), tr("Changes of the budget")});
+    row->addWidget(chart_list_);
+    return head;
+}
+
+QWidget* CompareTab::make_body() {
+    results_ = new SortableTable(results_model_, tr("comparison"));
+    results_->set_columns(QStringLiteral("comparison"),
+                          {tr("Group"), tr("Output quantity"), tr("Change of estimate"), tr("u before"),
+                           tr("u after"), tr("k before"), tr("k after"), tr("In")});
+    budget_ = new SortableTable(budget_model_, tr("budget-changes"));
+    budget_->set_columns(QStringLiteral("budget-changes"), {tr("Origin")});
+    chart_ = new ChartView;
+    auto* tables = new QSplitter(Qt::Vertical);
+    tables->addWidget(results_);
+    tables->addWidget(budget_);
+    auto* body = new QSplitter(Qt::Horizontal);
+    body->addWidget(tables);
+    body->addWidget(chart_);
+    body->setSizes({3000, 2000});
+    for (QSplitter* splitter : {tables, body}) splitter->setChildrenCollapsible(false);
+    return body;
+}
+
+void CompareTab::connect_parts() {
+    const auto take = [this](const QString& id) {
+        if (id == selection_.analysis()) refresh();
+    };
+    connect(&runner_, &AnalysisRunner::result_changed, this, take);
+    connect(&runner_, &AnalysisRunner::state_changed, this, take);
+    connect(&kept_, &KeptStates::changed, this, take);
+    connect(&selection_, &Selection::analysis_changed, this, &CompareTab::refresh);
+    connect(&selection_, &Selection::group_changed, this, &CompareTab::refresh);
+    connect(&selection_, &Selection::output_changed, this, &CompareTab::show_output);
+    connect(&document_, &Document::project_changed, this, &CompareTab::update_actions);
+    connect(chart_list_, &QComboBox::currentIndexChanged, this, &CompareTab::show_chart);
+    connect(results_, &SortableTable::row_selected, this, [this](int row) {
+        const ComparedOutput& at = comparison_->outputs[results_model_.output_of(row)];
+        if (at.after) selection_.select_output(int(*at.after));
+    });
+}
+
+void CompareTab::keep() {
+    finish_typing();
+    if (!kept_.can_keep(selection_.analysis())) return;
+    kept_.keep(selection_.analysis());
+    emit message(tr("The results are kept: the tab Compare shows them beside those to come."));
+}
+
+/// One edit: the project as it was evaluated.
+void CompareTab::go_back() {
+    finish_typing();
+    const KeptState* kept = kept_.find(selection_.analysis());
+    if (!kept) return;
+    document_.apply(tr("Go back to kept state"),
+                    [before = kept->project](Project& project) { project = *before; });
+}
+
+void CompareTab::update_actions() {
+    const KeptState* kept = kept_.find(selection_.analysis());
+    keep_->setEnabled(kept_.can_keep(selection_.analysis()));
+    go_back_->setEnabled(kept && !(*kept->project == document_.project()));
+    discard_->setEnabled(kept != nullptr);
+}
+
+QString CompareTab::state_words() const {
+    const QString& analysis = selection_.analysis();
+    if (analysis.isEmpty()) return tr("Select an analysis to compare its results.");
+    const KeptState* kept = kept_.find(analysis);
+    const AnalysisStatus& status = runner_.status(analysis);
+    if (!kept && !kept_.can_keep(analysis)) return tr("Run the analysis (F5), then keep its results.");
+    if (!kept) return tr("Keep the present results and edit: before and after stand here beside each other.");
+    QString words = tr("Before: %1, kept at %2. ")
+                        .arg(kept->words, QLocale().toString(kept->at.time(), QLocale::ShortFormat));
+    if (!status.result) return words + tr("After: no results.");
+    words += tr("After: %1").arg(result_words(status));
+    const QString said = reservation(status);
+    return said.isEmpty() ? words : words + QStringLiteral(" – <b>%1</b>").arg(said);
+}
+
+void CompareTab::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
+}
+
+/// What nobody looks at is not compared.
+void CompareTab::refresh() {
+    update_actions();
+    state_->setText(state_words());
+    state_->setToolTip(state_->text());
+    const KeptState* kept = kept_.find(selection_.analysis());
+    const AnalysisStatus& status = runner_.status(selection_.analysis());
+    if (kept && status.result && !isVisible()) return;
+    comparison_ = kept && status.result
+                      ? std::make_shared<const ResultComparison>(compare_results(kept->result, status.result))
+                      : nullptr;
+    current_ = status.is_of_present();
+    const QString said = reservation(status);
+    for (SortableTable* table : {results_, budget_}) table->set_remark(said);
+    results_model_.set_comparison(comparison_, to_std(selection_.group()), current_);
+    show_output();
+}
+
+std::optional<std::size_t> CompareTab::selected() const {
+    if (!comparison_ || selection_.output() < 0) return std::nullopt;
+    for (std::size_t i = 0; i < comparison_->outputs.size(); ++i)
+        if (comparison_->outputs[i].after == static_cast<std::size_t>(selection_.output())) return i;
+    return std::nullopt;
+}
+
+void CompareTab::show_output() {
+    const auto output = selected();
+    if (output) results_->select_row(results_model_.row_of(*output));
+    budget_model_.set_comparison(output ? comparison_ : nullptr, output.value_or(0), current_);
+    show_chart();
+}
+
+void CompareTab::show_chart() {
+    const auto output = selected();
+    if (!output) return chart_->set_plot({});
+    PlotSpecification plot = chart_list_->currentIndex() == 0
+                                 ? compared_distributions_plot(*comparison_, *output, units_)
+                                 : budget_changes_plot(*comparison_, *output);
+    const QString said = reservation(runner_.status(selection_.analysis()));
+    if (!said.isEmpty() && !plot.series.empty()) plot.title += " \u2013 " + to_std(said);
+    chart_->set_plot(std::move(plot));
+}
+
+void CompareTab::set_units(const DisplayUnits& units) {
+    units_ = units;
+    results_model_.set_units(units);
+    budget_model_.set_units(units);
+    show_chart();
+}
+
+void CompareTab::set_digits(int digits) {
+    results_model_.set_digits(digits);
+    budget_model_.set_digits(digits);
+}
+
+}  // namespace covaria::ui
