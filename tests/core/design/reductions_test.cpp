@@ -137,8 +137,12 @@ TEST(CheapestReductionsTest, AreThoseOfAnotherSolverAndMeetTheConditionsOfOptima
             const double f = found.factors[j];
             const double gradient =
                 slope_of(task.reductions[j], f) + task.part.col(Eigen::Index(j)).dot(found.multipliers);
-            if (f < 1.0 - 1e-6) EXPECT_GE(gradient, -1e-6 * unit) << "trial " << trial;
-            if (f > 0.1 + 1e-6) EXPECT_LE(gradient, 1e-6 * unit) << "trial " << trial;
+            if (f < 1.0 - 1e-6) {
+                EXPECT_GE(gradient, -1e-6 * unit) << "trial " << trial;
+            }
+            if (f > 0.1 + 1e-6) {
+                EXPECT_LE(gradient, 1e-6 * unit) << "trial " << trial;
+            }
         }
         Nlopt data{task, unit};
         nlopt::opt opt(nlopt::LD_MMA, static_cast<unsigned>(n));
