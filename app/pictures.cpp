@@ -1,13 +1,16 @@
 #include "app/pictures.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "app/application.h"
 #include "app/chart_picture.h"
+#include "core/base/file_io.h"
 #include "core/base/file_names.h"
 #include "core/model/has_layout.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/scene/study_scene.h"
+#include "viz/vtk/scene_file.h"
 #include "viz/vtk/scene_renderer.h"
 
 namespace covaria {
@@ -61,6 +64,15 @@ Result<void> render_to(SceneRenderer& renderer, const std::string& view, const s
     return write_png(*image, file);
 }
 
+Result<void> write_scene(const Scene& scene, SceneFormat format, bool dark,
+                         const std::filesystem::path& file) {
+    const auto text = scene_file_text(scene, format, dark ? ScenePalette::dark : ScenePalette::light);
+    if (!text) return fail(text.error());
+    if (auto written = write_file_atomically(file, *text); !written) return written;
+    if (!scene.caption.empty()) std::printf("lengths in m; %s\n", scene.caption.c_str());
+    return {};
+}
+
 }  // namespace
 
 Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest& request) {
@@ -84,10 +96,15 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
     if (!standard_view_from(request.view))
         return fail(ErrorCode::bad_input,
                     "there is no view \"" + request.view + "\"; there are: " + joined(views));
-    if (request.study.empty() && !has_layout(*evaluated.analysis->model, evaluated.analysis->inputs))
-        return write_chart(evaluated, request, file);
+    const auto format = scene_format_of(file.extension().string());
+    if (request.study.empty() && !has_layout(*evaluated.analysis->model, evaluated.analysis->inputs)) {
+        if (!format) return write_chart(evaluated, request, file);
+        return fail(ErrorCode::bad_input, "analysis " + evaluated.analysis->id +
+                                              " has no scene, only a chart: write it as PNG (-o FILE.png)");
+    }
     auto scene = scene_of(evaluated, request);
     if (!scene) return fail(scene.error());
+    if (format) return write_scene(*scene, *format, request.dark, file);
     SceneRenderer renderer;
     renderer.set_size(request.width, request.height);
     renderer.set_palette(request.dark ? ScenePalette::dark : ScenePalette::light);

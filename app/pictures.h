@@ -27,7 +27,8 @@ struct PictureRequest {
 
 /// The scene of one group with ellipsoids and a cloud of replayed trials.
 Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest& request);
-/// Renders to a PNG file. Error{bad_input} names an unknown group or view.
+/// Renders to a PNG file; a file called .gltf or .vtp gets the scene itself. Error{bad_input} names an
+/// unknown group or view.
 Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
                            const std::filesystem::path& file);
 /// A picture of a run, with the name of its file.

@@ -25,10 +25,11 @@ struct ExportArguments {
 
 std::string export_footer() {
     std::string text = "Writers:\n";
+    std::size_t width = 0;
+    for (const Writer& writer : writer_registry()) width = std::max(width, writer.name.size() + 1);
     for (const Writer& writer : writer_registry())
-        text += "  " + writer.name +
-                std::string(std::max<std::size_t>(10, writer.name.size() + 1) - writer.name.size(), ' ') +
-                writer.title + " (" + writer.ending + "): " + writer.writes + "\n";
+        text += "  " + writer.name + std::string(width - writer.name.size(), ' ') + writer.title + " (" +
+                writer.ending + "): " + writer.writes + "\n";
     return text +
            "\nExamples:\n"
            "  covaria export network.covaria --as points -o targets.txt\n"

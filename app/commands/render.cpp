@@ -1,4 +1,4 @@
-// covaria render FILE: a picture of an analysis.
+// covaria render FILE: a picture of an analysis, or its scene as a file.
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -40,8 +40,11 @@ Command render_command(CLI::App& app) {
         app.add_subcommand("render", "Evaluate an analysis and draw its scene as PNG (needs no display)");
     add_run_options(*command, arguments->request);
     PictureRequest& picture = arguments->picture;
-    command->add_option("--output,-o", arguments->output, "PNG file to write")
-        ->type_name("FILE.png")
+    command
+        ->add_option(
+            "--output,-o", arguments->output,
+            "file to write: a picture (.png), or the scene itself for viewers (.gltf) or ParaView (.vtp)")
+        ->type_name("FILE.png|.gltf|.vtp")
         ->capture_default_str();
     command->add_option("--group", picture.group, "group of outputs to show, e.g. \"pose 7\"")
         ->type_name("NAME");

@@ -1,10 +1,12 @@
 // A calibration certificate: what ISO/IEC 17025 7.8.2 and 7.8.4 ask for, results in result lines, conformity,
 // signature, end. One to three pages; what else there is stands in the report.
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/version.h"
 #include "core/report/certificate_parts.h"
 #include "core/report/report.h"
+#include "core/result/representation.h"
 
 namespace covaria {
 namespace {
@@ -78,25 +80,44 @@ void add_administration(Blocks& blocks, const Certificate& certificate) {
               {&C::method, &C::deviations, &C::environment, &C::traceability, &C::adjustment});
 }
 
+/// Whether the PDF carries a digital certificate, which then states the results of all analyses.
+bool has_digital(const ReportSource& source) {
+    if (missing_in_digital(source.made.project().certificate).has_errors()) return false;
+    for (const EvaluatedAnalysis& one : source.analyses)
+        for (const OutputResult& output : one.result->outputs)
+            if (is_measurand(output) &&
+                !(std::isfinite(output.estimate) && std::isfinite(output.expanded_uncertainty) &&
+                  std::isfinite(output.coverage_factor)))
+                return false;
+    return true;
+}
+
 /// Analyses whose results the certificate does not have, and how many those are.
 void add_left_out(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown) {
-    std::size_t all = 0, here = 0;
+    std::size_t all = 0, here = 0, digital = 0;
     std::string names;
     for (const EvaluatedAnalysis& one : source.analyses) {
         all += measurand_count(one);
         const bool is_here = std::any_of(shown.begin(), shown.end(), [&](const EvaluatedAnalysis& other) {
             return other.analysis->id == one.analysis->id;
         });
-        if (is_here)
+        if (is_here) {
             here += measurand_count(one);
-        else
-            names += (names.empty() ? "" : ", ") + one.analysis->name + " (" +
-                     std::to_string(measurand_count(one)) + ")";
+            continue;
+        }
+        names += (names.empty() ? "" : ", ") + one.analysis->name + " (" +
+                 std::to_string(measurand_count(one)) + ")";
+        if (represents_measurand(*one.result)) digital += measurand_count(one);
     }
-    if (here < all)
-        blocks.push_back(ParagraphBlock{"This certificate states " + std::to_string(here) + " of " +
-                                            std::to_string(all) + " results. Not stated: " + names + ".",
-                                        true});
+    if (here < all) {
+        std::string words = "This certificate states " + std::to_string(here) + " of " + std::to_string(all) +
+                            " results. Not stated: " + names + ".";
+        if (digital > 0 && has_digital(source))
+            words += " " + std::to_string(digital) +
+                     (digital == 1 ? " further result is" : " further results are") +
+                     " in the digital certificate that is attached to the PDF (certificate.xml).";
+        blocks.push_back(ParagraphBlock{words, true});
+    }
     for (const FailedAnalysis& failed : source.failed)
         if (failed.study.empty())
             blocks.push_back(ParagraphBlock{

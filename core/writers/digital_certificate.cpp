@@ -1,6 +1,7 @@
 // Digital Calibration Certificate 3.2.1: administrative data of the project's certificate, results in D-SI.
 #include "core/base/version.h"
 #include "core/project/certificate.h"
+#include "core/project/stated_requirements.h"
 #include "core/report/certificate_parts.h"
 #include "core/result/representation.h"
 #include "core/writers/dcc_xml.h"
@@ -150,9 +151,7 @@ private:
             said_.push_back("not stated: analysis " + analysis.id + ", whose result " + does_not_represent);
             return {};
         }
-        const AnalysisEntry* entry = source_.made.project().find_analysis(analysis.id);
-        if (entry && !entry->requirements.empty())
-            said_.push_back("not stated: conformity with the requirements of analysis " + analysis.id);
+        const std::vector<RequirementResult> verdicts = verdicts_on(evaluated);
         xml_node node = results.append_child("dcc:measurementResult");
         const std::string name = xml_line(analysis.name.empty() ? analysis.id : analysis.name);
         add_name(node, name);
@@ -162,12 +161,25 @@ private:
             const auto outputs = report_parts::measurands_of(result, group);
             xml_node one = list.append_child("dcc:result");
             add_name(one, xml_line(group).empty() ? name : xml_line(group));
-            auto added = add_quantities(one.append_child("dcc:data"), result, group, outputs);
+            auto added = add_quantities(one.append_child("dcc:data"), result, group, outputs, verdicts);
             if (!added) return with_analysis(added.error(), analysis.id);
             quantities_ += outputs.size();
         }
         if (!list.first_child()) results.remove_child(node);
         return {};
+    }
+
+    /// A target uncertainty is an aim of the laboratory and no property of the item: it is not stated.
+    std::vector<RequirementResult> verdicts_on(const EvaluatedAnalysis& evaluated) {
+        const AnalysisEntry* entry = source_.made.project().find_analysis(evaluated.analysis->id);
+        if (!entry) return {};
+        std::vector<RequirementResult> verdicts = judge(*evaluated.result, *entry);
+        for (const RequirementResult& verdict : verdicts)
+            if (!verdict.not_judged.empty() && (verdict.lower_limit || verdict.upper_limit))
+                said_.push_back("not stated: conformity of " +
+                                xml_line(evaluated.result->outputs[verdict.output].quantity.symbol) +
+                                " of analysis " + entry->id + ": " + verdict.not_judged);
+        return verdicts;
     }
 
     static tl::unexpected<Error> with_analysis(Error error, const std::string& id) {

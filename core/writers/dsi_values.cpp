@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/project/stated_requirements.h"
 #include "core/readers/dsi_unit.h"
 #include "core/report/result_statement.h"
 #include "core/result/result_line.h"
@@ -32,7 +33,8 @@ double factor_of(const CoverageRegion& region) {
 
 class ValueElements {
 public:
-    explicit ValueElements(const UncertaintyResult& result) : result_(result) {}
+    ValueElements(const UncertaintyResult& result, const std::vector<RequirementResult>& verdicts)
+        : result_(result), verdicts_(verdicts) {}
 
     Result<void> add_scalar(xml_node data, std::size_t i) const {
         const OutputResult& output = result_.outputs[i];
@@ -42,7 +44,9 @@ public:
         add_text(real, "si:label", label_of(output));
         add_text(real, "si:value", format_exact(unit.unit.from_si(output.estimate)));
         add_text(real, "si:unit", unit.text);
-        return add_uncertainty(real, output, unit.unit);
+        if (auto added = add_uncertainty(real, output, unit.unit); !added) return added;
+        add_metadata(quantity, {i});
+        return {};
     }
 
     /// Values with labels, U of each and the covariance matrix in the units of the values.
@@ -54,7 +58,8 @@ public:
             if (const std::string words = degrees_words(i); !words.empty())
                 degrees += label_of(result_.outputs[i]) + ": " + words + "\n";
         }
-        xml_node list = quantity_in(data, group, degrees).append_child("si:list").append_child("si:realList");
+        xml_node quantity = quantity_in(data, group, degrees);
+        xml_node list = quantity.append_child("si:list").append_child("si:realList");
         const bool one_unit = std::all_of(units.begin(), units.end(),
                                           [&](const DsiUnit& u) { return u.text == units.front().text; });
         if (one_unit) add_text(list, "si:listUnit", units.front().text);
@@ -67,6 +72,7 @@ public:
             if (auto added = add_uncertainty(real, output, units[n].unit); !added) return added;
         }
         add_region(list.append_child("si:ellipsoidalRegion"), region, units);
+        add_metadata(quantity, region.outputs);
         return {};
     }
 
@@ -79,6 +85,51 @@ private:
         add_name(quantity, name);
         if (!description.empty()) add_contents(quantity.append_child("dcc:description"), description);
         return quantity;
+    }
+
+    static void add_number(xml_node data, const std::string& name, const DsiUnit& unit, double figure) {
+        xml_node quantity = data.append_child("dcc:quantity");
+        add_name(quantity, name);
+        xml_node real = quantity.append_child("si:real");
+        add_text(real, "si:value", format_exact(figure));
+        add_text(real, "si:unit", unit.text);
+    }
+
+    /// What is said of these outputs beside their values: degrees of freedom, conformity.
+    void add_metadata(xml_node quantity, const std::vector<std::size_t>& outputs) const {
+        xml_node list = quantity.append_child("dcc:measurementMetaData");
+        for (const std::size_t i : outputs) {
+            const double nu = stated_degrees_of_freedom(result_.outputs[i], result_);
+            if (std::isfinite(nu)) {
+                xml_node meta = list.append_child("dcc:metaData");
+                add_name(meta, "Effective degrees of freedom of " + label_of(result_.outputs[i]));
+                add_number(meta.append_child("dcc:data"), "nu_eff", dsi_unit_for(Unit()), nu);
+            }
+            for (const RequirementResult& verdict : verdicts_)
+                if (verdict.output == i && verdict.not_judged.empty() &&
+                    verdict.decision != RequirementResult::Decision::none)
+                    add_conformity(list.append_child("dcc:metaData"), verdict);
+        }
+        if (!list.first_child()) quantity.remove_child(list);
+    }
+
+    /// The decision by its rule, with tolerance, guard band and probability of conformance.
+    void add_conformity(xml_node meta, const RequirementResult& verdict) const {
+        const OutputResult& output = result_.outputs[verdict.output];
+        const DsiUnit unit = dsi_unit_for(output.quantity.unit);
+        meta.append_attribute("refType") = "basic_conformity";
+        add_name(meta, "Conformity of " + label_of(output));
+        add_text(meta, "dcc:convention", decision_rule(verdict.guard_factor));
+        add_text(meta, "dcc:norm", "JCGM 106:2012");
+        add_text(meta, "dcc:conformity",
+                 verdict.decision == RequirementResult::Decision::accept ? "pass" : "fail");
+        xml_node data = meta.append_child("dcc:data");
+        if (verdict.lower_limit)
+            add_number(data, "lower limit", unit, unit.unit.from_si(*verdict.lower_limit));
+        if (verdict.upper_limit)
+            add_number(data, "upper limit", unit, unit.unit.from_si(*verdict.upper_limit));
+        add_number(data, "guard band", unit, unit.unit.interval_from_si(verdict.guard_band));
+        add_number(data, "probability of conformance", dsi_unit_for(Unit()), verdict.conformance);
     }
 
     /// The D-SI has no element for degrees of freedom.
@@ -133,6 +184,7 @@ private:
     }
 
     const UncertaintyResult& result_;
+    const std::vector<RequirementResult>& verdicts_;
 };
 
 /// The joint region of exactly these outputs that an ellipsoid of the D-SI can state; null: none.
@@ -150,8 +202,9 @@ const CoverageRegion* region_of(const UncertaintyResult& result, const std::stri
 }  // namespace
 
 Result<void> add_quantities(pugi::xml_node data, const UncertaintyResult& result, const std::string& group,
-                            const std::vector<std::size_t>& outputs) {
-    const ValueElements elements(result);
+                            const std::vector<std::size_t>& outputs,
+                            const std::vector<RequirementResult>& verdicts) {
+    const ValueElements elements(result, verdicts);
     const std::string name = xml_line(group).empty() ? "results" : xml_line(group);
     if (const CoverageRegion* region = region_of(result, group, outputs))
         return elements.add_list(data, name, *region);

@@ -12,8 +12,10 @@
 namespace covaria {
 
 /// Measurands of a group as <dcc:quantity>: with a joint region as one list with the covariance matrix, else
-/// one by one. Error: an uncertainty that is not finite, for which the D-SI has no place.
+/// one by one. `verdicts` on them with a tolerance follow as metadata of their quantity. Error: an
+/// uncertainty that is not finite, for which the D-SI has no place.
 Result<void> add_quantities(pugi::xml_node data, const UncertaintyResult& result, const std::string& group,
-                            const std::vector<std::size_t>& outputs);
+                            const std::vector<std::size_t>& outputs,
+                            const std::vector<RequirementResult>& verdicts = {});
 
 }  // namespace covaria

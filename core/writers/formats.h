@@ -8,5 +8,7 @@ namespace covaria {
 Writer points_writer();
 Writer dcc_writer();
 Writer xlsx_writer();
+Writer urdf_writer();
+Writer robot_calibration_writer();
 
 }  // namespace covaria

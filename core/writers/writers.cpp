@@ -6,7 +6,8 @@
 namespace covaria {
 
 const std::vector<Writer>& writer_registry() {
-    static const std::vector<Writer> writers{points_writer(), dcc_writer(), xlsx_writer()};
+    static const std::vector<Writer> writers{points_writer(), dcc_writer(), xlsx_writer(), urdf_writer(),
+                                             robot_calibration_writer()};
     return writers;
 }
 

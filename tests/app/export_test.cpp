@@ -45,6 +45,47 @@ TEST(Export, PointsGoOutAndIn) {
     EXPECT_EQ(run_program({"validate", (folder / "back.covaria").string()}).status, 0);
 }
 
+TEST(Export, AnIdentifiedRobotGoesOutAndIn) {
+    const fs::path folder = fresh_folder("export-robot");
+    const std::string project = shipped_project("er10l-c10.covaria").string();
+    for (const auto& [writer, name] :
+         {std::pair("urdf", "robot.urdf"), {"robot-calibration", "robot.yaml"}}) {
+        const std::string file = (folder / name).string(),
+                          back = (folder / (std::string(writer) + ".covaria")).string();
+        const Outcome done = run_program({"export", project, "--as", writer, "--first-order", "--analysis",
+                                          "zero-pose-identified", "-o", file});
+        ASSERT_EQ(done.status, 0) << done.err;
+        EXPECT_TRUE(has(done.out, "robot er10l-identified, 6 joints")) << done.out;
+        EXPECT_TRUE(has(read_text(file), " mm (u = "));
+        const Outcome read =
+            run_program({writer == std::string("urdf") ? "import-urdf" : "import", file, "-o", back});
+        EXPECT_EQ(read.status, 0) << read.err << read.out;
+        EXPECT_EQ(run_program({"validate", back}).status, 0);
+    }
+    const Outcome several =
+        run_program({"export", project, "--as", "urdf", "--first-order", "--analysis", "zero-pose",
+                     "--analysis", "zero-pose-nominal", "-o", (folder / "two.urdf").string()});
+    EXPECT_EQ(several.status, 1);
+    EXPECT_TRUE(has(several.err, "er10l-calibrated") && has(several.err, "er10l-nominal")) << several.err;
+    EXPECT_FALSE(fs::exists(folder / "two.urdf"));
+}
+
+TEST(Export, ASceneIsAFile) {
+    const fs::path folder = fresh_folder("export-scene");
+    const std::string project = shipped_project("ballbar-tcp.covaria").string();
+    for (const auto& [name, beginning] : {std::pair("scene.gltf", "{"), {"scene.vtp", "<?xml"}}) {
+        const Outcome done =
+            run_program({"render", project, "--first-order", "-o", (folder / name).string()});
+        ASSERT_EQ(done.status, 0) << done.err;
+        EXPECT_TRUE(has(done.out, "lengths in m; ")) << done.out;
+        EXPECT_EQ(read_text(folder / name).substr(0, std::string_view(beginning).size()), beginning);
+    }
+    const Outcome chart = run_program({"render", shipped_project("gum/h1-end-gauge.covaria").string(),
+                                       "--first-order", "-o", (folder / "chart.gltf").string()});
+    EXPECT_EQ(chart.status, 1);
+    EXPECT_TRUE(has(chart.err, "has no scene, only a chart")) << chart.err;
+}
+
 TEST(Export, ACertificateNeedsItsFields) {
     const fs::path folder = fresh_folder("export-dcc");
     const std::string project = shipped_project("lsm-network.covaria").string(),

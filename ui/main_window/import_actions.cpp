@@ -45,6 +45,7 @@ void ImportActions::import_file(const QString& file) {
 }
 
 void ImportActions::take_over(const QString& name, const Proposals& proposals) {
+    emit accepted();
     const std::size_t assets = document_.project().assets.size(),
                       analyses = document_.project().analyses.size();
     document_.apply(tr("Import %1").arg(name), [&](Project& project) { add_to_project(project, proposals); });
@@ -73,6 +74,7 @@ void ImportActions::import_urdf_file(const QString& file) {
                               name + QStringLiteral("\n\n") + to_qt(robot.error().message));
         return;
     }
+    emit accepted();
     AssetEntry entry{unique_id(document_.project(), robot->name), robot->kind,
                      unique_name(document_.project(), robot->name), robot->notes, robot->setup};
     document_.apply(tr("Import %1").arg(to_qt(entry.name)),

@@ -27,6 +27,8 @@ public:
     void import_urdf_file(const QString& file);
 
 signals:
+    /// Somebody accepted an import: a project that it can be added to must be there now.
+    void accepted();
     void imported(const SetupAddress& entry);
     void message(const QString& text);
 

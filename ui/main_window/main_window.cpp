@@ -199,8 +199,7 @@ void MainWindow::make_file_menu() {
     menu->addMenu(exported);
     menu->addSeparator();
     menu->addAction(icon(QStringLiteral("quit")), tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
-    project_actions_ << files_.save_action << files_.save_as_action << imports_->import_action
-                     << imports_->urdf_action << exported->menuAction();
+    project_actions_ << files_.save_action << files_.save_as_action << exported->menuAction();
 }
 
 void MainWindow::make_edit_menu() {
@@ -261,6 +260,9 @@ void MainWindow::connect_panes() {
     connect(project_, &ProjectPane::message, this, say);
     connect(&results_->compare_tab(), &CompareTab::message, this, say);
     connect(imports_, &ImportActions::message, this, say);
+    connect(imports_, &ImportActions::accepted, this, [this] {
+        if (!has_project_) files_.new_project();
+    });
     connect(imports_, &ImportActions::imported, &selection_, &Selection::select_entry);
     connect(&document_, &Document::project_changed, this, &MainWindow::hold_runs);
     connect(&document_.unread(), &UnreadTexts::changed, this, &MainWindow::hold_runs);
@@ -395,7 +397,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     for (const QUrl& url : event->mimeData()->urls())
-        if (is_project(url) || (has_project_ && url.isLocalFile())) event->acceptProposedAction();
+        if (url.isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
@@ -405,7 +407,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
             return;
         }
     for (const QUrl& url : event->mimeData()->urls())
-        if (has_project_ && url.isLocalFile()) return imports_->import_file(url.toLocalFile());
+        if (url.isLocalFile()) return imports_->import_file(url.toLocalFile());
 }
 
 }  // namespace covaria::ui

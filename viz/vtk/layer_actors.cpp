@@ -49,6 +49,11 @@ double cloud_opacity(const LayerActor& cloud, const LayerActors::View& view) {
 
 }  // namespace
 
+std::mutex& mesh_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
 void LayerActors::update(const Scene& scene, const Scene* before, ScenePalette palette) {
     const SceneBounds bounds = bounds_of(scene);
     const Eigen::Vector3d middle = (bounds.low + bounds.high) / 2;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <mutex>
 #include <vector>
 
 #include "viz/scene/camera.h"
@@ -54,6 +55,8 @@ private:
     std::array<std::vector<LayerActor>, layer_count> actors_;
 };
 
+/// Building of meshes uses objects that VTK and we share within the process.
+std::mutex& mesh_mutex();
 /// The actors of one layer (none for labels and legend, which are painted on the picture).
 std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Eigen::Vector3d& origin,
                                   ScenePalette palette);

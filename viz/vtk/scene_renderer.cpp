@@ -45,12 +45,6 @@ struct SceneRenderer::Implementation {
 
 namespace {
 
-/// Building of meshes uses objects that VTK and we share within the process.
-std::mutex& mesh_mutex() {
-    static std::mutex mutex;
-    return mutex;
-}
-
 void add_light(vtkRenderer* renderer, const Eigen::Vector3d& from, double intensity) {
     vtkNew<vtkLight> light;
     light->SetLightTypeToCameraLight();
@@ -87,7 +81,7 @@ double SceneRenderer::Implementation::pixel_ratio() const {
 void SceneRenderer::Implementation::realise() {
     if (realised && realised_palette == palette && *realised == scene) return;
     const detail::CurrentContext current = window.current();  // actors that go give back their buffers
-    const std::lock_guard lock(mesh_mutex());
+    const std::lock_guard lock(detail::mesh_mutex());
     const bool comparable = realised && realised_palette == palette;
     actors.update(scene, comparable ? &*realised : nullptr, palette);
     realised = scene;

@@ -107,9 +107,11 @@ Eigen::Isometry3d pose_of(const AxisFrame<double>& f) {
     return X;
 }
 
-/// Without the digits that conversion made up: 1e-9 of a millimetre or degree.
+/// Without the digits that conversion made up: what is next to a whole number of 1e-9 mm or degrees is that
+/// number. Other digits stay: the tool is that of the file to the last.
 double plain(double value) {
-    return std::round(value * 1e9) / 1e9 + 0.0;
+    const double whole = std::round(value * 1e9) / 1e9;
+    return (std::abs(value - whole) <= 2e-12 * std::max(1.0, 1e-3 * std::abs(value)) ? whole : value) + 0.0;
 }
 
 /// In gimbal lock the entries that rounding left are taken off first, so that the first angle is 0.

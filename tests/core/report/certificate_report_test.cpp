@@ -186,9 +186,20 @@ TEST(CertificateReport, OfManyResultsItSaysWhichAreThere) {
         more.analysis = renamed;
         made.analyses.push_back(more);
     }
+    made.project.certificate.country.clear();
     const std::string fitting = to_html(made.document());
     EXPECT_TRUE(contains(fitting, "states 54 of 120 results")) << "the first is there, the last too many";
     EXPECT_FALSE(contains(to_html(made.document(CertifiedResults::all)), "results. Not stated"));
+    // The PDF carries a digital certificate only where that is complete.
+    EXPECT_FALSE(contains(fitting, "digital certificate"));
+    made.project.certificate.country = "DE";
+    const std::string sentence = "66 further results are in the digital certificate that is attached";
+    EXPECT_TRUE(contains(to_html(made.document()), sentence));
+    EXPECT_FALSE(contains(to_html(made.document(CertifiedResults::all)), "digital certificate"));
+    auto unknown = std::make_shared<UncertaintyResult>(*made.analyses.back().result);
+    unknown->outputs[0].standard_uncertainty = unknown->outputs[0].expanded_uncertainty = infinity;
+    made.analyses.back().result = unknown;
+    EXPECT_FALSE(contains(to_html(made.document()), sentence)) << "it has no place for what is not finite";
 }
 
 TEST(CertificateReport, WhatDoesNotRepresentTheMeasurandIsNoResult) {

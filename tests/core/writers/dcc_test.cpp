@@ -9,8 +9,10 @@
 #include "core/base/file_io.h"
 #include "core/base/resource_path.h"
 #include "core/kinds/models.h"
+#include "core/project/stated_requirements.h"
 #include "core/readers/dsi_unit.h"
 #include "core/readers/readers.h"
+#include "core/report/result_statement.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
 #include "tests/core/shipped_projects.h"
@@ -116,6 +118,68 @@ ReadQuantities read_back(const std::string& xml, std::string* left_out = nullptr
     if (read && left_out)
         for (const LeftOut& left : read->left_out) *left_out += left.what + "\n";
     return read ? ReadQuantities{read->analyses.at(0)} : ReadQuantities{};
+}
+
+/// Elements called `name`, wherever they are.
+std::vector<pugi::xml_node> elements(const pugi::xml_node& root, const char* name) {
+    std::vector<pugi::xml_node> found;
+    for (const pugi::xpath_node& node : root.select_nodes((std::string("//") + name).c_str()))
+        found.push_back(node.node());
+    return found;
+}
+
+/// The figure of the quantity called so in the data of metadata.
+double figure_of(const pugi::xml_node& meta, const char* name) {
+    for (const pugi::xml_node& quantity : meta.child("dcc:data").children("dcc:quantity"))
+        if (std::string_view(quantity.child("dcc:name").child("dcc:content").text().get()) == name)
+            return quantity.child("si:real").child("si:value").text().as_double();
+    ADD_FAILURE() << name << " is not there";
+    return 0.0;
+}
+
+TEST(WriteCertificate, StatesConformityByItsRule) {
+    for (const bool conforming : {true, false}) {
+        Project project = loaded(data_directory() / "projects/gum/h1-end-gauge.covaria");
+        project.certificate = full_certificate();
+        std::erase_if(project.analyses,
+                      [](const AnalysisEntry& analysis) { return analysis.requirements.empty(); });
+        auto& entry = project.analyses.at(0);
+        entry.requirements.at(0).guard_factor = 1.0;
+        if (!conforming)
+            entry.requirements[0].upper_limit->value = 50000850;  // accepted without guard band only
+        const Evaluated evaluated = evaluate(std::move(project));
+        const auto written = write_as("dcc", evaluated.source());
+        ASSERT_TRUE(written) << written.error().message;
+        if (has_xmllint()) {
+            EXPECT_EQ(invalid_because(written->bytes), "");
+        }
+        pugi::xml_document document;
+        ASSERT_TRUE(document.load_string(written->bytes.c_str()));
+        const auto stated = elements(document, "dcc:conformity");
+        ASSERT_EQ(stated.size(), 1u);
+        EXPECT_EQ(std::string(stated[0].text().get()), conforming ? "pass" : "fail");
+        const pugi::xml_node meta = stated[0].parent();
+        EXPECT_EQ(std::string(meta.child("dcc:convention").text().get()), "guard band w = U");
+        const auto verdict =
+            judge(*evaluated.analyses[0].result, evaluated.made->project().analyses.at(0)).at(0);
+        const std::string unit = meta.select_node(".//si:unit").node().text().get();
+        const Unit read = *unit_of_dsi(unit);
+        EXPECT_DOUBLE_EQ(read.to_si(figure_of(meta, "lower limit")), *verdict.lower_limit);
+        EXPECT_DOUBLE_EQ(read.to_si(figure_of(meta, "upper limit")), *verdict.upper_limit);
+        EXPECT_DOUBLE_EQ(read.interval_to_si(figure_of(meta, "guard band")), verdict.guard_band);
+        EXPECT_DOUBLE_EQ(figure_of(meta, "probability of conformance"), verdict.conformance);
+        std::size_t degrees = 0;
+        for (const pugi::xml_node& other : elements(document, "dcc:metaData"))
+            if (std::string_view(other.child("dcc:name").child("dcc:content").text().get())
+                    .starts_with("Effective degrees of freedom")) {
+                EXPECT_DOUBLE_EQ(
+                    figure_of(other, "nu_eff"),
+                    stated_degrees_of_freedom(evaluated.analyses[0].result->outputs[verdict.output],
+                                              *evaluated.analyses[0].result));
+                ++degrees;
+            }
+        EXPECT_EQ(degrees, 1u);
+    }
 }
 
 TEST(WriteCertificate, ScalarsComeBackWithUAndK) {

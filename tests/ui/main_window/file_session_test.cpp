@@ -192,7 +192,6 @@ TEST_F(FileSession, AProjectDroppedOnTheWindowOpens) {
     const QString file = project_copy();
     write(folder_.filePath(QStringLiteral("notes.txt")), "no project");
     QSignalSpy opened(&window_->document(), &Document::open_finished);
-    drop({folder_.filePath(QStringLiteral("notes.txt"))});
     drop({folder_.filePath(QStringLiteral("notes.txt")), file});
     ASSERT_TRUE(opened.wait(10'000));
     EXPECT_EQ(opened.size(), 1);

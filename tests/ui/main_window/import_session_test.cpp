@@ -108,6 +108,45 @@ TEST_F(FileImportSession, ADroppedBudgetIsShownAndAddedInOneStep) {
     EXPECT_EQ(window_->document().project().analyses.size(), before);
 }
 
+TEST_F(FileImportSession, AFileDroppedOnTheStartPageBeginsAProject) {
+    ASSERT_TRUE(action(QStringLiteral("Import File"))->isEnabled());
+    ImportDialog* dialog = drop(sample("budget.xlsx"));
+    ASSERT_TRUE(dialog);
+    EXPECT_FALSE(action(QStringLiteral("Save"))->isEnabled());  // nothing is there until it is accepted
+    dialog->reject();
+    EXPECT_TRUE(wait_for([&] { return !window_->findChild<ImportDialog*>(QStringLiteral("import")); }));
+    EXPECT_FALSE(action(QStringLiteral("Save"))->isEnabled());
+    dialog = drop(sample("budget.xlsx"));
+    ASSERT_TRUE(dialog);
+    press_import(*dialog);
+    const Project& project = window_->document().project();
+    ASSERT_EQ(project.analyses.size(), 1u);
+    EXPECT_EQ(window_->selection().entry(), (SetupAddress{SetupOwner::analysis, project.analyses[0].id}));
+    EXPECT_TRUE(action(QStringLiteral("Save"))->isEnabled());
+    EXPECT_TRUE(window_->document().is_modified());
+    window_->document().undo_stack().undo();
+    EXPECT_TRUE(window_->document().project().analyses.empty());
+    EXPECT_FALSE(window_->document().is_modified());
+}
+
+TEST_F(FileImportSession, ARobotDroppedOnTheStartPageBeginsAProject) {
+    const QString file = folder_.filePath(QStringLiteral("arm.urdf"));
+    QFile arm(file);
+    ASSERT_TRUE(arm.open(QIODevice::WriteOnly));
+    arm.write(
+        "<robot name=\"Arm\"><joint name=\"a\" type=\"continuous\"><parent link=\"base\"/><child link=\"l\"/>"
+        "<axis xyz=\"0 0 1\"/></joint></robot>");
+    arm.close();
+    QMimeData mime;
+    mime.setUrls({QUrl::fromLocalFile(file)});
+    QDropEvent event({10, 10}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &event);
+    const Project& project = window_->document().project();
+    ASSERT_EQ(project.assets.size(), 1u);
+    EXPECT_EQ(window_->selection().entry(), (SetupAddress{SetupOwner::asset, project.assets[0].id}));
+    EXPECT_TRUE(action(QStringLiteral("Save"))->isEnabled());
+}
+
 TEST_F(FileImportSession, TheWorkbookOfTheWindowIsThatOfTheCommandLine) {
     const QString project = folder_.filePath(QStringLiteral("h1.covaria"));
     ASSERT_TRUE(
