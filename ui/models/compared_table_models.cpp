@@ -22,7 +22,7 @@ void ComparedResultsModel::set_comparison(ComparisonPointer comparison, const st
     for (std::size_t i = 0; i < comparison_->outputs.size(); ++i)
         if (group.empty() || quantity_of(i).group == group) shown_.push_back(i);
     set_contents(comparison_, compared_results_table(*comparison_, shown_),
-                 {"group", "symbol", "name", "unit", "U before", "U after", "change of U", "estimate before",
+                 {"group", "symbol", "U before", "U after", "change of U", "unit", "name", "estimate before",
                   "estimate after", "change of estimate", "u before", "u after", "k before", "k after", "in"},
                  current);
 }
@@ -44,7 +44,7 @@ void ComparedBudgetModel::set_comparison(ComparisonPointer comparison, std::size
     Table table = compared_budget_table(*comparison, compared_places(*comparison, output));
     set_contents(
         std::move(comparison), std::move(table),
-        {"quantity", "component", "what", "change of variance", "contribution before", "contribution after",
+        {"quantity", "change of variance", "what", "component", "contribution before", "contribution after",
          "u before", "u after", "unit", "share before", "share after", "origin"},
         current);
 }

@@ -63,11 +63,12 @@ void ResultTableModel::rebuild() {
 }
 
 std::vector<std::string> ResultTableModel::keys() const {
-    std::vector<std::string> keys = {"group", "symbol", "name", "unit", "estimate", "u", "U", "k", "nu_eff"};
+    std::vector<std::string> keys = {"group", "symbol", "name", "unit", "estimate", "u", "U"};
+    if (!verdicts_.empty()) keys.insert(keys.end(), {"target", "U/target", "met"});
+    keys.insert(keys.end(), {"k", "nu_eff"});
     const bool symmetric = interval_ == Interval::symmetric;
     keys.insert(keys.end(),
                 {symmetric ? "interval low" : "shortest low", symmetric ? "interval high" : "shortest high"});
-    if (!verdicts_.empty()) keys.insert(keys.end(), {"target", "U/target", "met"});
     constexpr std::size_t most = 6;  // a network of many instruments would fill the table
     if (result_->contributors.size() <= most)
         for (std::string& key : contributor_keys(*result_)) keys.push_back(std::move(key));

@@ -42,6 +42,8 @@ void CompareTab::make_actions() {
                       tr("Makes the project what it was when the results were kept; can be undone"));
     discard_ = action(tr("Discard Kept State"), "discard_kept",
                       tr("Forgets the kept results; the project stays as it is now"));
+    go_back_->setIconText(tr("Go Back"));  // on the buttons
+    discard_->setIconText(tr("Discard"));
     connect(keep_, &QAction::triggered, this, &CompareTab::keep);
     connect(go_back_, &QAction::triggered, this, &CompareTab::go_back);
     connect(discard_, &QAction::triggered, this, [this] { kept_.discard(selection_.analysis()); });
@@ -65,10 +67,6 @@ QWidget* CompareTab::make_head() {
     state_ = new QLabel;
     state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addWidget(state_, 1);
-    chart_list_ = new QComboBox;
-    chart_list_->setAccessibleName(tr("Chart"));
-    chart_list_->addItems({tr("Distributions"), tr("Changes of the budget")});
-    row->addWidget(chart_list_);
     return head;
 }
 
@@ -79,13 +77,22 @@ QWidget* CompareTab::make_body() {
                            tr("u after"), tr("k before"), tr("k after"), tr("In")});
     budget_ = new SortableTable(budget_model_, tr("budget-changes"));
     budget_->set_columns(QStringLiteral("budget-changes"), {tr("Origin")});
+    chart_list_ = new QComboBox;
+    chart_list_->setAccessibleName(tr("Chart"));
+    chart_list_->addItems({tr("Distributions"), tr("Changes of the budget")});
     chart_ = new ChartView;
+    auto* charts = new QWidget;
+    auto* column = new QVBoxLayout(charts);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(chart_list_);
+    column->addWidget(chart_, 1);
     auto* tables = new QSplitter(Qt::Vertical);
     tables->addWidget(results_);
     tables->addWidget(budget_);
     auto* body = new QSplitter(Qt::Horizontal);
     body->addWidget(tables);
-    body->addWidget(chart_);
+    body->addWidget(charts);
     body->setSizes({3000, 2000});
     for (QSplitter* splitter : {tables, body}) splitter->setChildrenCollapsible(false);
     return body;

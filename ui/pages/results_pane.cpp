@@ -117,6 +117,7 @@ QWidget* ResultsPane::make_filter() {
     filter_->setPlaceholderText(tr("Filter: symbol, name, group"));
     filter_->setAccessibleName(tr("Filter of the results"));
     filter_->setClearButtonEnabled(true);
+    filter_->setMinimumWidth(200);
     filter_->setMaximumWidth(260);
     all_groups_ = new QCheckBox(tr("All groups"));
     all_groups_->setToolTip(tr("Results of all poses, points or targets, whichever is selected"));
