@@ -85,7 +85,7 @@ Result<WrittenFile> write_calibration(const WriterSource& source) {
 }  // namespace
 
 Writer robot_calibration_writer() {
-    return {.name = "robot-calibration",
+    return {.name = "ur-calibration",
             .title = "Kinematic calibration of a UR robot (ROS)",
             .ending = ".yaml",
             .writes =

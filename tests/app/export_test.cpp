@@ -48,8 +48,7 @@ TEST(Export, PointsGoOutAndIn) {
 TEST(Export, AnIdentifiedRobotGoesOutAndIn) {
     const fs::path folder = fresh_folder("export-robot");
     const std::string project = shipped_project("er10l-c10.covaria").string();
-    for (const auto& [writer, name] :
-         {std::pair("urdf", "robot.urdf"), {"robot-calibration", "robot.yaml"}}) {
+    for (const auto& [writer, name] : {std::pair("urdf", "robot.urdf"), {"ur-calibration", "robot.yaml"}}) {
         const std::string file = (folder / name).string(),
                           back = (folder / (std::string(writer) + ".covaria")).string();
         const Outcome done = run_program({"export", project, "--as", writer, "--first-order", "--analysis",

@@ -148,7 +148,7 @@ TEST(WriteRobots, ACalibrationComesBackToTheSameNumbers) {
         read_file(std::filesystem::path(COVARIA_SOURCE_DIR) / "tests/data/readers/arm_calibration.yaml");
     ASSERT_TRUE(text);
     const auto first = back_from_calibration(*text);
-    const auto file = written("robot-calibration", *first);
+    const auto file = written("ur-calibration", *first);
     ASSERT_TRUE(file) << file.error().message;
     expect_same_tool(robot_in(*first, "back"), robot_in(*back_from_calibration(file->bytes), "back"),
                      "calibration");
@@ -163,7 +163,7 @@ TEST(WriteRobots, ACalibrationIsTheArmUpToTheFrameOfWrist3) {
         AssetEntry arm = random_arm(seed, 6, false);
         if (seed % 2) arm.setup.values.erase("base");
         const auto made = made_of(arm);
-        const auto file = written("robot-calibration", *made);
+        const auto file = written("ur-calibration", *made);
         ASSERT_TRUE(file) << file.error().message;
         const auto back = back_from_calibration(file->bytes);
         const SerialRobotSource &a = robot_in(*made, "arm"), &b = robot_in(*back, "back");
@@ -190,7 +190,7 @@ TEST(WriteRobots, ACalibrationIsTheArmUpToTheFrameOfWrist3) {
 
 TEST(WriteRobots, ACalibrationIsOfSixJointsThatTurn) {
     for (const std::size_t joints : {1u, 5u, 7u}) {
-        const auto file = written("robot-calibration", *made_of(random_arm(1, joints, false)));
+        const auto file = written("ur-calibration", *made_of(random_arm(1, joints, false)));
         ASSERT_FALSE(file);
         EXPECT_NE(file.error().message.find("six joints that turn"), std::string::npos);
     }
@@ -200,7 +200,7 @@ TEST(WriteRobots, ACalibrationIsOfSixJointsThatTurn) {
     auto& row = table.rows[2];
     for (const char* turning : {"q_zero", "q_min", "q_max"}) row[SetupSchema::column(field, turning)] = {};
     row[SetupSchema::column(field, "type")] = std::string("sliding");
-    EXPECT_FALSE(written("robot-calibration", *made_of(robot)));
+    EXPECT_FALSE(written("ur-calibration", *made_of(robot)));
     const auto urdf = written("urdf", *made_of(robot));
     ASSERT_TRUE(urdf);
     bool said = false;

@@ -57,7 +57,7 @@ TEST_F(ImportSession, WhatIsNoRobotIsSaidAndLeftOut) {
 class FileImportSession : public Session {
 protected:
     /// As when the file is dropped on the window.
-    ImportDialog* drop(const QString& file) {
+    void let_go(const QString& file) {
         QMimeData mime;
         mime.setUrls({QUrl::fromLocalFile(file)});
         QDragEnterEvent enter({10, 10}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
@@ -65,6 +65,9 @@ protected:
         EXPECT_TRUE(enter.isAccepted());
         QDropEvent event({10, 10}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(window_.get(), &event);
+    }
+    ImportDialog* drop(const QString& file) {
+        let_go(file);
         auto* dialog = window_->findChild<ImportDialog*>(QStringLiteral("import"));
         EXPECT_TRUE(dialog && wait_for([&] { return dialog->isVisible(); }));
         return dialog;
@@ -137,10 +140,7 @@ TEST_F(FileImportSession, ARobotDroppedOnTheStartPageBeginsAProject) {
         "<robot name=\"Arm\"><joint name=\"a\" type=\"continuous\"><parent link=\"base\"/><child link=\"l\"/>"
         "<axis xyz=\"0 0 1\"/></joint></robot>");
     arm.close();
-    QMimeData mime;
-    mime.setUrls({QUrl::fromLocalFile(file)});
-    QDropEvent event({10, 10}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &event);
+    let_go(file);
     const Project& project = window_->document().project();
     ASSERT_EQ(project.assets.size(), 1u);
     EXPECT_EQ(window_->selection().entry(), (SetupAddress{SetupOwner::asset, project.assets[0].id}));
