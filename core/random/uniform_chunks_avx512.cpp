@@ -43,7 +43,8 @@ COVARIA_AVX512 void fill_chunk_avx512(const UniformStream& stream, std::uint64_t
     for (std::size_t i = 0; i < chunk_counters; i += lanes * side_by_side) {
         WideCounters c[side_by_side];
         for (std::size_t k = 0; k < side_by_side; ++k) {
-            const __m512i first = _mm512_set1_epi64(static_cast<long long>(counter + i + lanes * k));
+            const std::uint64_t first_counter = counter + i + lanes * k;
+            const __m512i first = _mm512_set1_epi64(static_cast<long long>(first_counter));
             c[k].c0 = _mm512_add_epi64(first, lane);
             c[k].c1 = _mm512_srli_epi64(c[k].c0, 32);
             c[k].c2 = _mm512_set1_epi64(stream.component);
