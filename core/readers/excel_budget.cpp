@@ -559,7 +559,8 @@ Result<SourceTable> table_of_budget(const std::string& text, const ReadChoice& c
         last = std::max(last, cells.rbegin()->first);
     }
     last = std::min(last, first + most_shown_columns - 1);
-    table.columns.resize(static_cast<std::size_t>(last - first + 1));
+    const int columns = last - first + 1;
+    table.columns.resize(static_cast<std::size_t>(columns));
     for (std::size_t i = 0; place && i < place->columns.size(); ++i)
         for (const BudgetColumnWord& word : budget_column_words())
             if (const int at = place->columns[i] - first;
