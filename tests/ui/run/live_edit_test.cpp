@@ -37,7 +37,7 @@ TEST(LiveEdit, EveryExampleRunsAndFollowsAnEdit) {
             if (changed == id) stages.push_back(runner.status(id).stage);
         });
         maker.request(std::make_shared<const Project>(project));
-        ASSERT_TRUE(runner.wait_until_idle(60'000)) << model.id;
+        ASSERT_TRUE(runner.wait_until_idle(300'000)) << model.id;
         ASSERT_EQ(runner.status(id).state, RunState::up_to_date)
             << model.id << ": " << runner.status(id).message.toStdString();
         EXPECT_EQ(stages, (std::vector{ResultStage::first_order, ResultStage::complete})) << model.id;
@@ -45,7 +45,7 @@ TEST(LiveEdit, EveryExampleRunsAndFollowsAnEdit) {
         const auto seed_1 = runner.status(id).result;
         for (AnalysisEntry& analysis : project.analyses) ++analysis.options.seed;
         maker.request(std::make_shared<const Project>(project));
-        ASSERT_TRUE(runner.wait_until_idle(60'000)) << model.id;
+        ASSERT_TRUE(runner.wait_until_idle(300'000)) << model.id;
         const auto seed_2 = runner.status(id).result;
         EXPECT_TRUE(runner.status(id).is_current());
         EXPECT_EQ(seed_1->outputs[0].first_order.standard_uncertainty,
