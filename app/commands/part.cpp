@@ -131,8 +131,8 @@ Result<void> compute_part(const PartArguments& arguments, const std::stop_token&
         std::printf("%s is there\n", file.c_str());
         return {};
     }
-    const auto part =
-        computed_part(*run, stop, [k, n](const UnitWork& work) { return range_of_part(work.units, k, n); });
+    const auto part = computed_part(
+        *run, stop, [k = k, n = n](const UnitWork& work) { return range_of_part(work.units, k, n); });
     if (!part) return fail(part.error());
     if (auto written = write_part(file, *part); !written) return written;
     std::printf("%s\n", file.c_str());
