@@ -19,7 +19,8 @@ struct DelimitedText {
 /// in a line of blanks are decimal ones.
 DelimitedText delimited_text_of(std::string_view text);
 
-/// Lines with content, as `scan_csv`; those that begin with '#' or '//' are counted instead.
+/// Lines with content, as `scan_csv`; those that begin with '#', '!' or '//', and "sep=;", are counted
+/// instead.
 Result<void> scan_table(std::string_view text, const DelimitedText& format, std::size_t& comments,
                         const TakeCsvRow& take);
 
