@@ -17,7 +17,7 @@ bool is_comment(std::string_view line) {
     line.remove_prefix(first);
     // "sep=;" is how Excel is told the separator.
     return line[0] == '#' || line[0] == '!' || line.starts_with("//") ||
-           (line.starts_with("sep=") && line.find_last_not_of(blanks) == 4);
+           (line.starts_with("sep=") && line.find_last_not_of(blanks) <= 4);
 }
 
 std::string_view next_line(std::string_view& rest) {
@@ -72,6 +72,9 @@ Result<void> scan_blank_separated(std::string_view text, const TakeCsvRow& take)
             return refused_at(number, static_cast<int>(valid_utf8(line)) + 1,
                               "the text is not encoded as UTF-8; save it as UTF-8");
         std::vector<std::string> cells = blank_separated(line);
+        if (cells.size() > most_csv_columns)
+            return refused_at(number,
+                              "more than " + std::to_string(most_csv_columns) + " columns are not read");
         if (!cells.empty() && !take({number, std::move(cells)})) break;
     }
     return {};
@@ -95,6 +98,7 @@ std::vector<std::string> blank_separated(std::string_view line) {
         const std::size_t begin = quoted ? at + 1 : at;
         const std::size_t end =
             std::min(quoted ? line.find('"', begin) : line.find_first_of(blanks, begin), line.size());
+        if (cells.size() > most_csv_columns) break;  // refused by who scans
         cells.emplace_back(line.substr(begin, end - begin));
         at = quoted ? end + 1 : end;
     }

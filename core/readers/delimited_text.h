@@ -27,7 +27,7 @@ Result<void> scan_table(std::string_view text, const DelimitedText& format, std:
 /// The cells of the first line with content; empty where there is none.
 std::vector<std::string> first_cells(std::string_view text, const DelimitedText& format);
 
-/// Words between blanks; what stands in double quotes is one.
+/// Words between blanks; what stands in double quotes is one. Not more than `most_csv_columns` + 1 of them.
 std::vector<std::string> blank_separated(std::string_view line);
 
 }  // namespace covaria

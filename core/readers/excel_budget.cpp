@@ -233,15 +233,6 @@ private:
         return *read ? std::optional((*read)->value) : std::nullopt;
     }
 
-    static bool is_sum(const std::string& label) {
-        std::string lower;
-        for (const char c : label) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        constexpr std::array<const char*, 8> words{"combined", "expanded",   "effective", "sum",
-                                                   "total",    "kombiniert", "erweitert", "summe"};
-        return std::any_of(words.begin(), words.end(),
-                           [&](const char* word) { return lower.starts_with(word); });
-    }
-
     bool has_figure(int row, Column wanted) const {
         const WorkbookCell* found = cell(row, wanted);
         return found && (found->number || !found->failure.empty());
@@ -256,7 +247,7 @@ private:
                                !text(row, Column::divisor).empty() || !text(row, Column::c).empty();
         const bool valued = cell(row, Column::value) != nullptr, first = budget_.quantities.empty();
         const bool contributes = has_figure(row, Column::contribution);
-        if (!first && !described && (is_sum(label) || is_sum(name))) return end_with(row, false);
+        if (!first && !described && (is_sum_label(label) || is_sum_label(name))) return end_with(row, false);
         if (!first && !described && (contributes || uncertain) && valued && !label.empty() &&
             (contributes || column(Column::contribution) == 0) &&
             (column(Column::distribution) > 0 || column(Column::divisor) > 0 || column(Column::c) > 0))

@@ -104,7 +104,12 @@ tl::unexpected<Error> column_choice(const std::string& what) {
     return fail(ErrorCode::usage, what + "; state the columns: " + point_column_words());
 }
 
+constexpr std::size_t most_point_columns = 1000;
+
 Result<void> check(const PointColumns& columns) {
+    if (columns.size() > most_point_columns)
+        return fail(ErrorCode::bad_input,
+                    "more than " + std::to_string(most_point_columns) + " columns are not read");
     for (std::size_t i = 0; i < columns.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (columns[i].kind != PointColumnKind::unread && columns[i].kind == columns[j].kind &&

@@ -145,6 +145,17 @@ TEST(ReadPoints, HeadersAsProgramsWriteThem) {
     EXPECT_EQ(wrong.error().line, 4);
 }
 
+TEST(ReadPoints, LinesOfColumnsWithoutEndAreRefused) {
+    for (const char separator : {',', ' '})
+        for (const std::size_t columns : {2000, 300'000}) {
+            std::string text = std::string("name") + separator + "x" + separator + "y" + separator + "z";
+            for (std::size_t i = 0; i < columns; ++i) text += std::string(1, separator) + "q";
+            const auto read = read_with("points", text + "\n");
+            ASSERT_FALSE(read);
+            EXPECT_NE(read.error().message.find("columns"), std::string::npos) << read.error().message;
+        }
+}
+
 TEST(ReadSpatialAnalyzer, NamesWithBlanksStandBetweenTabs) {
     const auto read = read_with("spatialanalyzer", "Jig A\tMain Group\tP 1\t1.0\t2.0\t3.0\n");
     ASSERT_TRUE(read) << read.error().message;
