@@ -85,6 +85,7 @@ MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     scene_->set_dark(theme_->is_dark());
     results_->set_dark(theme_->is_dark());
     files_.set_autosave(preferences_.now().autosave_seconds);
+    font_points_ = preferences_.now().font_points;
     update_title();
 }
 
@@ -353,6 +354,10 @@ void MainWindow::take_preferences() {
     const Preferences& wanted = preferences_.now();
     files_.set_autosave(wanted.autosave_seconds);
     results_->take_preferences();
+    if (std::exchange(font_points_, wanted.font_points) != wanted.font_points) {
+        finish_typing();
+        properties_->start_over();  // sizes of forms are those of their font
+    }
     if (wanted.numbers == numbers_) return;
     finish_typing();  // what was typed is of the form before
     apply_number_form(numbers_ = wanted.numbers);

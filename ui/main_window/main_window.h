@@ -106,6 +106,7 @@ private:
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     NumberForm numbers_ = NumberForm::system;
+    int font_points_ = 0;
     bool has_project_ = false;  ///< false: only the start page has been shown
     QToolBar* toolbar_ = nullptr;
     QList<QDockWidget*> docks_;        ///< project, properties, analysis, problems, log

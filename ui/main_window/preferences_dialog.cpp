@@ -70,13 +70,14 @@ QComboBox* PreferencesDialog::add_box(QFormLayout& form, const QString& title, c
 }
 
 QSpinBox* PreferencesDialog::add_number(QFormLayout& form, const QString& title, const char* name,
-                                        const QString& help) {
+                                        const QString& help, std::pair<int, int> range) {
     auto* box = new QSpinBox;
     box->setObjectName(QString::fromLatin1(name));
     box->setAccessibleName(title);
     box->setToolTip(help);
     box->setKeyboardTracking(false);
     form.addRow(title, box);
+    box->setRange(range.first, range.second);
     connect(box, &QSpinBox::valueChanged, this, &PreferencesDialog::take);
     return box;
 }
@@ -108,8 +109,8 @@ void PreferencesDialog::add_new_analyses(QFormLayout& form) {
                       tr("Of U = k u, where a new analysis begins with a fixed one"));
     add_items(*factor_,
               {{0.0, tr("k from the degrees of freedom or the coverage interval")}, {2.0, tr("k = 2")}});
-    trials_ = add_number(form, tr("Trials"), "trials", tr("Of Monte Carlo"));
-    trials_->setRange(int(fewest_trials), int(most_trials));
+    trials_ = add_number(form, tr("Trials"), "trials", tr("Of Monte Carlo"),
+                         {int(fewest_trials), int(most_trials)});
     trials_->setSingleStep(100'000);
     trials_->setGroupSeparatorShown(true);
 }
@@ -119,13 +120,13 @@ void PreferencesDialog::add_window(QFormLayout& form) {
     add_items(*theme_, {{QStringLiteral("system"), tr("As the system")},
                         {QStringLiteral("light"), tr("Light")},
                         {QStringLiteral("dark"), tr("Dark")}});
-    font_ = add_number(form, tr("Font size"), "font_points", tr("Of the whole window"));
-    font_->setRange(smallest_font - 1, largest_font);
+    font_ = add_number(form, tr("Font size"), "font_points", tr("Of the whole window"),
+                       {smallest_font - 1, largest_font});
     font_->setSpecialValueText(tr("as the system"));
     font_->setSuffix(tr(" pt"));
     autosave_ = add_number(form, tr("Recovery copy"), "autosave",
-                           tr("How long an edit may stay without a copy that a crash leaves behind"));
-    autosave_->setRange(1, longest_autosave);
+                           tr("How long an edit may stay without a copy that a crash leaves behind"),
+                           {1, longest_autosave});
     autosave_->setPrefix(tr("at most "));
     autosave_->setSuffix(tr(" s after an edit"));
 }

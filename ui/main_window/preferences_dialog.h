@@ -22,7 +22,8 @@ private:
     void add_new_analyses(QFormLayout& form);
     void add_window(QFormLayout& form);
     QComboBox* add_box(QFormLayout& form, const QString& title, const char* name, const QString& help);
-    QSpinBox* add_number(QFormLayout& form, const QString& title, const char* name, const QString& help);
+    QSpinBox* add_number(QFormLayout& form, const QString& title, const char* name, const QString& help,
+                         std::pair<int, int> range);
     /// What the controls say.
     void take();
     void show_preferences();

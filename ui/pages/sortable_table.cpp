@@ -54,6 +54,7 @@ SortableTable::SortableTable(ColumnTableModel& model, const QString& name, QWidg
             [this](int column, int, int width) { remember_width(column, width); });
     connect(&proxy_, &QAbstractItemModel::modelReset, this, &SortableTable::apply_columns);
     connect(&proxy_, &QAbstractItemModel::dataChanged, this, &SortableTable::fit_columns);
+    follow_font(*this, [this] { fit_columns(); });
     connect(this, &QTableView::activated, this,
             [this](const QModelIndex& index) { emit row_activated(proxy_.mapToSource(index).row()); });
 }

@@ -95,7 +95,7 @@ TEST_F(PreferencesSession, NewAnalysesBeginWithThemAndOthersStay) {
     ASSERT_NE(trials, nullptr);
     trials->setValue(50'000);
     const Project before = window_->document().project();
-    window_->project_pane().add_analysis("equation");
+    window_->project_pane().add_analysis("measurement-equation");
     const Project& after = window_->document().project();
     ASSERT_EQ(after.analyses.size(), before.analyses.size() + 1);
     EXPECT_EQ(after.analyses.back().options.coverage_factor, 2.0);
