@@ -77,22 +77,31 @@ std::vector<OptionField> common_fields() {
 std::vector<OptionField> trial_fields() {
     return {{"oneAtATimeTrials",
              "Trials one at a time",
-             "Of Monte Carlo with all components but one held, for each component; 0: none.",
+             "Of Monte Carlo with all components but one kept constant, for each component; 0: none.",
              &O::one_at_a_time_trials,
              with_trials,
-             {.low = 0.0}},
+             {.low = 0.0},
+             false,
+             {},
+             true},
             {"contributorTrials",
              "Trials by contributor",
              "Of Monte Carlo without each contributor, and of it alone; 0: none.",
              &O::contributor_trials,
              with_trials,
-             {.low = 0.0}},
+             {.low = 0.0},
+             false,
+             {},
+             true},
             {"sobolTrials",
              "Trials for Sobol indices",
              "Pairs of trials for Sobol indices; 0: none.",
              &O::sobol_trials,
              with_trials,
-             {.low = 0.0}}};
+             {.low = 0.0},
+             false,
+             {},
+             true}};
 }
 
 std::vector<OptionField> adaptive_fields() {

@@ -39,6 +39,7 @@ struct OptionField {
     Range range = {};
     bool below_high = false;           ///< less than range.high, not equal to it
     std::vector<Choice> choices = {};  ///< of a ChosenOption
+    bool none_at_zero = false;         ///< 0: not asked for; forms say nothing then
 };
 
 /// In the order of files and forms.

@@ -23,7 +23,7 @@ const std::vector<ReportChapterField>& report_chapters() {
         {inputs, "inputs", "Input quantities"},
         {assets, "assets", "Artefacts and instruments"},
         {budgets, "budgets", "Uncertainty budgets"},
-        {influence, "influence", "Sobol indices and contributors held"},
+        {influence, "influence", "Sobol indices and contributors"},
         {evaluation, "evaluation", "Evaluation of the set-up"},
         {comparison, "comparison", "Law of propagation beside Monte Carlo"},
         {regions, "regions", "Joint coverage regions"},

@@ -77,7 +77,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at)
         .of_symbols();
     add("component", [](L l) -> Cell { return l.component.name; }).window("Component of uncertainty");
     add("component in words",
-        [](L l) -> Cell { return l.component.name + (l.component.held ? " (held)" : ""); })
+        [](L l) -> Cell { return l.component.name + (l.component.held ? " (constant)" : ""); })
         .print("Component")
         .not_in_files();
     add("id", [](L l) -> Cell { return l.component.id; });
@@ -118,7 +118,7 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at)
     add("one at a time",
         [](L l) { return l.row.one_at_a_time ? interval(*l.row.one_at_a_time, l.output.unit) : Cell(); })
         .print("alone, Monte Carlo,")
-        .window("u one at a time", "By Monte Carlo with every other component held")
+        .window("u one at a time", "By Monte Carlo with every other component kept constant")
         .digits(2)
         .in(unit);
     add("held", [](L l) -> Cell { return Answer{l.component.held}; });

@@ -107,14 +107,16 @@ struct HtmlWriter {
         out += "</dl>\n";
     }
     void operator()(const EquationBlock& equation) {
-        out += element("p",
-                       element("span",
-                               equation.formula.empty() ? to_html(equation_text(equation.text))
-                                                        : to_mathml(equation.formula),
-                               "formula") +
-                           element("span", escape_html(equation.source), "source"),
-                       "equation") +
-               "\n";
+        out +=
+            element(
+                "p",
+                element("span",
+                        equation.formula.empty() ? to_html(equation_text(equation.text))
+                                                 : to_mathml(equation.formula),
+                        "formula") +
+                    (equation.source.empty() ? "" : element("span", escape_html(equation.source), "source")),
+                "equation") +
+            "\n";
     }
     void operator()(const TableBlock& block) {
         const DataTable& table = block.table;

@@ -54,7 +54,7 @@ double row_uncertainty(L l) {
 std::string row_distribution(L l) {
     if (l.quantity().shares.empty()) return "constant";
     const UncertaintyComponent* c = l.component();
-    return c ? std::string(drawn_distribution(*c).title()) + (c->held ? ", held" : "") : "combined";
+    return c ? std::string(drawn_distribution(*c).title()) + (c->held ? ", constant" : "") : "combined";
 }
 
 /// The origin that all components of the quantity have in common: "typed; ", else nothing.

@@ -248,7 +248,7 @@ private:
                          return Measured{U, Scale::interval, output.quantity.unit, {}};
                      })
                 .window(keys[i], "Expanded uncertainty that remains when everything " + name +
-                                     " brings in is held (an ideal one), " + method)
+                                     " brings in is kept constant (an ideal one), " + method)
                 .digits(2)
                 .not_in_files();
         }
@@ -264,7 +264,7 @@ private:
 std::vector<std::string> contributor_keys(const UncertaintyResult& result) {
     std::vector<std::string> keys;
     for (const ContributorResult& c : result.contributors)
-        keys.push_back("U, " + report_parts::contributor_title(c) + " held");
+        keys.push_back("U without " + report_parts::contributor_title(c));
     return keys;
 }
 

@@ -114,9 +114,10 @@ DataTable histograms_table(const UncertaintyResult& result) {
 
 /// One row for an output and a contributor.
 DataTable contributors_table(const UncertaintyResult& result) {
-    DataTable table = table_with("contributors", "Standard uncertainties with contributors held, and alone",
-                                 {"group", "symbol", "unit", "contributor", "u_held_first_order",
-                                  "u_alone_first_order", "u_held_monte_carlo", "u_alone_monte_carlo"});
+    DataTable table =
+        table_with("contributors", "Standard uncertainties without each contributor, and of it alone",
+                   {"group", "symbol", "unit", "contributor", "u_held_first_order", "u_alone_first_order",
+                    "u_held_monte_carlo", "u_alone_monte_carlo"});
     for (const ContributorResult& c : result.contributors)
         for (std::size_t j = 0; j < result.outputs.size(); ++j) {
             const OutputQuantity& q = result.outputs[j].quantity;

@@ -1,4 +1,4 @@
-// U with everything of one contributor held ("ideal robot"), and of that contributor alone.
+// U without one contributor (an ideal robot), and of that contributor alone.
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
@@ -12,7 +12,7 @@ void add_words(Blocks& blocks, const UncertaintyResult& result) {
     std::string words =
         "The expanded uncertainty U beside what remains of it when everything that a contributor brings in "
         "is "
-        "held at its estimate (an ideal one), and what that contributor gives alone, with the same coverage "
+        "kept at its estimate (an ideal one), and what that contributor gives alone, with the same coverage "
         "factor. ";
     words += result.contributor_trials > 0
                  ? "By Monte Carlo with " + count_text(result.contributor_trials) + " trials."
@@ -20,7 +20,7 @@ void add_words(Blocks& blocks, const UncertaintyResult& result) {
     blocks.push_back(ParagraphBlock{words});
     for (const ContributorResult& c : result.contributors)
         if (c.without.failed_trials > 0)
-            blocks.push_back(ParagraphBlock{"With " + contributor_title(c) + " held, " +
+            blocks.push_back(ParagraphBlock{"Without " + contributor_title(c) + ", " +
                                             count_text(c.without.failed_trials) + " trials had no value."});
 }
 
@@ -29,14 +29,14 @@ TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t fir
     const UncertaintyResult& result = *evaluated.result;
     TableBuilder table(
         "contributors-" + evaluated.analysis->id + (first == 0 ? "" : "-" + std::to_string(first)),
-        "U with contributors held, and alone");
+        "U without each contributor, and of it alone");
     table.text("Quantity", true);
     table.text("Unit");
     table.symbol("U", 3);
     const bool two = result.contributors.size() == 2;
     for (std::size_t i = first; i < last; ++i) {
         const std::string title = contributor_title(result.contributors[i]);
-        table.number(title + " held", 3);
+        table.number("without " + title, 3);
         if (!two) table.number(title + " alone", 3);
     }
     std::string group;
@@ -54,7 +54,7 @@ TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t fir
         }
         table.row(std::move(row));
     }
-    if (two) table.note("Of two contributors, what remains with one held is what the other gives alone.");
+    if (two) table.note("Of two contributors, what remains without one is what the other gives alone.");
     return table.take();
 }
 
@@ -63,7 +63,7 @@ TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t fir
 void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;
     if (result.contributors.size() < 2) return;
-    blocks.push_back(HeadingBlock{2, "Results with contributors held"});
+    blocks.push_back(HeadingBlock{2, "Results by contributor"});
     add_words(blocks, result);
     for (std::size_t first = 0; first < result.contributors.size(); first += most_columns)
         blocks.push_back(

@@ -1,4 +1,5 @@
-// Measurement models: summary, equations with their sources, references.
+// Measurement models: summary and equations with the standards that they are of. Papers are on the page of
+// the model (help, `covaria describe`).
 #include <algorithm>
 
 #include "core/report/report_parts.h"
@@ -6,16 +7,16 @@
 namespace covaria::report_parts {
 namespace {
 
+bool of_standard(const std::string& source) {
+    return source.starts_with("JCGM") || source.starts_with("ISO");
+}
+
 void add_model(Blocks& blocks, const ModelDescriptor& model) {
     blocks.push_back(HeadingBlock{2, model.title});
     if (!model.summary.empty()) blocks.push_back(ParagraphBlock{model.summary});
     for (const ModelEquation& equation : model.equations)
-        blocks.push_back(EquationBlock{equation.text, equation.source, equation.formula});
-    if (model.references.empty()) return;
-    ListBlock references;
-    for (const Reference& reference : model.references) references.items.push_back(reference.text);
-    blocks.push_back(HeadingBlock{3, "References"});
-    blocks.push_back(std::move(references));
+        blocks.push_back(EquationBlock{equation.text, of_standard(equation.source) ? equation.source : "",
+                                       equation.formula});
 }
 
 }  // namespace

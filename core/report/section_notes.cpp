@@ -1,4 +1,5 @@
-// Notes (deviations from the sources, warnings of the runs) and provenance.
+// Notes (warnings and limits of the runs) and provenance. What the models' and assets' descriptions say is on
+// their pages.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -60,18 +61,9 @@ std::vector<std::string> run_notes(const EvaluatedAnalysis& evaluated) {
 }  // namespace
 
 void add_notes(Blocks& blocks, const ReportSource& source) {
-    std::vector<std::string> model_notes, asset_notes;
     Blocks parts;
-    for (const EvaluatedAnalysis& evaluated : source.analyses) {
-        add_once(model_notes, evaluated.analysis->descriptor->notes);
-        for (const std::string& id : source.made.assets_used_by(evaluated.analysis->id))
-            if (const auto* asset = source.made.assets().find(id); asset && asset->descriptor)
-                add_once(asset_notes, asset->descriptor->notes);
-    }
-    add_list(parts, "On the measurement model", model_notes);
-    add_list(parts, "On artefacts and instruments", asset_notes);
     for (const EvaluatedAnalysis& evaluated : source.analyses)
-        add_list(parts, "On the evaluation: " + evaluated.analysis->name, run_notes(evaluated));
+        add_list(parts, evaluated.analysis->name, run_notes(evaluated));
     if (parts.empty()) return;
     blocks.push_back(HeadingBlock{1, "Notes"});
     blocks.insert(blocks.end(), parts.begin(), parts.end());

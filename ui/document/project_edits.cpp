@@ -89,13 +89,14 @@ std::string add_copy(Document& document, const AssetEntry& asset) {
     return copy.id;
 }
 
-std::string add_analysis(Document& document, const std::string& model) {
+std::string add_analysis(Document& document, const std::string& model, const EvaluationOptions& options) {
     const ModelDescriptor* descriptor = find_model(model);
     if (!descriptor) return {};
     AnalysisEntry entry;
     entry.id = unique_id(document.project(), model);
     entry.model = model;
     entry.name = unique_name(document.project(), descriptor->title);
+    entry.options = options;
     document.apply(Document::tr("Add %1").arg(to_qt(descriptor->title)),
                    [&](Project& project) { project.analyses.push_back(entry); });
     return entry.id;

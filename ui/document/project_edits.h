@@ -19,7 +19,7 @@ std::string unique_name(const Project& project, const std::string& wanted);
 std::string add_asset(Document& document, const std::string& kind);
 /// A copy of an asset of the library.
 std::string add_copy(Document& document, const AssetEntry& asset);
-std::string add_analysis(Document& document, const std::string& model);
+std::string add_analysis(Document& document, const std::string& model, const EvaluationOptions& options = {});
 /// Id of the copy, which stands right after the original.
 std::string duplicate(Document& document, const SetupAddress& entry);
 /// Of an entry, or the title of the project.

@@ -4,6 +4,7 @@
 #include <QScrollBar>
 
 #include "ui/forms/cell_delegate.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
@@ -22,7 +23,7 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     frozen_->setFrameShape(QFrame::NoFrame);
     frozen_->setAlternatingRowColors(true);
     frozen_->verticalHeader()->hide();
-    frozen_->verticalHeader()->setDefaultSectionSize(verticalHeader()->defaultSectionSize());
+    rows_follow_font(*frozen_);
     frozen_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     frozen_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     frozen_->setVerticalScrollMode(ScrollPerPixel);

@@ -4,6 +4,8 @@
 #include <QPalette>
 #include <QVariant>
 
+#include "ui/theme/follow_font.h"
+
 namespace covaria::ui {
 
 namespace {
@@ -35,7 +37,8 @@ void mark(QWidget& widget, const QString& complaint, const QString& help) {
 void keep_room(QLabel& label, int lines) {
     label.setWordWrap(true);
     label.setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    label.setFixedHeight(lines * label.fontMetrics().lineSpacing() + 2);
+    follow_font(label,
+                [&label, lines] { label.setFixedHeight(lines * label.fontMetrics().lineSpacing() + 2); });
 }
 
 void show_note(QLabel& label, const QString& text) {

@@ -72,7 +72,7 @@ void ComponentsEdit::build() {
     auto* form = new QFormLayout(details_);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Name"), name_);
-    form->addRow(tr("Evaluation"), type_);
+    form->addRow(tr("Type"), type_);
     form->addRow(tr("Degrees of freedom"), degrees_);
     form->addRow(tr("Origin"), origin_);
     form->addRow(distribution_);

@@ -18,9 +18,10 @@ bool is_whole(const OptionMember& member) {
            std::holds_alternative<int EvaluationOptions::*>(member);
 }
 
-bool may_be_absent(const OptionMember& member) {
-    return std::holds_alternative<std::optional<double> EvaluationOptions::*>(member) ||
-           std::holds_alternative<std::optional<Quantity> EvaluationOptions::*>(member);
+bool may_be_absent(const OptionField& field) {
+    return field.none_at_zero ||
+           std::holds_alternative<std::optional<double> EvaluationOptions::*>(field.member) ||
+           std::holds_alternative<std::optional<Quantity> EvaluationOptions::*>(field.member);
 }
 
 Range range_of(const OptionField& field) {
@@ -35,6 +36,7 @@ std::optional<Quantity> quantity_of(const OptionField& field, const EvaluationOp
     if (const auto* member = std::get_if<std::optional<Quantity> EvaluationOptions::*>(&field.member))
         return options.**member;
     const std::optional<double> number = number_of(field.member, options);
+    if (field.none_at_zero && number == 0.0) return std::nullopt;
     return number ? std::optional<Quantity>({*number, Unit()}) : std::nullopt;
 }
 
@@ -107,7 +109,8 @@ OptionsForm::Row OptionsForm::quantity_row(const OptionField& field) {
     auto* edit = new QuantityEdit(this);
     edit->set_integer(is_whole(field.member));
     edit->set_range(range_of(field));
-    edit->set_optional(may_be_absent(field.member));
+    edit->set_optional(may_be_absent(field));
+    if (field.none_at_zero) edit->setPlaceholderText(tr("none"));
     edit->set_help(QString::fromUtf8(field.help));
     layout_->addRow(QString::fromUtf8(field.title), edit);
     edit->set_place(document_.unread(), place_of(field));

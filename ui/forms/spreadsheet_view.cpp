@@ -13,6 +13,7 @@
 
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/cell_blocks.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
@@ -45,7 +46,7 @@ SpreadsheetView::SpreadsheetView(SpreadsheetModel& model, QWidget* parent)
     setAlternatingRowColors(true);
     setTabKeyNavigation(true);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    rows_follow_font(*this);
     resizeColumnsToContents();
     connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
         if (!fitting_) given_widths_.insert(column);

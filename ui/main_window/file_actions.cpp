@@ -200,7 +200,8 @@ bool FileActions::offer_recovery() {
     if (entries.empty()) return false;
     QStringList words;
     for (const RecoveryEntry& entry : entries)
-        words << tr("%1 (%2)").arg(entry.title, QLocale().toString(entry.saved_at, QLocale::ShortFormat));
+        words << tr("%1 (%2)").arg(entry.title,
+                                   QLocale::system().toString(entry.saved_at, QLocale::ShortFormat));
     const int chosen = dialogs.recover(words);
     if (chosen < 0) return false;
     const RecoveryEntry& entry = entries[static_cast<std::size_t>(chosen)];

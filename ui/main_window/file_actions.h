@@ -39,6 +39,8 @@ public:
     bool save_as();
     /// Offers what a crash left behind. Returns whether something was opened.
     bool offer_recovery();
+    /// Longest time an edit stays without a recovery copy.
+    void set_autosave(int seconds) { autosave_.set_delay(1000 * seconds); }
     /// Asks about unsaved changes; false = stay.
     bool may_leave();
 

@@ -1,5 +1,6 @@
 #include "ui/main_window/main_window.h"
 
+#include <QAbstractItemView>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -12,10 +13,12 @@
 #include <QToolButton>
 
 #include "ui/document/item_move.h"
+#include "ui/forms/finish_typing.h"
 #include "ui/main_window/dock_title.h"
 #include "ui/main_window/export_actions.h"
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/import_actions.h"
+#include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/run_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/window_state.h"
@@ -31,6 +34,7 @@
 #include "ui/pages/study_tab.h"
 #include "ui/scene_view/scene_panel.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -61,7 +65,8 @@ bool is_project(const QUrl& url) {
 
 MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     : QMainWindow(parent), files_(document_, std::move(store), this) {
-    theme_ = new ThemeSwitch(this);  // first: views take their rows' height from its font
+    apply_number_form(numbers_ = preferences_.now().numbers);
+    theme_ = new ThemeSwitch(preferences_, this);  // first: views take their rows' height from its font
     files_.dialogs = standard_dialogs(this);
     setObjectName(QStringLiteral("MainWindow"));
     setAccessibleName(tr("Covaria"));
@@ -77,6 +82,10 @@ MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     make_menus();
     connect_panes();
     for (QDockWidget* dock : docks_) dock->hide();
+    scene_->set_dark(theme_->is_dark());
+    results_->set_dark(theme_->is_dark());
+    files_.set_autosave(preferences_.now().autosave_seconds);
+    font_points_ = preferences_.now().font_points;
     update_title();
 }
 
@@ -91,11 +100,11 @@ void MainWindow::make_panes() {
     pages_->addWidget(start_);
     pages_->addWidget(scene_);
     setCentralWidget(pages_);
-    project_ = new ProjectPane(document_, runner_, selection_);
+    project_ = new ProjectPane(document_, runner_, selection_, preferences_);
     project_->confirm = [this](const QString& question, const QString& action) {
         return files_.dialogs.confirm(question, action);
     };
-    results_ = new ResultsPane(document_, runner_, selection_);
+    results_ = new ResultsPane(document_, runner_, selection_, preferences_);
     properties_ = new PropertiesPane(document_, runner_, selection_);
     problems_ = new ProblemsPane(document_);
     log_ = new LogPane;
@@ -210,6 +219,10 @@ void MainWindow::make_edit_menu() {
     menu->addActions({project_->duplicate_action, project_->rename_action, project_->delete_action});
     menu->addSeparator();
     results_->compare_tab().add_to(*menu);
+    menu->addSeparator();
+    QAction* preferences = menu->addAction(tr("Pre&ferences …"), this, &MainWindow::show_preferences);
+    preferences->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
+    preferences->setMenuRole(QAction::PreferencesRole);
     project_actions_ << add_->menuAction();
 }
 
@@ -232,8 +245,6 @@ void MainWindow::make_view_menu() {
     QAction* scene = menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this,
                                      [this] { pages_->setCurrentWidget(scene_); });
     project_actions_ << scene;
-    menu->addSeparator();
-    theme_->add_to(*menu);
 }
 
 void MainWindow::make_help_menu() {
@@ -302,10 +313,12 @@ void MainWindow::connect_panes() {
         docks_[1]->show();
         properties_->show_designs();
     });
+    connect(&runner_.designs(), &DesignRunner::changed, this, &MainWindow::show_running_design);
     connect(theme_, &ThemeSwitch::changed, this, [this](bool dark) {
         scene_->set_dark(dark);
         results_->set_dark(dark);
     });
+    connect(&preferences_, &PreferenceStore::changed, this, &MainWindow::take_preferences);
     connect(&runner_, &AnalysisRunner::state_changed, this, [this](const QString& id) {
         const AnalysisStatus& status = runner_.status(id);
         if (status.state == RunState::failed) log_->write(tr("%1: %2").arg(id, status.message));
@@ -326,6 +339,43 @@ void MainWindow::show_study_in_scene() {
         wanted.slice = tab.view().slice;
     }
     scene_->show_study(on_top ? tab.study() : nullptr, wanted);
+}
+
+void MainWindow::show_preferences() {
+    auto* dialog = findChild<PreferencesDialog*>();
+    if (!dialog) dialog = new PreferencesDialog(preferences_, this);
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+/// Theme and font are the switch's.
+void MainWindow::take_preferences() {
+    const Preferences& wanted = preferences_.now();
+    files_.set_autosave(wanted.autosave_seconds);
+    results_->take_preferences();
+    if (std::exchange(font_points_, wanted.font_points) != wanted.font_points) {
+        finish_typing();
+        properties_->start_over();  // sizes of forms are those of their font
+    }
+    if (wanted.numbers == numbers_) return;
+    finish_typing();  // what was typed is of the form before
+    apply_number_form(numbers_ = wanted.numbers);
+    setLocale(QLocale());
+    properties_->start_over();
+    results_->set_dark(theme_->is_dark());
+    for (auto* view : findChildren<QAbstractItemView*>()) view->viewport()->update();
+}
+
+/// Whoever starts one wants to see what it finds.
+void MainWindow::show_running_design(const QString& analysis, const QString& id) {
+    if (analysis != selection_.analysis() ||
+        runner_.designs().status(analysis, id).state != RunState::running)
+        return;
+    selection_.select_design(id);
+    docks_[2]->show();
+    docks_[2]->raise();
+    results_->tabs().setCurrentWidget(&results_->design_tab());
 }
 
 void MainWindow::begin(const QString& file) {

@@ -8,6 +8,7 @@
 #include "ui/document/selection.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/run/analysis_runner.h"
+#include "ui/theme/preferences.h"
 
 class QAction;
 class QDockWidget;
@@ -48,6 +49,8 @@ public:
     BudgetPage& budget() { return *budget_; }
     ProjectPane& project_pane() { return *project_; }
     ExportActions& exports() { return *exports_; }
+    PreferenceStore& preferences() { return preferences_; }
+    void show_preferences();
     ImportActions& imports() { return *imports_; }
 
 protected:
@@ -73,11 +76,15 @@ private:
     void make_help_menu();
     void connect_panes();
     void show_study_in_scene();
+    void show_running_design(const QString& analysis, const QString& id);
     void show_project();
     void hold_runs();
     void go_to(const QString& path);
     void update_title();
+    /// At once, everywhere.
+    void take_preferences();
 
+    PreferenceStore preferences_;
     Document document_;
     Selection selection_;
     AnalysisRunner runner_{document_.maker()};
@@ -98,6 +105,8 @@ private:
     QMenu* add_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
+    NumberForm numbers_ = NumberForm::system;
+    int font_points_ = 0;
     bool has_project_ = false;  ///< false: only the start page has been shown
     QToolBar* toolbar_ = nullptr;
     QList<QDockWidget*> docks_;        ///< project, properties, analysis, problems, log

@@ -1,9 +1,6 @@
 #include "ui/main_window/theme_switch.h"
 
-#include <QActionGroup>
 #include <QApplication>
-#include <QMenu>
-#include <QSettings>
 #include <QStyle>
 
 #include "ui/theme/theme.h"
@@ -11,7 +8,7 @@
 namespace covaria::ui {
 namespace {
 
-const QString theme_key = QStringLiteral("theme");
+const QString theme_of_system = QStringLiteral("system");
 
 }  // namespace
 
@@ -24,34 +21,40 @@ bool system_is_dark() {
     return desktop.color(QPalette::Window).lightness() < desktop.color(QPalette::WindowText).lightness();
 }
 
-ThemeSwitch::ThemeSwitch(QObject* parent) : QObject(parent) {
-    choose(QSettings().value(theme_key, QStringLiteral("system")).toString());
+namespace {
+
+bool wants_dark(const Preferences& preferences) {
+    return preferences.theme == QStringLiteral("dark") ||
+           (preferences.theme == theme_of_system && system_is_dark());
+}
+
+}  // namespace
+
+ThemeSwitch::ThemeSwitch(PreferenceStore& preferences, QObject* parent)
+    : QObject(parent), preferences_(preferences) {
+    apply();
+    connect(&preferences_, &PreferenceStore::changed, this, [this] {
+        if (wants_dark(preferences_.now()) != dark_ || preferences_.now().font_points != font_points_)
+            apply();
+    });
 }
 
 void ThemeSwitch::follow_system() {
-    const QString key = QSettings().value(theme_key).toString();
-    if (key == QStringLiteral("system") && system_is_dark() != dark_) choose(key);
+    if (preferences_.now().theme == theme_of_system && system_is_dark() != dark_) apply();
 }
 
 void ThemeSwitch::choose(const QString& key) {
-    QSettings().setValue(theme_key, key);
-    dark_ = key == QStringLiteral("dark") || (key == QStringLiteral("system") && system_is_dark());
-    apply_theme(*qApp, dark_ ? Theme::dark() : Theme::light());
-    emit changed(dark_);
+    Preferences wanted = preferences_.now();
+    wanted.theme = key;
+    preferences_.set(wanted);
 }
 
-void ThemeSwitch::add_to(QMenu& menu) {
-    auto* group = new QActionGroup(this);
-    const QString chosen = QSettings().value(theme_key).toString();
-    const std::pair<QString, QString> entries[] = {{QStringLiteral("system"), tr("Colours of the System")},
-                                                   {QStringLiteral("light"), tr("Light")},
-                                                   {QStringLiteral("dark"), tr("Dark")}};
-    for (const auto& [key, text] : entries) {
-        QAction* action = group->addAction(menu.addAction(text));
-        action->setCheckable(true);
-        action->setChecked(key == chosen);
-        connect(action, &QAction::triggered, this, [this, key = key] { choose(key); });
-    }
+void ThemeSwitch::apply() {
+    const Preferences& wanted = preferences_.now();
+    dark_ = wants_dark(wanted);
+    font_points_ = wanted.font_points;
+    apply_theme(*qApp, dark_ ? Theme::dark() : Theme::light(), font_points_);
+    emit changed(dark_);
 }
 
 }  // namespace covaria::ui

@@ -1,18 +1,17 @@
-// Light, dark, or as the system: the menu entries and what follows from them.
+// Light, dark, or as the system, and the size of the font: what follows from the preferences for the whole
+// application.
 #pragma once
 
 #include <QObject>
 
-class QActionGroup;
-class QMenu;
+#include "ui/theme/preferences.h"
 
 namespace covaria::ui {
 
 class ThemeSwitch : public QObject {
     Q_OBJECT
 public:
-    explicit ThemeSwitch(QObject* parent = nullptr);
-    void add_to(QMenu& menu);
+    explicit ThemeSwitch(PreferenceStore& preferences, QObject* parent = nullptr);
     bool is_dark() const { return dark_; }
     /// "system", "light" or "dark"; remembered.
     void choose(const QString& key);
@@ -24,7 +23,11 @@ signals:
     void changed(bool dark);
 
 private:
+    void apply();
+
+    PreferenceStore& preferences_;
     bool dark_ = false;
+    int font_points_ = 0;
 };
 
 /// Whether the desktop asks for dark windows, as far as its own palette tells.

@@ -5,7 +5,6 @@
 #include <QPalette>
 #include <cmath>
 
-#include "ui/models/number_words.h"
 #include "ui/models/roles.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
@@ -46,10 +45,10 @@ QVariant ColumnTableModel::data(const QModelIndex& index, int role) const {
             if (const auto number = sort_number(of.cell(row))) return *number;
             [[fallthrough]];
         case Qt::DisplayRole:
-            return to_qt(to_unicode(cell_shown(table_, of, row, view_)));
+            return to_qt(to_unicode(cell_shown(table_, of, row, view())));
         case typeset_role:  // words are running text
             if (std::holds_alternative<std::string>(of.cell(row))) return {};
-            return QVariant::fromValue(cell_shown(table_, of, row, view_));
+            return QVariant::fromValue(cell_shown(table_, of, row, view()));
         case exact_role: {
             const auto number = number_in(of.cell(row), view_.units);
             return number ? QVariant(*number) : QVariant();
@@ -72,8 +71,8 @@ QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, 
         return section < rowCount() ? row_title(static_cast<std::size_t>(section), role) : QVariant();
     if (section < 0 || section >= columnCount()) return {};
     const Column& of = column(section);
-    if (role == Qt::DisplayRole) return to_qt(to_unicode(head_shown(of, view_)));
-    if (role == typeset_role) return QVariant::fromValue(head_shown(of, view_));
+    if (role == Qt::DisplayRole) return to_qt(to_unicode(head_shown(of, view())));
+    if (role == typeset_role) return QVariant::fromValue(head_shown(of, view()));
     if (role == id_role) return to_qt(to_unicode(of.title));
     if (role == Qt::ToolTipRole) return to_qt(of.help);
     if (role == Qt::TextAlignmentRole)
@@ -109,7 +108,6 @@ void ColumnTableModel::set_contents(std::shared_ptr<const void> owner, Table tab
     table_ = std::move(table);
     keys_ = std::move(keys);
     current_ = current;
-    view_.locale = user_numbers();
     if (!same_shape)
         endResetModel();
     else

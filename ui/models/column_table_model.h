@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/report/table.h"
+#include "ui/models/number_words.h"
 
 namespace covaria::ui {
 
@@ -41,6 +42,8 @@ protected:
 private:
     const Column& column(int section) const { return table_[keys_[static_cast<std::size_t>(section)]]; }
     void tell();
+    /// With numbers in the form of now.
+    TableView view() const { return {view_.units, view_.digits, user_numbers()}; }
 
     std::shared_ptr<const void> owner_;
     Table table_;

@@ -193,9 +193,9 @@ QVariant InputQuantitiesModel::data(const QModelIndex& index, int role) const {
 QVariant InputQuantitiesModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (role != Qt::DisplayRole || section < 0) return {};
     if (orientation == Qt::Vertical) return section + 1;
-    const QStringList heads{tr("Symbol"), tr("Input quantity"), tr("Estimate"),
-                            tr("Unit"),   QStringLiteral("u"),  tr("Components of uncertainty"),
-                            tr("Held")};
+    const QStringList heads{tr("Symbol"),  tr("Input quantity"), tr("Estimate"),
+                            tr("Unit"),    QStringLiteral("u"),  tr("Components of uncertainty"),
+                            tr("Constant")};
     return heads.value(section);
 }
 
@@ -218,7 +218,7 @@ bool InputQuantitiesModel::set_estimate(int row, const QString& typed) {
 bool InputQuantitiesModel::set_held(int row, bool held) {
     const QString symbol = text(row, symbol_column);
     change_input(document_, analysis_->id, quantity(row).symbol,
-                 held ? tr("Hold %1").arg(symbol) : tr("Release %1").arg(symbol),
+                 held ? tr("Keep %1 constant").arg(symbol) : tr("Let %1 vary").arg(symbol),
                  [&](InputEdit& edit) { edit.held = held; });
     return true;
 }

@@ -14,6 +14,7 @@
 #include "ui/forms/budget_sheet_view.h"
 #include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -49,7 +50,9 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
     correlation_->setObjectName(QStringLiteral("correlation"));
     correlation_->setAccessibleName(tr("Correlation coefficient"));
     correlation_->setToolTip(tr("Select two rows, and type the correlation coefficient of their components"));
-    correlation_->setFixedWidth(8 * fontMetrics().averageCharWidth() + 12);
+    follow_font(*correlation_, [this] {
+        correlation_->setFixedWidth(8 * correlation_->fontMetrics().averageCharWidth() + 12);
+    });
     auto* below = new QHBoxLayout;
     below->addWidget(lines_, 1);
     below->addWidget(pair_, 0, Qt::AlignTop);

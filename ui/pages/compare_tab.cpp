@@ -147,7 +147,7 @@ QString CompareTab::state_words() const {
     if (!kept && !kept_.can_keep(analysis)) return tr("Run the analysis (F5), then keep its results.");
     if (!kept) return tr("Keep the present results and edit: before and after stand here beside each other.");
     QString words = tr("Before: %1, kept at %2. ")
-                        .arg(kept->words, QLocale().toString(kept->at.time(), QLocale::ShortFormat));
+                        .arg(kept->words, QLocale::system().toString(kept->at.time(), QLocale::ShortFormat));
     if (!status.result) return words + tr("After: no results.");
     words += tr("After: %1").arg(result_words(status));
     const QString said = reservation(status);

@@ -19,10 +19,12 @@ QString head_of(const TableColumn& column) {
     return QStringLiteral("<th align=\"right\">%1</th>").arg(head);
 }
 
-/// Numbers as everywhere in the window: the locale's decimal mark, a true minus sign.
+/// Numbers as everywhere in the window: the locale's decimal mark, a true minus sign. Symbols among words are
+/// set as symbols.
 QString shown(const TableCell& cell, const TableColumn& column) {
     const std::string text = format_cell(cell, column);
-    return std::holds_alternative<std::string>(cell) ? to_qt(text) : localized(text);
+    return std::holds_alternative<std::string>(cell) ? to_qt(to_html(running_text(text)))
+                                                     : localized(text).toHtmlEscaped();
 }
 
 QString html_of(const DataTable& table) {
@@ -34,8 +36,7 @@ QString html_of(const DataTable& table) {
         const auto& row = table.rows[r];
         html += QStringLiteral("<tr>");
         for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
-            html += QStringLiteral("<td align=\"right\">%1</td>")
-                        .arg(shown(row[i], table.columns[i]).toHtmlEscaped());
+            html += QStringLiteral("<td align=\"right\">%1</td>").arg(shown(row[i], table.columns[i]));
         html += QStringLiteral("</tr>");
     }
     html += QStringLiteral("</table>");

@@ -8,6 +8,7 @@
 #include "core/report/design_plots.h"
 #include "core/report/design_results.h"
 #include "core/text/numbers.h"
+#include "core/text/symbol.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/models/number_words.h"
 #include "ui/pages/data_table_html.h"
@@ -160,7 +161,8 @@ QString DesignTab::state_words() const {
                                : QString());
     for (const DesignGoal& goal : result.goals)
         if (result.found && !goal.met())
-            words += tr("; <b>the target of U(%1) is not met</b>").arg(to_qt(goal.output.symbol));
+            words += tr("; <b>the target of U(%1) is not met</b>")
+                         .arg(to_qt(to_html(symbol_text(goal.output.symbol))));
     return now.is_current() ? words : tr("<b>Out of date</b>: shown for the project as it was. ") + words;
 }
 

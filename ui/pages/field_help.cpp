@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QEvent>
 
+#include "ui/theme/follow_font.h"
+
 namespace covaria::ui {
 namespace {
 constexpr int lines_shown = 3;
@@ -14,7 +16,7 @@ FieldHelp::FieldHelp(QWidget& area) : QLabel(&area), area_(area) {
     setTextFormat(Qt::RichText);
     setAlignment(Qt::AlignTop);
     setMargin(6);
-    setFixedHeight(lines_shown * fontMetrics().lineSpacing() + 12);
+    follow_font(*this, [this] { setFixedHeight(lines_shown * fontMetrics().lineSpacing() + 12); });
     setForegroundRole(QPalette::WindowText);
     start_over();
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });

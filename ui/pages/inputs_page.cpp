@@ -1,6 +1,7 @@
 #include "ui/pages/inputs_page.h"
 
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollArea>
@@ -18,6 +19,7 @@
 #include "ui/forms/correlation_edit.h"
 #include "ui/forms/link_dialog.h"
 #include "ui/models/roles.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
 
@@ -51,6 +53,12 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     splitter->setSizes({1000, 1300});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
+    auto* note =
+        new QLabel(tr("The quantities that the set-up makes. What is changed here replaces what the "
+                      "set-up states."));
+    note->setWordWrap(true);
+    note->setEnabled(false);
+    column->addWidget(note);
     column->addWidget(search_);
     column->addWidget(splitter, 1);
     connect(search_, &QLineEdit::textChanged, &filter_, &QSortFilterProxyModel::setFilterFixedString);
@@ -78,7 +86,7 @@ void InputsPage::make_table() {
     table_->setAlternatingRowColors(true);
     table_->setWordWrap(false);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    rows_follow_font(*table_);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->hideColumn(InputQuantitiesModel::name_column);
     table_->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -18,11 +18,13 @@
 
 namespace covaria::ui {
 
-ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
+ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection,
+                         const PreferenceStore& preferences, QWidget* parent)
     : QTreeView(parent),
       document_(document),
       runner_(runner),
       selection_(selection),
+      preferences_(preferences),
       model_(document, runner) {
     setAccessibleName(tr("Project"));
     setFrameShape(QFrame::NoFrame);
@@ -75,7 +77,8 @@ void ProjectPane::add_asset(const std::string& kind) {
 }
 
 void ProjectPane::add_analysis(const std::string& model) {
-    selection_.select_entry({SetupOwner::analysis, covaria::ui::add_analysis(document_, model)});
+    selection_.select_entry(
+        {SetupOwner::analysis, covaria::ui::add_analysis(document_, model, preferences_.new_analysis())});
 }
 
 void ProjectPane::duplicate_selected() {

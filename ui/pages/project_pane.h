@@ -6,6 +6,7 @@
 
 #include "ui/document/selection.h"
 #include "ui/models/project_tree_model.h"
+#include "ui/theme/preferences.h"
 
 class QAction;
 class QMenu;
@@ -15,7 +16,8 @@ namespace covaria::ui {
 class ProjectPane : public QTreeView {
     Q_OBJECT
 public:
-    ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+    ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection,
+                const PreferenceStore& preferences, QWidget* parent = nullptr);
 
     /// Asked before something is deleted; the question names what depends on it.
     std::function<bool(const QString& question, const QString& action)> confirm;
@@ -51,6 +53,7 @@ private:
     Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
+    const PreferenceStore& preferences_;
     ProjectTreeModel model_;
 };
 

@@ -90,6 +90,12 @@ void PropertiesPane::rebuild() {
     add_notes_page(entry);
 }
 
+void PropertiesPane::start_over() {
+    const int tab = tabs_->currentIndex();
+    rebuild();
+    tabs_->setCurrentIndex(tab);
+}
+
 void PropertiesPane::add_project_pages() {
     tabs_->addTab(new NotesPage(document_, project_address), tr("Project"));
     certificate_ = new CertificateForm(document_);
@@ -106,7 +112,7 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     options_ = new OptionsForm(document_, entry.id);
     show_forecast(to_qt(entry.id));
     tabs_->addTab(inputs_, tr("Inputs"));
-    tabs_->addTab(scrolled(options_), tr("Evaluation"));
+    tabs_->addTab(scrolled(options_), tr("Options"));
     studies_ = new StudiesForm(document_, runner_, selection_, entry.id);
     tabs_->addTab(scrolled(studies_), tr("Studies"));
     designs_ = new DesignsForm(document_, runner_, selection_, entry.id);

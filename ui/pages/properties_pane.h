@@ -33,6 +33,8 @@ public:
     /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
     /// The studies of the analysis.
     void show_studies();
+    /// Forms made anew: numbers are written in another form.
+    void start_over();
     void show_designs();
     void focus_field(const QString& path);
     SetupForm* setup_form() const { return setup_; }

@@ -15,6 +15,7 @@
 #include "core/project/stated_requirements.h"
 #include "core/report/plots.h"
 #include "core/result/representation.h"
+#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/charts/chart_view.h"
 #include "ui/pages/compare_tab.h"
@@ -45,8 +46,13 @@ QSplitter* side_by_side(QWidget* left, QWidget* right, int left_part = 1, int ri
 
 }  // namespace
 
-ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
-    : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
+ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection,
+                         PreferenceStore& preferences, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      runner_(runner),
+      selection_(selection),
+      preferences_(preferences) {
     tabs_ = new QTabWidget;
     tabs_->setDocumentMode(true);
     tabs_->addTab(make_results_tab(), tr("Results"));
@@ -72,7 +78,7 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     make_head();
     column->addWidget(tabs_, 1);
     connect_selection();
-    take_units();
+    take_preferences();
     connect(tabs_, &QTabWidget::currentChanged, this, &ResultsPane::refresh_charts);
     take_result();
 }
@@ -83,15 +89,13 @@ void ResultsPane::make_head() {
     row->setContentsMargins(0, 0, 0, 0);
     state_ = new QLabel;
     state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    units_ = new UnitButton;
-    connect(units_, &UnitButton::units_changed, this, &ResultsPane::take_units);
+    units_ = new UnitButton(preferences_);
     output_ = new TypesetComboBox;
     output_->setToolTip(tr("Output quantity of the budget and the charts"));
     output_->setAccessibleName(tr("Output quantity"));
     output_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     digits_ = new QSpinBox;
     digits_->setRange(1, 6);
-    digits_->setValue(2);
     digits_->setPrefix(tr("digits of U: "));
     digits_->setAccessibleName(tr("Significant digits of uncertainties"));
     digits_->setToolTip(tr("Significant digits of uncertainties; estimates are rounded to match"));
@@ -230,8 +234,7 @@ QString ResultsPane::state_words() const {
         words = QStringLiteral("<b>%1</b>").arg(words) +
                 (status.state == RunState::running ? tr("; running") : tr("; press F5 for the result"));
     if (status.result->failed_trials > 0)
-        words += tr("; %1 trials without a value")
-                     .arg(QLocale().toString(qulonglong(status.result->failed_trials)));
+        words += tr("; %1 trials without a value").arg(to_qt(count_text(status.result->failed_trials)));
     if (!represents_measurand(*status.result))
         words =
             tr("<b>Does not represent the measurand</b> (more than 1 % of the trials are lost). ") + words;
@@ -255,7 +258,8 @@ void ResultsPane::take_result() {
     show_group(selection_.group());
 }
 
-void ResultsPane::take_units() {
+void ResultsPane::take_preferences() {
+    digits_->setValue(preferences_.now().digits);
     result_model_.set_units(units_->units());
     budget_model_.set_units(units_->units());
     compare_->set_units(units_->units());
@@ -328,8 +332,7 @@ void ResultsPane::start_over() {
 }
 
 void ResultsPane::set_dark(bool dark) {
-    for (ChartView* chart : {contributions_, histogram_, quantiles_, correlation_map_, convergence_,
-                             &study_->chart(), &compare_->chart()})
+    for (ChartView* chart : findChildren<ChartView*>())
         chart->set_theme(dark ? Theme::dark() : Theme::light());
 }
 

@@ -11,6 +11,7 @@
 #include "ui/models/correlation_table_model.h"
 #include "ui/models/result_table_model.h"
 #include "ui/run/analysis_runner.h"
+#include "ui/theme/preferences.h"
 #include "ui/theme/typeset_views.h"
 
 class QCheckBox;
@@ -35,9 +36,12 @@ class UnitButton;
 class ResultsPane : public QWidget {
     Q_OBJECT
 public:
-    ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
+    ResultsPane(Document& document, AnalysisRunner& runner, Selection& selection,
+                PreferenceStore& preferences, QWidget* parent = nullptr);
 
     void set_dark(bool dark);
+    /// Units, digits and the form of numbers.
+    void take_preferences();
     /// Another project: its report has not been made.
     void start_over();
     /// State of the analysis, output quantity, units, digits: for the dock's title bar.
@@ -66,7 +70,6 @@ private:
     void take_result();
     void take_requirements();
     void take_filter();
-    void take_units();
     void refresh_outputs();
     void show_group(const QString& group);
     void show_output(int output);
@@ -80,6 +83,7 @@ private:
     Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
+    PreferenceStore& preferences_;
     ResultPointer result_;
     bool current_ = true;
     bool shortest_ = false;  ///< coverage intervals, else probabilistically symmetric ones

@@ -11,13 +11,14 @@
 #include "ui/models/number_words.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/pages/entry_delegate.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
 QString progress_words(const RunProgress& progress) {
-    QString words = RunStatus::tr("%1 trials").arg(QLocale().toString(qulonglong(progress.trials_done)));
+    QString words = RunStatus::tr("%1 trials").arg(to_qt(count_text(progress.trials_done)));
     if (progress.trials_per_second > 0)
         words +=
             RunStatus::tr(", %1 million/s").arg(QLocale().toString(progress.trials_per_second / 1e6, 'f', 2));
@@ -34,7 +35,7 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
     text_ = new QLabel(this);
     bar_ = new QProgressBar(this);
     bar_->setFixedWidth(160);
-    bar_->setFixedHeight(fontMetrics().height());
+    follow_font(*this, [this] { bar_->setFixedHeight(fontMetrics().height()); });
     bar_->setTextVisible(false);
     bar_->setAccessibleName(tr("Progress of the run"));
     stop_ = new QToolButton(this);
@@ -117,7 +118,7 @@ void RunStatus::show_state() {
     QString words = ProjectTreeModel::words(status.state);
     if (!status.prepared && status.state != RunState::failed) words = tr("has problems");
     if (status.state == RunState::up_to_date && status.result && status.result->trials > 0)
-        words += tr(", %1 trials").arg(QLocale().toString(qulonglong(status.result->trials)));
+        words += tr(", %1 trials").arg(to_qt(count_text(status.result->trials)));
     const bool warned = status.state == RunState::up_to_date && !status.warnings.empty();
     if (warned) words += tr(", with warnings");
     set_picture(warned ? QStringLiteral("warning") : state_icon(status.state));

@@ -14,6 +14,7 @@
 #include "core/report/report.h"
 #include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
@@ -43,7 +44,7 @@ SortableTable::SortableTable(ColumnTableModel& model, const QString& name, QWidg
     setWordWrap(false);
     setFrameShape(QFrame::NoFrame);
     setTabKeyNavigation(false);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    rows_follow_font(*this);
     verticalHeader()->hide();
     QHeaderView* head = horizontalHeader();
     head->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -53,6 +54,7 @@ SortableTable::SortableTable(ColumnTableModel& model, const QString& name, QWidg
             [this](int column, int, int width) { remember_width(column, width); });
     connect(&proxy_, &QAbstractItemModel::modelReset, this, &SortableTable::apply_columns);
     connect(&proxy_, &QAbstractItemModel::dataChanged, this, &SortableTable::fit_columns);
+    follow_font(*this, [this] { fit_columns(); });
     connect(this, &QTableView::activated, this,
             [this](const QModelIndex& index) { emit row_activated(proxy_.mapToSource(index).row()); });
 }

@@ -2,11 +2,11 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "core/text/numbers.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/sortable_table.h"
@@ -193,8 +193,8 @@ QString StudyTab::state_words() const {
     if (status.state == RunState::failed) return tr("Failed: %1").arg(status.message);
     if (!status.result) return tr("Not evaluated yet.");
     const std::size_t failed = status.result->failed();
-    QString words = tr("%1 grid points").arg(QLocale().toString(qulonglong(status.result->points.size())));
-    if (failed > 0) words += tr(", %1 without values").arg(QLocale().toString(qulonglong(failed)));
+    QString words = tr("%1 grid points").arg(to_qt(count_text(status.result->points.size())));
+    if (failed > 0) words += tr(", %1 without values").arg(to_qt(count_text(failed)));
     return status.is_current() ? words : tr("<b>Out of date</b>: shown for the project as it was. ") + words;
 }
 

@@ -1,21 +1,15 @@
-// The choice is remembered between sessions.
+// The choice is among the preferences.
 #include "ui/pages/unit_button.h"
 
 #include <QMenu>
-#include <QSettings>
 #include <algorithm>
 
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
-namespace {
-const QString units_key = QStringLiteral("results/units");
-}
-
-UnitButton::UnitButton(QWidget* parent) : QToolButton(parent) {
-    for (const QString& text : QSettings().value(units_key).toStringList())
-        if (const Result<Unit> unit = Unit::parse(to_std(text))) units_.choose(*unit);
+UnitButton::UnitButton(PreferenceStore& preferences, QWidget* parent)
+    : QToolButton(parent), preferences_(preferences) {
     setText(tr("Units"));
     setIcon(ui::icon(QStringLiteral("units")));
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -54,25 +48,24 @@ void UnitButton::add_choices(QMenu& menu, const Unit& unit) {
         QAction* action =
             menu.addAction(to_qt(choice.display()), this, [this, choice] { this->choose(choice); });
         action->setCheckable(true);
-        action->setChecked(units_.of(unit) == choice);
+        action->setChecked(units().of(unit) == choice);
     }
 }
 
 void UnitButton::choose(const Unit& unit) {
-    units_.choose(unit);
-    remember();
+    DisplayUnits wanted = units();
+    wanted.choose(unit);
+    take(std::move(wanted));
 }
 
 void UnitButton::clear() {
-    units_.clear();
-    remember();
+    take({});
 }
 
-void UnitButton::remember() {
-    QStringList texts;
-    for (const Unit& unit : units_.chosen()) texts << to_qt(unit.text());
-    QSettings().setValue(units_key, texts);
-    emit units_changed();
+void UnitButton::take(DisplayUnits units) {
+    Preferences wanted = preferences_.now();
+    wanted.units = std::move(units);
+    preferences_.set(wanted);
 }
 
 }  // namespace covaria::ui

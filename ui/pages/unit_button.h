@@ -1,10 +1,12 @@
-// Units in which results are shown: a button with the usual units of every dimension in the result.
+// Units in which results are shown: a button with the usual units of every dimension in the result. The
+// choice is a preference.
 #pragma once
 
 #include <QToolButton>
 
 #include "core/text/display_units.h"
 #include "ui/run/run_backend.h"
+#include "ui/theme/preferences.h"
 
 class QMenu;
 
@@ -13,24 +15,21 @@ namespace covaria::ui {
 class UnitButton : public QToolButton {
     Q_OBJECT
 public:
-    explicit UnitButton(QWidget* parent = nullptr);
+    explicit UnitButton(PreferenceStore& preferences, QWidget* parent = nullptr);
 
     void set_result(const ResultPointer& result);
-    const DisplayUnits& units() const { return units_; }
+    const DisplayUnits& units() const { return preferences_.now().units; }
     void choose(const Unit& unit);
     /// Every quantity in the unit of its model again.
     void clear();
     /// Adds the units of the dimension of `unit` to a menu.
     void add_choices(QMenu& menu, const Unit& unit);
 
-signals:
-    void units_changed();
-
 private:
     void fill();
-    void remember();
+    void take(DisplayUnits units);
 
-    DisplayUnits units_;
+    PreferenceStore& preferences_;
     std::vector<Unit> shown_;  ///< one of each dimension in the result
 };
 

@@ -1,9 +1,11 @@
 #include "ui/run/result_words.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
+
+#include "core/text/numbers.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -14,7 +16,7 @@ QString tr(const char* text) {
 }
 
 QString count(std::uint64_t trials) {
-    return QLocale().toString(qulonglong(trials));
+    return to_qt(count_text(trials));
 }
 
 /// ", worth 4 000 000": how many plain trials would give such interval ends, by one digit, which is all that

@@ -38,11 +38,13 @@ QPalette palette_of(const Neutrals& n, bool dark) {
 
 }  // namespace
 
-void apply_theme(QApplication& application, const Theme& theme) {
+void apply_theme(QApplication& application, const Theme& theme, int font_points) {
     const QPalette palette = palette_of(theme.neutrals(), theme.is_dark());
     if (!dynamic_cast<Style*>(application.style())) application.setStyle(new Style);
     application.setPalette(palette);
-    application.setFont(application_font());
+    QFont font = application_font();
+    if (font_points > 0) font.setPointSize(font_points);
+    if (font != QApplication::font()) application.setFont(font);
     QToolTip::setPalette(palette);
 }
 

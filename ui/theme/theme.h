@@ -60,6 +60,7 @@ double contrast(const QColor& a, const QColor& b);
 QColor mix(const QColor& from, const QColor& to, double t);
 
 /// Fusion style, palette and font for the whole application; may be called again to switch.
-void apply_theme(QApplication& application, const Theme& theme);
+/// `font_points` 0: the desktop's size.
+void apply_theme(QApplication& application, const Theme& theme, int font_points = 0);
 
 }  // namespace covaria::ui

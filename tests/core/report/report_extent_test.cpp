@@ -53,6 +53,7 @@ struct Many {
             analysis->id = entry.id + std::to_string(i);
             analysis->name = "Analysis " + std::to_string(i);
             one.analysis = analysis;
+            one.warnings = {"A warning of the run."};  // a chapter of notes
             analyses.push_back(one);
             project.analyses.push_back(entry);
             project.analyses.back().id = analysis->id;

@@ -6,6 +6,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/target_box.h"
+#include "ui/pages/data_table_html.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_view.h"
 
@@ -36,6 +37,22 @@ protected:
         window_->results().tabs().setCurrentWidget(&tab());
     }
 };
+
+TEST_F(DesignSession, ARunIsShownAndSymbolsAreSet) {
+    open_project("lsm-network", "recommended");
+    press(window_->properties(), "add_design");
+    ASSERT_TRUE(field<TargetBox>("variable_0_target")->choose(QStringLiteral("Targets, B: y")));
+    type_into("variable_0_from", QStringLiteral("-1 m"));
+    type_into("variable_0_to", QStringLiteral("1"));
+    type_into("design_most_evaluations", QStringLiteral("60"));
+    window_->results().tabs().setCurrentIndex(0);
+    press(window_->properties(), "run_design");
+    EXPECT_EQ(window_->results().tabs().currentWidget(), &tab());
+    ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }));
+    DataTable table{
+        "outputs", "Uncertainties", {{"output", {}, false, 0}}, {{std::string("alpha_xy (pose 1)")}}, {}};
+    EXPECT_TRUE(html_of({table}).contains(QStringLiteral("α</i><sub>"))) << html_of({table}).toStdString();
+}
 
 TEST_F(DesignSession, AVariableIsSearchedTakenOverAsOneEditAndTakenBack) {
     open_project("lsm-network", "recommended");

@@ -219,7 +219,7 @@ protected:
                 return trigger(QStringLiteral("Delete"));
             default:
                 click_in_tree(QStringLiteral("Renamed %1").arg(i - 4));
-                show_tab(QStringLiteral("Evaluation"));
+                show_tab(QStringLiteral("Options"));
                 return type_into("trials", QString::number(1000 + i));
         }
     }

@@ -1,0 +1,179 @@
+// The controls of the preferences.
+#include "ui/main_window/preferences_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+QFormLayout* add_group(QVBoxLayout& column, const QString& title, const QString& note) {
+    auto* group = new QGroupBox(title);
+    auto* form = new QFormLayout(group);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    if (!note.isEmpty()) {
+        auto* words = new QLabel(note);
+        words->setWordWrap(true);
+        form->addRow(words);
+    }
+    column.addWidget(group);
+    return form;
+}
+
+/// "system", "light" ... as they are stored, with their words.
+void add_items(QComboBox& box, std::initializer_list<std::pair<QVariant, QString>> items) {
+    for (const auto& [data, text] : items) box.addItem(text, data);
+}
+
+}  // namespace
+
+PreferencesDialog::PreferencesDialog(PreferenceStore& preferences, QWidget* parent)
+    : QDialog(parent), preferences_(preferences) {
+    setWindowTitle(tr("Preferences"));
+    setObjectName(QStringLiteral("preferences"));
+    auto* column = new QVBoxLayout(this);
+    add_results(*add_group(*column, tr("Results in the window"),
+                           tr("Where the project does not state them. Reports and files are the project's "
+                              "alone, with the decimal point everywhere.")));
+    add_new_analyses(*add_group(*column, tr("New analyses"),
+                                tr("Written into analyses that are added; others stay as they are.")));
+    add_window(*add_group(*column, tr("Window"), {}));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults);
+    column->addStretch(1);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
+            [this] { preferences_.set({}); });
+    buttons->button(QDialogButtonBox::RestoreDefaults)->setAutoDefault(false);
+    connect(&preferences_, &PreferenceStore::changed, this, &PreferencesDialog::show_preferences);
+    show_preferences();
+}
+
+QComboBox* PreferencesDialog::add_box(QFormLayout& form, const QString& title, const char* name,
+                                      const QString& help) {
+    auto* box = new QComboBox;
+    box->setObjectName(QString::fromLatin1(name));
+    box->setAccessibleName(title);
+    box->setToolTip(help);
+    form.addRow(title, box);
+    connect(box, &QComboBox::activated, this, &PreferencesDialog::take);
+    return box;
+}
+
+QSpinBox* PreferencesDialog::add_number(QFormLayout& form, const QString& title, const char* name,
+                                        const QString& help, std::pair<int, int> range) {
+    auto* box = new QSpinBox;
+    box->setObjectName(QString::fromLatin1(name));
+    box->setAccessibleName(title);
+    box->setToolTip(help);
+    box->setKeyboardTracking(false);
+    form.addRow(title, box);
+    box->setRange(range.first, range.second);
+    connect(box, &QSpinBox::valueChanged, this, &PreferencesDialog::take);
+    return box;
+}
+
+void PreferencesDialog::add_results(QFormLayout& form) {
+    const std::tuple<const char*, const char*, QString> dimensions[] = {{"lengths", "m", tr("Lengths")},
+                                                                        {"angles", "rad", tr("Angles")},
+                                                                        {"forces", "N", tr("Forces")},
+                                                                        {"moments", "N*m", tr("Moments")}};
+    for (const auto& [name, text, title] : dimensions) {
+        const Unit unit = Unit::parse(text).value_or(Unit());
+        QComboBox* box = add_box(form, title, name, tr("Of tables and charts of results"));
+        box->addItem(tr("As the model gives them"), QString());
+        for (const Unit& choice : DisplayUnits::choices(unit))
+            box->addItem(to_qt(choice.display()), to_qt(choice.text()));
+        units_.push_back({box, unit});
+    }
+    digits_ = add_box(form, tr("Digits of U"), "digits",
+                      tr("Significant digits of uncertainties; estimates are rounded to match"));
+    add_items(*digits_, {{1, tr("1")}, {2, tr("2")}});
+    numbers_ = add_box(form, tr("Numbers"), "numbers", tr("Of all tables, charts and fields of the window"));
+    add_items(*numbers_, {{int(NumberForm::system), tr("As the system writes them")},
+                          {int(NumberForm::point), tr("1234.5 (point)")},
+                          {int(NumberForm::comma), tr("1234,5 (comma)")}});
+}
+
+void PreferencesDialog::add_new_analyses(QFormLayout& form) {
+    factor_ = add_box(form, tr("Coverage factor"), "coverage_factor",
+                      tr("Of U = k u, where a new analysis begins with a fixed one"));
+    add_items(*factor_,
+              {{0.0, tr("k from the degrees of freedom or the coverage interval")}, {2.0, tr("k = 2")}});
+    trials_ = add_number(form, tr("Trials"), "trials", tr("Of Monte Carlo"),
+                         {int(fewest_trials), int(most_trials)});
+    trials_->setSingleStep(100'000);
+    trials_->setGroupSeparatorShown(true);
+}
+
+void PreferencesDialog::add_window(QFormLayout& form) {
+    theme_ = add_box(form, tr("Colours"), "theme", tr("Of the window, its charts and the scene"));
+    add_items(*theme_, {{QStringLiteral("system"), tr("As the system")},
+                        {QStringLiteral("light"), tr("Light")},
+                        {QStringLiteral("dark"), tr("Dark")}});
+    font_ = add_number(form, tr("Font size"), "font_points", tr("Of the whole window"),
+                       {smallest_font - 1, largest_font});
+    font_->setSpecialValueText(tr("as the system"));
+    font_->setSuffix(tr(" pt"));
+    autosave_ = add_number(form, tr("Recovery copy"), "autosave",
+                           tr("How long an edit may stay without a copy that a crash leaves behind"),
+                           {1, longest_autosave});
+    autosave_->setPrefix(tr("at most "));
+    autosave_->setSuffix(tr(" s after an edit"));
+}
+
+void PreferencesDialog::take() {
+    Preferences wanted = preferences_.now();
+    DisplayUnits units;
+    for (const Unit& chosen : wanted.units.chosen()) {
+        const auto has_box = [&](const UnitBox& one) { return one.unit.dimension() == chosen.dimension(); };
+        if (std::none_of(units_.begin(), units_.end(), has_box)) units.choose(chosen);
+    }
+    for (const UnitBox& one : units_)
+        if (const QString text = one.box->currentData().toString(); !text.isEmpty())
+            units.choose(Unit::parse(to_std(text)).value_or(one.unit));
+    wanted.units = units;
+    wanted.digits = digits_->currentData().toInt();
+    wanted.numbers = NumberForm(numbers_->currentData().toInt());
+    const double k = factor_->currentData().toDouble();
+    wanted.coverage_factor = k > 0.0 ? std::optional(k) : std::nullopt;
+    wanted.trials = std::uint64_t(trials_->value());
+    wanted.theme = theme_->currentData().toString();
+    wanted.font_points = font_->value() < smallest_font ? 0 : font_->value();
+    wanted.autosave_seconds = autosave_->value();
+    preferences_.set(wanted);
+}
+
+void PreferencesDialog::show_preferences() {
+    const Preferences& now = preferences_.now();
+    for (const UnitBox& one : units_) {
+        const Unit& shown = now.units.of(one.unit);
+        const bool chosen = std::any_of(now.units.chosen().begin(), now.units.chosen().end(),
+                                        [&](const Unit& unit) { return unit == shown; });
+        one.box->setCurrentIndex(chosen ? std::max(0, one.box->findData(to_qt(shown.text()))) : 0);
+    }
+    digits_->setCurrentIndex(digits_->findData(now.digits));
+    numbers_->setCurrentIndex(numbers_->findData(int(now.numbers)));
+    factor_->setCurrentIndex(now.coverage_factor ? 1 : 0);
+    theme_->setCurrentIndex(theme_->findData(now.theme));
+    const std::pair<QSpinBox*, int> numbers[] = {
+        {trials_, int(now.trials)},
+        {font_, now.font_points > 0 ? now.font_points : smallest_font - 1},
+        {autosave_, now.autosave_seconds}};
+    for (const auto& [box, value] : numbers) {
+        const QSignalBlocker quiet(box);
+        box->setLocale(QLocale());
+        box->setValue(value);
+    }
+}
+
+}  // namespace covaria::ui

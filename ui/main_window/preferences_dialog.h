@@ -1,0 +1,42 @@
+// All preferences in one dialog, each applied as it is chosen.
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "ui/theme/preferences.h"
+
+class QComboBox;
+class QFormLayout;
+class QSpinBox;
+
+namespace covaria::ui {
+
+class PreferencesDialog : public QDialog {
+    Q_OBJECT
+public:
+    explicit PreferencesDialog(PreferenceStore& preferences, QWidget* parent = nullptr);
+
+private:
+    void add_results(QFormLayout& form);
+    void add_new_analyses(QFormLayout& form);
+    void add_window(QFormLayout& form);
+    QComboBox* add_box(QFormLayout& form, const QString& title, const char* name, const QString& help);
+    QSpinBox* add_number(QFormLayout& form, const QString& title, const char* name, const QString& help,
+                         std::pair<int, int> range);
+    /// What the controls say.
+    void take();
+    void show_preferences();
+
+    /// The unit in which results of a dimension are shown.
+    struct UnitBox {
+        QComboBox* box;
+        Unit unit;  ///< of the dimension
+    };
+    PreferenceStore& preferences_;
+    std::vector<UnitBox> units_;
+    QComboBox *digits_ = nullptr, *numbers_ = nullptr, *factor_ = nullptr, *theme_ = nullptr;
+    QSpinBox *trials_ = nullptr, *autosave_ = nullptr, *font_ = nullptr;
+};
+
+}  // namespace covaria::ui

@@ -1,0 +1,57 @@
+// What the user prefers, whatever the project: how the window looks and what new analyses begin with. Nothing
+// here changes a result, a report or a file.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <optional>
+
+#include "core/propagation/options.h"
+#include "core/text/display_units.h"
+
+namespace covaria::ui {
+
+enum class NumberForm { system, point, comma };
+
+struct Preferences {
+    QString theme = QStringLiteral("system");  ///< or "light", "dark"
+    int font_points = 0;                       ///< 0: as the desktop has it
+    NumberForm numbers = NumberForm::system;
+    // Of results in the window, where the project does not state them.
+    DisplayUnits units = {};
+    int digits = 2;  ///< significant ones of uncertainties
+    int autosave_seconds = 1;
+    // Written into new analyses, which have them in the project's file from then on.
+    std::optional<double> coverage_factor = {};  ///< empty: k from the degrees of freedom
+    std::uint64_t trials = 1'000'000;
+
+    bool operator==(const Preferences& other) const;
+    /// Those of the last session; what is missing or senseless there is as it is here.
+    static Preferences stored();
+    void store() const;
+};
+
+inline constexpr int smallest_font = 7, largest_font = 24;  ///< points
+inline constexpr std::uint64_t fewest_trials = 1'000, most_trials = 1'000'000'000;
+inline constexpr int longest_autosave = 600;  ///< seconds
+
+/// Where all parts of the window look them up, and hear of a change.
+class PreferenceStore : public QObject {
+    Q_OBJECT
+public:
+    explicit PreferenceStore(QObject* parent = nullptr);
+    const Preferences& now() const { return now_; }
+    /// What a new analysis begins with.
+    EvaluationOptions new_analysis() const;
+    /// Remembered and applied at once.
+    void set(const Preferences& wanted);
+
+signals:
+    void changed();
+
+private:
+    Preferences now_;
+};
+
+}  // namespace covaria::ui
