@@ -19,6 +19,7 @@ namespace covaria::ui {
 class BudgetPage;
 class ExportActions;
 class ImportActions;
+class LibraryBrowser;
 class LogPane;
 class ProblemsPane;
 class ProjectPane;
@@ -49,6 +50,8 @@ public:
     ProjectPane& project_pane() { return *project_; }
     ExportActions& exports() { return *exports_; }
     ImportActions& imports() { return *imports_; }
+    /// Made when it is first asked for.
+    LibraryBrowser& library();
 
 protected:
     bool event(QEvent* event) override;
@@ -74,6 +77,8 @@ private:
     void connect_panes();
     void show_study_in_scene();
     void show_project();
+    void show_library();
+    void connect_library();
     void hold_runs();
     void go_to(const QString& path);
     void update_title();
@@ -93,6 +98,7 @@ private:
     LogPane* log_ = nullptr;
     ExportActions* exports_ = nullptr;
     ImportActions* imports_ = nullptr;
+    LibraryBrowser* library_ = nullptr;
     RunActions* run_ = nullptr;
     ThemeSwitch* theme_ = nullptr;
     QMenu* add_ = nullptr;

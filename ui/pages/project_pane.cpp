@@ -66,6 +66,8 @@ QMenu* ProjectPane::make_add_menu(QWidget* parent) {
     for (const AssetDescriptor& asset : asset_registry())
         menu->addAction(to_qt(asset.title), this, [this, kind = asset.kind] { add_asset(kind); });
     menu->addSeparator();
+    menu->addAction(icon(QStringLiteral("layers")), tr("&Library and Templates …"), this,
+                    &ProjectPane::library_wanted);
     menu->addMenu(new LibraryMenu(document_, selection_, menu));
     return menu;
 }
@@ -75,7 +77,20 @@ void ProjectPane::add_asset(const std::string& kind) {
 }
 
 void ProjectPane::add_analysis(const std::string& model) {
+    if (const AnalysisTemplate* prepared = template_of(model)) return add_from_template(*prepared);
     selection_.select_entry({SetupOwner::analysis, covaria::ui::add_analysis(document_, model)});
+}
+
+void ProjectPane::add_from_template(const AnalysisTemplate& wanted) {
+    QString why;
+    const std::string id = covaria::ui::add_from_template(document_, wanted, why);
+    if (id.empty()) return emit message(tr("The analysis was not added: %1").arg(why));
+    selection_.select_entry({SetupOwner::analysis, id});
+}
+
+void ProjectPane::add_copy(const AssetEntry& asset) {
+    selection_.select_entry({SetupOwner::asset, covaria::ui::add_copy(document_, asset)});
+    emit message(tr("“%1” is in the project now").arg(to_qt(asset.name)));
 }
 
 void ProjectPane::duplicate_selected() {
