@@ -48,7 +48,7 @@ bool missing(const Project& project, const Problems& all, const Problem& problem
     const FieldSpec* field = schema->find(field_in(problem.path, entry_path(project, address)));
     if (!field) return false;
     const SetupValue& value = value_of(*field, *setup);
-    if (is_empty(value)) return true;
+    if (is_empty(value) || setup->values.empty()) return true;
     if (const auto* id = std::get_if<std::string>(&value); id && field->kind == FieldKind::reference)
         return refers_to_unfinished(project, all, *id, depth);
     return false;
@@ -74,7 +74,8 @@ std::optional<MissingField> next(const Project& project, const Problems& all, co
         const SetupAddress address = address_of_path(project, problem.path);
         const FieldSpec* field = find_schema(project, address)->find(field_in(problem.path, entry));
         const SetupValue& value = value_of(*field, *setup_of(project, address));
-        if (is_empty(value)) return MissingField{field->title, problem.path};
+        if (is_empty(value) || setup_of(project, address)->values.empty())
+            return MissingField{field->title, problem.path};
         const std::string& id = std::get<std::string>(value);
         for (const SetupAddress& used : {SetupAddress{SetupOwner::asset, id}, {SetupOwner::analysis, id}})
             if (setup_of(project, used)) return next(project, all, entry_path(project, used), depth + 1);

@@ -17,6 +17,18 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+/// A budget is typed into an empty sheet; what stood there would have to be deleted first.
+bool is_typed_as_budget(const std::string& model) {
+    const ModelDescriptor* descriptor = find_model(model);
+    if (!descriptor) return false;
+    const std::vector<FieldSpec>& fields = descriptor->schema.fields();
+    return std::any_of(fields.begin(), fields.end(),
+                       [](const FieldSpec& field) { return field.states_quantities; });
+}
+
+}  // namespace
 
 ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
     : QTreeView(parent),
@@ -77,7 +89,8 @@ void ProjectPane::add_asset(const std::string& kind) {
 }
 
 void ProjectPane::add_analysis(const std::string& model) {
-    if (const AnalysisTemplate* prepared = template_of(model)) return add_from_template(*prepared);
+    if (!is_typed_as_budget(model))
+        if (const AnalysisTemplate* prepared = template_of(model)) return add_from_template(*prepared);
     selection_.select_entry({SetupOwner::analysis, covaria::ui::add_analysis(document_, model)});
 }
 

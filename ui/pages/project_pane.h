@@ -28,7 +28,8 @@ public:
     QMenu* make_add_menu(QWidget* parent);
 
     void add_asset(const std::string& kind);
-    /// Of the model's first template, so that it has results at once; empty where there is none.
+    /// Of the model's first template, so that it has results at once; empty where there is none, and where a
+    /// budget is typed.
     void add_analysis(const std::string& model);
     void add_from_template(const AnalysisTemplate& wanted);
     void add_copy(const AssetEntry& asset);
