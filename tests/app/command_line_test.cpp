@@ -35,6 +35,20 @@ TEST(CommandLine, WrongUsageIsStatusTwo) {
     EXPECT_EQ(run_program({"run", stewart, "--trials", "1000", "--adaptive"}).status, 2);
 }
 
+TEST(CommandLine, TheLibraryIsSearchedAndTellsItsSources) {
+    const Outcome found = run_program({"library", "search", "LEICA", "at960"});
+    ASSERT_EQ(found.status, 0) << found.err;
+    EXPECT_NE(found.out.find("leica-at960"), std::string::npos) << found.out;
+    EXPECT_EQ(found.out.find("faro"), std::string::npos) << found.out;
+    const Outcome shown = run_program({"library", "show", "leica-at500"});
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    EXPECT_NE(shown.out.find("ISO 10360-10:2021"), std::string::npos) << shown.out;
+    EXPECT_EQ(run_program({"library", "search", "no-such-thing"}).status, 1);
+    const Outcome unknown = run_program({"library", "show", "no-such-thing"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("covaria library list"), std::string::npos) << unknown.err;
+}
+
 TEST(CommandLine, RunWritesResultsAndTables) {
     const fs::path folder = fresh_folder("run");
     const Outcome run = run_program({"run", stewart, "--trials", "20000", "--out", folder.string()});

@@ -25,6 +25,7 @@
 #include "ui/pages/budget_page.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
+#include "ui/pages/library_browser.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
 #include "ui/pages/properties_pane.h"
@@ -198,6 +199,8 @@ void MainWindow::make_file_menu() {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
     menu->addAction(files_.new_action);
     menu->addMenu(files_.make_examples_menu(this));
+    menu->addAction(icon(QStringLiteral("layers")), tr("&Library and Examples …"),
+                    QKeySequence(Qt::CTRL | Qt::Key_L), this, &MainWindow::show_library);
     menu->addAction(files_.open_action);
     menu->addMenu(files_.make_recent_menu(this));
     menu->addSeparator();
@@ -254,6 +257,8 @@ void MainWindow::make_help_menu() {
 void MainWindow::connect_panes() {
     connect(start_, &StartPage::new_wanted, &files_, &FileActions::new_project);
     connect(start_, &StartPage::open_wanted, &files_, &FileActions::open);
+    connect(start_, &StartPage::library_wanted, this, &MainWindow::show_library);
+    connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
     connect(start_, &StartPage::file_wanted, &files_, &FileActions::open_file);
     connect(start_, &StartPage::example_wanted, &files_, &FileActions::open_example);
     connect(&files_, &FileActions::recent_changed, start_,
@@ -281,6 +286,7 @@ void MainWindow::connect_panes() {
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
     connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
     connect(problems_, &ProblemsPane::place_wanted, this, &MainWindow::go_to);
+    connect(results_, &ResultsPane::place_wanted, this, &MainWindow::go_to);
     connect(&selection_, &Selection::analysis_changed, this, [this](const QString& id) {
         runner_.set_focus(id);
         scene_->show_analysis(id);
@@ -325,6 +331,36 @@ void MainWindow::connect_panes() {
     });
     set_rendering_log([this](const std::string& message) { log_->write(to_qt(message)); });
     for (QAction* action : project_actions_) action->setEnabled(false);
+}
+
+LibraryBrowser& MainWindow::library() {
+    if (!library_) {
+        library_ = new LibraryBrowser(this);
+        connect_library();
+    }
+    return *library_;
+}
+
+void MainWindow::show_library() {
+    library().fill();
+    library_->show();
+    library_->raise();
+    library_->search().setFocus();
+}
+
+void MainWindow::connect_library() {
+    const auto with_project = [this] {
+        if (!has_project_) files_.new_project();
+    };
+    connect(library_, &LibraryBrowser::example_wanted, &files_, &FileActions::open_example);
+    connect(library_, &LibraryBrowser::template_wanted, this, [=, this](const AnalysisTemplate& wanted) {
+        with_project();
+        project_->add_from_template(wanted);
+    });
+    connect(library_, &LibraryBrowser::asset_wanted, this, [=, this](const AssetEntry& asset) {
+        with_project();
+        project_->add_copy(asset);
+    });
 }
 
 /// While the study's tab is on top, the scene shows its map.

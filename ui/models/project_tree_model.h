@@ -53,6 +53,7 @@ private:
     std::vector<Problem> found_in(const SetupAddress& address) const;
     QString problems_of(const SetupAddress& address) const;
     Severity worst_of(const SetupAddress& address) const;
+    bool is_incomplete(const SetupAddress& address) const;
 
     Document& document_;
     AnalysisRunner& runner_;
