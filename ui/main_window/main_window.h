@@ -72,7 +72,7 @@ private:
     void make_view_menu();
     void make_help_menu();
     void connect_panes();
-    void show_study_in_scene();
+    void show_tab_in_scene();
     void show_project();
     void hold_runs();
     void go_to(const QString& path);
