@@ -32,19 +32,27 @@ std::vector<std::size_t> without(std::vector<std::size_t> rows, std::size_t row)
     return rows;
 }
 
-/// The first of `all` that `others` have not, each counted once.
+/// The first of `all` that `others` have not, each counted once. What stands elsewhere there under the same
+/// name was moved, as a point that is computed from all rows: it is not new.
 template <class Stand>
-std::optional<Eigen::Vector3d> first_more(const std::vector<Stand>& all, std::vector<Stand> others) {
+std::optional<Eigen::Vector3d> first_more(const std::vector<Stand>& all, const std::vector<Stand>& others) {
     const auto key = [](const Stand& s) { return std::tuple(s.rank, s.p_W.x(), s.p_W.y(), s.p_W.z()); };
     const auto before = [&](const Stand& a, const Stand& b) { return key(a) < key(b); };
-    std::vector<Stand> sorted = all;
-    std::stable_sort(sorted.begin(), sorted.end(), before);
-    std::stable_sort(others.begin(), others.end(), before);
-    std::vector<Stand> more;
-    std::set_difference(sorted.begin(), sorted.end(), others.begin(), others.end(), std::back_inserter(more),
+    std::vector<Stand> here = all, there = others, more, less;
+    std::stable_sort(here.begin(), here.end(), before);
+    std::stable_sort(there.begin(), there.end(), before);
+    std::set_difference(here.begin(), here.end(), there.begin(), there.end(), std::back_inserter(more),
                         before);
-    if (more.empty()) return {};
-    return more.front().p_W;
+    std::set_difference(there.begin(), there.end(), here.begin(), here.end(), std::back_inserter(less),
+                        before);
+    for (const Stand& stand : more) {
+        const auto moved = std::find_if(less.begin(), less.end(), [&](const Stand& other) {
+            return other.rank == stand.rank && other.name == stand.name;
+        });
+        if (moved == less.end()) return stand.p_W;
+        less.erase(moved);
+    }
+    return {};
 }
 
 /// At most so many of them, evenly, with the last.

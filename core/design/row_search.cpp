@@ -9,6 +9,7 @@ namespace {
 
 constexpr double better = 1.0 - 1e-12;      ///< what counts as an improvement
 constexpr std::size_t most_promising = 24;  ///< partners of an exchange, until the last
+constexpr std::size_t most_idle = 3;        ///< starts without gain that end the search in a large table
 constexpr std::size_t further_counts = 3;   ///< of rows beyond those kept, on the curve
 
 }  // namespace
@@ -83,12 +84,18 @@ RowSearch::Found RowSearch::find() {
         found.proved = true;
     } else {
         found.rows = exchanged(greedy(), "exchange", Partners::promising);
-        for (std::size_t start = 1; start < book_.design().design.starts && book_.left() > 0; ++start) {
-            const Rows other = exchanged(choice_.shaken(found.rows, start),
-                                         "start " + std::to_string(start + 1), Partners::promising);
-            if (merit_of(other).merit < merit_of(found.rows).merit) found.rows = other;
-        }
         found.rows = exchanged(found.rows, "exchange", Partners::all);
+        std::size_t idle = 0;  // starts in a row that found nothing better
+        const bool is_large = choice_.count > choice_.keep + most_promising;
+        for (std::size_t start = 1; start < book_.design().design.starts && book_.left() > 0; ++start) {
+            if (is_large && idle == most_idle) break;
+            const std::string search = "start " + std::to_string(start + 1);
+            const Rows other = exchanged(choice_.shaken(found.rows, start), search, Partners::promising);
+            ++idle;
+            if (!(merit_of(other).merit < better * merit_of(found.rows).merit)) continue;
+            idle = 0;
+            found.rows = exchanged(other, search, Partners::all);
+        }
     }
     found.feasible = merit_of(found.rows).feasible;
     return found;

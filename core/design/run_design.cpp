@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/base/guarded.h"
 #include "core/design/cost_search.h"
@@ -280,8 +281,13 @@ private:
         return words;
     }
 
-    /// By the shares of the variances in the budget.
-    void state_sources(const UncertaintyResult& verified, const References& references) {
+    /// By the shares of the variances in the budget. What an asset states goes by its statement; components
+    /// that are typed by themselves are one each.
+    void state_sources(const UncertaintyResult& verified, const InputSet& inputs,
+                       const References& references) {
+        std::set<std::string> of_assets;  // ids
+        for (const UncertaintyComponent& component : inputs.components)
+            if (!component.contributor.empty() && !component.origin.empty()) of_assets.insert(component.id);
         std::map<std::string, std::vector<double>> shares;  // of the goals
         std::vector<double> expanded;
         for (std::size_t k = 0; k < result_.goals.size(); ++k) {
@@ -290,7 +296,7 @@ private:
             if (j == verified.outputs.size() || j >= verified.budget.rows.size()) return;
             for (const BudgetRow& row : verified.budget.rows[j]) {
                 const BudgetComponent& component = verified.budget.components[row.component];
-                auto& of_origin = shares[component.origin.empty() ? component.id : component.origin];
+                auto& of_origin = shares[of_assets.contains(component.id) ? component.origin : component.id];
                 of_origin.resize(result_.goals.size(), 0.0);
                 of_origin[k] += row.share;
             }
@@ -338,7 +344,7 @@ private:
             goal.monte_carlo = output.expanded_uncertainty;
             if (output.first_order.validation) goal.validated = output.first_order.validation->validated;
         }
-        state_sources(*verified, references);
+        state_sources(*verified, changed->inputs, references);
     }
 
     const PreparedDesign& design_;

@@ -41,8 +41,8 @@ const char* text_of(PointKind kind) {
 }
 
 const char* text_of(LinkKind kind) {
-    static constexpr const char* names[] = {"leg",        "robot_link", "bar", "joint_axis",
-                                            "sight_line", "dimension",  "edge"};
+    static constexpr const char* names[] = {"leg",        "robot_link", "bar",           "joint_axis",
+                                            "sight_line", "dimension",  "field_of_view", "edge"};
     return names[static_cast<std::size_t>(kind)];
 }
 
