@@ -173,6 +173,7 @@ TEST(CommandLine, DesignWritesWhatItFoundAndTakesItOver) {
     ASSERT_EQ(found.status, 0) << found.err;
     EXPECT_NE(found.out.find("Rows kept: 12 of 22"), std::string::npos) << found.out;
     const json design = json::parse(read_text(folder / "design-points-twelve.json"));
+    EXPECT_EQ(design.at("gains").size(), 22u);
     EXPECT_EQ(design.at("format"), "covaria-design");
     EXPECT_EQ(design.at("rows").size(), 12u);
     EXPECT_LT(design.at("best").get<double>(), 1.1);

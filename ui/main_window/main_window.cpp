@@ -307,8 +307,9 @@ void MainWindow::connect_panes() {
                           {to_qt(item.name), item.source, p_W, step});
             });
     connect(&scene_->view(), &SceneView::drag_finished, &document_, &Document::end_merging);
-    connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_study_in_scene);
-    connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_study_in_scene);
+    connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_tab_in_scene);
+    connect(&results_->design_tab(), &DesignTab::shown_changed, this, &MainWindow::show_tab_in_scene);
+    connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_tab_in_scene);
     connect(&results_->study_tab(), &StudyTab::edit_wanted, this, [this] {
         selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
         docks_[1]->show();
@@ -363,8 +364,8 @@ void MainWindow::connect_library() {
     });
 }
 
-/// While the study's tab is on top, the scene shows its map.
-void MainWindow::show_study_in_scene() {
+/// While the tab of a study or design is on top, the scene shows its map.
+void MainWindow::show_tab_in_scene() {
     const StudyTab& tab = results_->study_tab();
     const bool on_top = results_->tabs().currentWidget() == &tab;
     StudySceneOptions wanted;
@@ -375,6 +376,11 @@ void MainWindow::show_study_in_scene() {
         wanted.slice = tab.view().slice;
     }
     scene_->show_study(on_top ? tab.study() : nullptr, wanted);
+    const DesignTab& designs = results_->design_tab();
+    const bool design_on_top = results_->tabs().currentWidget() == &designs;
+    const bool in_space = design_on_top && designs.result() && stands_in_space(*designs.result());
+    scene_->show_design(in_space ? designs.result() : nullptr,
+                        designs.is_current() ? QString() : tr("out of date"));
 }
 
 void MainWindow::show_preferences() {

@@ -78,8 +78,8 @@ private:
     void make_view_menu();
     void make_help_menu();
     void connect_panes();
-    void show_study_in_scene();
     void show_running_design(const QString& analysis, const QString& id);
+    void show_tab_in_scene();
     void show_project();
     void show_library();
     void connect_library();
