@@ -104,6 +104,7 @@ void ResultsPane::make_head() {
     digits_->setToolTip(tr("Significant digits of uncertainties; estimates are rounded to match"));
     next_ = new QPushButton;
     next_->setObjectName(QStringLiteral("next_step"));
+    next_->setAccessibleName(tr("Next step"));
     next_->hide();
     connect(next_, &QPushButton::clicked, this, [this] { emit place_wanted(next_place_); });
     row->addWidget(next_);
