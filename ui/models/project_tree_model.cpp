@@ -3,6 +3,7 @@
 #include "ui/models/project_tree_model.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
@@ -31,9 +32,17 @@ std::array<ProjectTreeModel::Ids, ProjectTreeModel::category_count> ProjectTreeM
 }
 
 void ProjectTreeModel::refresh() {
-    const auto next = read();
-    for (int category = 0; category < category_count; ++category)
-        refresh_category(category, next[static_cast<std::size_t>(category)]);
+    // A view that hears of a removed row leaves it, which ends what is being typed, which changes the
+    // project: that is followed when this change has been.
+    changed_again_ = true;
+    if (refreshing_) return;
+    refreshing_ = true;
+    while (std::exchange(changed_again_, false)) {
+        const auto next = read();
+        for (int category = 0; category < category_count; ++category)
+            refresh_category(category, next[static_cast<std::size_t>(category)]);
+    }
+    refreshing_ = false;
     emit dataChanged(index_of(project_row), index_of(project_row).siblingAtColumn(state_column));
 }
 

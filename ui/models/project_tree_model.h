@@ -58,6 +58,7 @@ private:
     Document& document_;
     AnalysisRunner& runner_;
     std::array<Ids, category_count> ids_;
+    bool refreshing_ = false, changed_again_ = false;
 };
 
 }  // namespace covaria::ui
