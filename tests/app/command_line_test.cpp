@@ -234,6 +234,24 @@ TEST(CommandLine, RenderDrawsAPicture) {
         << "the message names the groups there are: " << unknown.err;
 }
 
+TEST(CommandLine, RenderDrawsWhatADesignHasFound) {
+    const fs::path folder = fresh_folder("render-design");
+    const std::string ballbars = shipped_project("ballbar-design.covaria").string();
+    const std::string file = (folder / "design.png").string(), plain = (folder / "plain.png").string();
+    const std::vector<std::string> more = {"--trials", "2000", "--width", "640", "--height", "400"};
+    const auto render = [&](std::vector<std::string> words) {
+        words.insert(words.end(), more.begin(), more.end());
+        return run_program(words);
+    };
+    ASSERT_EQ(render({"render", ballbars, "--design", "twelve", "-o", file}).status, 0);
+    ASSERT_EQ(render({"render", ballbars, "-o", plain}).status, 0);
+    EXPECT_EQ(read_text(file).substr(1, 3), "PNG");
+    EXPECT_NE(read_text(file), read_text(plain));
+    const Outcome unknown = render({"render", ballbars, "--design", "thirteen", "-o", file});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("has no design \"thirteen\""), std::string::npos) << unknown.err;
+}
+
 TEST(CommandLine, ReportWritesAllFormatsAndTheirFigures) {
     const fs::path folder = fresh_folder("report");
     const Outcome run = run_program({"report", stewart, "--trials", "20000", "--out", folder.string()});

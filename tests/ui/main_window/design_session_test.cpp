@@ -126,6 +126,7 @@ TEST_F(DesignSession, TheSceneShowsWhatWasFoundWhileItsTabIsOnTop) {
     };
     EXPECT_TRUE(wait_for([&] { return map() == "gain (%)"; }));
     EXPECT_EQ(window_->scene().view().scene()->map->positions.size(), 22u);
+    EXPECT_FALSE(scene_picture().isNull());
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/design-scene.png"));
     type_into("design_keep", QStringLiteral("13"));
     EXPECT_TRUE(wait_for([this] {
