@@ -14,6 +14,7 @@
 #include "core/report/design_results.h"
 #include "core/text/numbers.h"
 #include "tests/core/made.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::design_test {
 namespace {
@@ -523,8 +524,7 @@ TEST(Design, CandidatesOfAFileStandBehindTheRowsOfTheTable) {
     std::string csv = "sensor\n";
     for (std::size_t i = 5; i < rows.size(); ++i) csv += std::get<std::string>(rows[i][0]) + "\n";
     rows.resize(5);
-    project.directory = std::filesystem::path(COVARIA_BINARY_DIR) / "design-candidates";
-    std::filesystem::create_directories(project.directory);
+    project.directory = test::fresh_folder();
     ASSERT_TRUE(write_file_atomically(project.directory / "more.csv", csv));
     project.analyses[0].designs[0].choose->candidates = "more.csv";
     const DesignResult some = run(project);

@@ -277,15 +277,6 @@ Problem problem_with(const Problems& problems, const std::string& words) {
     return {Severity::warning, "", all, "", -1};
 }
 
-std::filesystem::path fresh_folder(const std::string& name) {
-    const testing::TestInfo& running = *testing::UnitTest::GetInstance()->current_test_info();
-    const auto folder = std::filesystem::path(COVARIA_BINARY_DIR) / "test-output" /
-                        (std::string(running.test_suite_name()) + "." + running.name() + "." + name);
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
-}
-
 std::string bytes_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream bytes;
