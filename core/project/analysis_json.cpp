@@ -8,6 +8,7 @@
 #include "core/project/json_lists.h"
 #include "core/project/json_location.h"
 #include "core/project/options_json.h"
+#include "core/project/requirement_fields.h"
 #include "core/project/setup_json.h"
 #include "core/project/study_json.h"
 #include "core/setup/message_text.h"
@@ -19,13 +20,6 @@ namespace {
 using Style = JsonWriter::Style;
 
 constexpr std::array<const char*, 2> discrete_keys{"values", "probabilities"};
-
-const DistributionKindInfo* find_distribution(const std::string& key) {
-    const auto& kinds = distribution_kinds();
-    const auto found = std::find_if(kinds.begin(), kinds.end(),
-                                    [&](const DistributionKindInfo& kind) { return kind.key == key; });
-    return found == kinds.end() ? nullptr : &*found;
-}
 
 std::vector<std::string> distribution_keys() {
     std::vector<std::string> keys;
@@ -90,7 +84,7 @@ ComponentEdit read_component(const Json& value, const std::string& path, Problem
     component.degrees_of_freedom = reader.number_or_infinity("degreesOfFreedom");
     component.origin = reader.text("origin");
     reader.refuse_unknown_keys();
-    const DistributionKindInfo* kind = find_distribution(component.distribution);
+    const DistributionKindInfo* kind = find_distribution_kind(component.distribution);
     if (!kind && !component.distribution.empty())
         problems.error(reader.path_of("distribution"),
                        "there is no distribution '" + component.distribution + "'" +
@@ -156,12 +150,12 @@ Requirement read_requirement(const Json& value, const std::string& path, Problem
     Requirement requirement;
     requirement.group = reader.text("group");
     requirement.symbol = reader.text("symbol", true);
-    requirement.target_uncertainty = reader.quantity("targetUncertainty");
-    requirement.lower_limit = reader.quantity("lowerLimit");
-    requirement.upper_limit = reader.quantity("upperLimit");
-    requirement.guard_factor = reader.number("guardFactor").value_or(requirement.guard_factor);
-    requirement.prior_mean = reader.quantity("priorMean");
-    requirement.prior_standard_deviation = reader.quantity("priorStandardDeviation");
+    for (const RequirementField& field : requirement_fields()) {
+        if (const auto* number = std::get_if<double Requirement::*>(&field.member))
+            requirement.** number = reader.number(field.key).value_or(requirement.**number);
+        else
+            set_value(requirement, field, reader.quantity(field.key));
+    }
     reader.refuse_unknown_keys();
     return requirement;
 }
@@ -186,7 +180,7 @@ void write_number_list(JsonWriter& out, const char* key, std::span<const double>
 }
 
 void write_parameters(JsonWriter& out, const ComponentEdit& component) {
-    const DistributionKindInfo* kind = find_distribution(component.distribution);
+    const DistributionKindInfo* kind = find_distribution_kind(component.distribution);
     const std::span<const double> numbers(component.parameters);
     out.begin_object(Style::one_line);
     if (kind && kind->parameters.empty()) {
@@ -282,15 +276,15 @@ void write_requirement(JsonWriter& out, const Requirement& requirement) {
     text_if_given(out, "group", requirement.group);
     out.key("symbol");
     out.text(requirement.symbol);
-    quantity_if_given(out, "targetUncertainty", requirement.target_uncertainty);
-    quantity_if_given(out, "lowerLimit", requirement.lower_limit);
-    quantity_if_given(out, "upperLimit", requirement.upper_limit);
-    if (requirement.guard_factor != Requirement{}.guard_factor) {
-        out.key("guardFactor");
-        out.finite_number(requirement.guard_factor);
+    for (const RequirementField& field : requirement_fields()) {
+        const auto* number = std::get_if<double Requirement::*>(&field.member);
+        if (!number) {
+            quantity_if_given(out, field.key, value_of(requirement, field));
+        } else if (requirement.**number != Requirement{}.**number) {
+            out.key(field.key);
+            out.finite_number(requirement.**number);
+        }
     }
-    quantity_if_given(out, "priorMean", requirement.prior_mean);
-    quantity_if_given(out, "priorStandardDeviation", requirement.prior_standard_deviation);
     out.end();
 }
 

@@ -24,11 +24,8 @@ double rounded_to_15_digits(double value) {
 template <class Convert>
 std::vector<double> converted_parameters(const ComponentEdit& edit, Convert convert) {
     std::vector<double> parameters = edit.parameters;
-    const auto& kinds = distribution_kinds();
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const DistributionKindInfo& candidate) {
-        return candidate.key == edit.distribution;
-    });
-    if (kind == kinds.end()) return parameters;
+    const DistributionKindInfo* kind = find_distribution_kind(edit.distribution);
+    if (!kind) return parameters;
     const bool discrete = kind->parameters.empty();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const bool has_unit = discrete ? i < parameters.size() / 2

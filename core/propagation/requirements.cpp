@@ -77,39 +77,36 @@ ConformanceBy distribution_of(const OutputResult& output) {
                                                                           : ConformanceBy::normal;
 }
 
-void judge_conformity(RequirementResult& made, const OutputRequirement& r, const OutputResult& output) {
+void judge_conformity(RequirementResult& made, const OutputResult& output) {
     const double y = output.estimate, u = output.standard_uncertainty;
-    made.guard_factor = r.guard_factor;
-    made.guard_band = r.guard_factor * output.expanded_uncertainty;
-    const ToleranceLimits stated = limits_of(r, made.guard_band), limits = at_branch_of(output, stated);
+    made.guard_band = made.guard_factor * output.expanded_uncertainty;
+    const ToleranceLimits stated = limits_of(made, made.guard_band), limits = at_branch_of(output, stated);
     made.decision =
         y >= limits.accept_lower && y <= limits.accept_upper ? Decision::accept : Decision::reject;
     made.conformance = conformance(output, limits);
     made.conformance_by = distribution_of(output);
-    if (r.lower_limit && r.upper_limit && u > 0.0)
-        made.capability_index = (*r.upper_limit - *r.lower_limit) / (4.0 * u);
-    if (r.lower_limit && r.upper_limit && output.expanded_uncertainty > 0.0)
-        made.uncertainty_ratio = (*r.upper_limit - *r.lower_limit) / (2.0 * output.expanded_uncertainty);
-    if (r.prior_mean && r.prior_standard_deviation && std::isfinite(u))
-        made.global_risks = global_risks(stated, *r.prior_mean, *r.prior_standard_deviation, u);
+    if (made.lower_limit && made.upper_limit) {
+        const double tolerance = *made.upper_limit - *made.lower_limit;
+        if (u > 0.0) made.capability_index = tolerance / (4.0 * u);
+        if (output.expanded_uncertainty > 0.0)
+            made.uncertainty_ratio = tolerance / (2.0 * output.expanded_uncertainty);
+    }
+    if (made.prior_mean && made.prior_standard_deviation && std::isfinite(u))
+        made.global_risks = global_risks(stated, *made.prior_mean, *made.prior_standard_deviation, u);
 }
 
 }  // namespace
 
 RequirementResult judge(const UncertaintyResult& result, const OutputRequirement& requirement) {
     const OutputResult& output = result.outputs[requirement.output];
-    RequirementResult made{requirement.output};
-    made.target_uncertainty = requirement.target_uncertainty;
-    made.lower_limit = requirement.lower_limit;
-    made.upper_limit = requirement.upper_limit;
+    RequirementResult made{requirement};
     if (!represents_measurand(result)) {
         made.not_judged = why_not_judged();
         made.meets_target = false;
         return made;
     }
-    if (requirement.target_uncertainty)
-        made.meets_target = output.expanded_uncertainty <= *requirement.target_uncertainty;
-    if (requirement.lower_limit || requirement.upper_limit) judge_conformity(made, requirement, output);
+    if (made.target_uncertainty) made.meets_target = output.expanded_uncertainty <= *made.target_uncertainty;
+    if (made.lower_limit || made.upper_limit) judge_conformity(made, output);
     return made;
 }
 

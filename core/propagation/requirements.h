@@ -8,15 +8,6 @@
 
 namespace covaria {
 
-/// Of one output; SI.
-struct OutputRequirement {
-    std::size_t output = 0;
-    std::optional<double> target_uncertainty = {};
-    std::optional<double> lower_limit = {}, upper_limit = {};
-    double guard_factor = 1.0;
-    std::optional<double> prior_mean = {}, prior_standard_deviation = {};
-};
-
 /// The verdict is a function of the result and the requirement, and is kept nowhere: a changed requirement is
 /// judged at once, without another run. A result that does not represent the measurand is not judged. What it
 /// takes to meet a target is in reverse_budget.h.

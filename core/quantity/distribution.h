@@ -148,6 +148,8 @@ struct DistributionKindInfo {
     std::vector<DistributionParameterInfo> parameters;  ///< empty for "discrete", whose parameters are lists
 };
 const std::vector<DistributionKindInfo>& distribution_kinds();
+/// Null: there is none with this key.
+const DistributionKindInfo* find_distribution_kind(std::string_view key);
 /// Builds from a kind's key and its parameters in the order of `distribution_kinds()` (SI); for "discrete"
 /// all values, then all probabilities. Errors: unknown kind, wrong number of parameters, those of
 /// `Distribution::make`.

@@ -1,6 +1,7 @@
 // The table of the kinds of distribution and their parameters, for files and forms. A new kind is a struct in
 // DistributionParameters, a row here and in `with_values`, a check, moments, a density and a quantile
 // function.
+#include <algorithm>
 #include <array>
 #include <string>
 #include <type_traits>
@@ -106,6 +107,12 @@ const std::vector<DistributionKindInfo>& distribution_kinds() {
         {"discrete", "discrete", {}},
     };
     return kinds;
+}
+
+const DistributionKindInfo* find_distribution_kind(std::string_view key) {
+    const std::vector<DistributionKindInfo>& kinds = distribution_kinds();
+    const auto found = std::ranges::find(kinds, key, &DistributionKindInfo::key);
+    return found == kinds.end() ? nullptr : &*found;
 }
 
 Result<Distribution> distribution_from(std::string_view kind, std::span<const double> parameters) {

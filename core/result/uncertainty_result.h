@@ -149,18 +149,23 @@ struct SobolIndex {
     double total_standard_error = 0.0;
 };
 
-/// How the result stands to a requirement of the analysis: made of both whenever it is looked at.
-struct RequirementResult {
+/// Of one output; SI.
+struct OutputRequirement {
     std::size_t output = 0;
+    std::optional<double> target_uncertainty = {};
+    std::optional<double> lower_limit = {}, upper_limit = {};
+    double guard_factor = 1.0;  ///< r of the decision rule w = r U
+    std::optional<double> prior_mean = {}, prior_standard_deviation = {};
+};
+
+/// A requirement and how the result stands to it: made of both whenever it is looked at.
+struct RequirementResult : OutputRequirement {
     /// Why there is no verdict; empty if there is one. Without it the target is not met and nothing is
     /// decided.
     std::string not_judged = {};
-    std::optional<double> target_uncertainty = {};
     bool meets_target = true;
 
-    std::optional<double> lower_limit = {}, upper_limit = {};
-    double guard_factor = 1.0;  ///< r of the decision rule w = r U
-    double guard_band = 0.0;    ///< w
+    double guard_band = 0.0;  ///< w
     /// Of the value that the result line states.
     enum class Decision { none, accept, reject } decision = Decision::none;
     /// Probability of conformance p_c (JCGM 106 7), by the distribution that the result line states: the

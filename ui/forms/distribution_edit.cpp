@@ -21,12 +21,6 @@ namespace {
 
 const std::string list_keys[] = {"values", "probabilities"};
 
-const DistributionKindInfo* find_kind(std::string_view key) {
-    for (const DistributionKindInfo& kind : distribution_kinds())
-        if (kind.key == key) return &kind;
-    return nullptr;
-}
-
 /// A distribution of the kind with parameters that are always possible.
 Result<Distribution> any_of_kind(const DistributionKindInfo& kind) {
     static const std::map<std::string_view, double> usual{
@@ -101,7 +95,7 @@ DistributionEdit::DistributionEdit(QWidget* parent)
 }
 
 bool DistributionEdit::is_list() const {
-    const DistributionKindInfo* kind = find_kind(component_.distribution);
+    const DistributionKindInfo* kind = find_distribution_kind(component_.distribution);
     return kind && kind->parameters.empty();
 }
 
@@ -125,7 +119,7 @@ void DistributionEdit::set_component(const ComponentEdit& component) {
 }
 
 void DistributionEdit::choose_kind(const QString& key) {
-    const DistributionKindInfo* kind = find_kind(to_std(key));
+    const DistributionKindInfo* kind = find_distribution_kind(to_std(key));
     if (!kind || component_.distribution == kind->key) return;
     if (unread_) unread_->replace_under(place_.entry, place_.part + "/", {});
     const Result<Distribution> start = any_of_kind(*kind);
@@ -151,7 +145,7 @@ void DistributionEdit::rebuild_parameters() {
     while (parameters_->rowCount() > 0) parameters_->removeRow(0);
     edits_.clear();
     lists_.clear();
-    const DistributionKindInfo* kind = find_kind(shown_kind_);
+    const DistributionKindInfo* kind = find_distribution_kind(shown_kind_);
     if (!kind) return;
     if (is_list()) {
         add_list(tr("Values"), 0);
@@ -208,7 +202,7 @@ void DistributionEdit::set_list(std::size_t part, const QString& text) {
 }
 
 void DistributionEdit::show_values() {
-    const DistributionKindInfo* kind = find_kind(component_.distribution);
+    const DistributionKindInfo* kind = find_distribution_kind(component_.distribution);
     for (std::size_t i = 0; kind && i < edits_.size() && i < component_.parameters.size(); ++i) {
         const Unit unit = kind->parameters[i].has_unit ? component_.unit : Unit();
         edits_[i]->set_unit(unit);

@@ -114,20 +114,7 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
     outputs_->setAccessibleName(tr("Result"));
     outputs_->setObjectName("requirement_of");
     layout_->addRow(tr("Result"), outputs_);
-    add_row("targetUncertainty", tr("Target uncertainty"),
-            tr("The expanded uncertainty U must not exceed this."), &Requirement::target_uncertainty, true);
-    add_row("lowerLimit", tr("Lower limit"), tr("Of the tolerance; empty: none."), &Requirement::lower_limit,
-            false);
-    add_row("upperLimit", tr("Upper limit"), tr("Of the tolerance; empty: none."), &Requirement::upper_limit,
-            false);
-    add_guard_factor();
-    add_row("priorMean", tr("Prior mean"),
-            tr("What is known of such quantities before the measurement, as a normal distribution (the "
-               "production "
-               "process): for the global risks of JCGM 106."),
-            &Requirement::prior_mean, false);
-    add_row("priorStandardDeviation", tr("Prior standard deviation"), tr("Of the production process."),
-            &Requirement::prior_standard_deviation, true);
+    for (const RequirementField& field : requirement_fields()) add_row(field);
     verdict_->setWordWrap(true);
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     verdict_->setContentsMargins(0, 10, 0, 0);
@@ -147,33 +134,17 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
     refresh();
 }
 
-void RequirementsForm::add_row(const char* key, const QString& title, const QString& help, Member member,
-                               bool is_interval) {
+void RequirementsForm::add_row(const RequirementField& field) {
     auto* edit = new QuantityEdit(this);
-    edit->setObjectName(key);
+    const QString title = QString::fromLatin1(field.title);
+    edit->setObjectName(field.key);
     edit->setAccessibleName(title);
-    edit->set_help(help);
+    edit->set_help(QString::fromLatin1(field.help));
     layout_->addRow(title, edit);
-    rows_.push_back({key, edit, member, is_interval});
-    connect(edit, &QuantityEdit::quantity_edited, this,
-            [this, key, member](const std::optional<Quantity>& value) {
-                change(key, [&](Requirement& r) { r.*member = value; });
-            });
-}
-
-void RequirementsForm::add_guard_factor() {
-    auto* edit = new QuantityEdit(this);
-    edit->setObjectName("guardFactor");
-    edit->setAccessibleName(tr("Guard factor"));
-    edit->set_help(
-        tr("Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is "
-           "simple acceptance, negative values favour the producer."));
-    edit->set_range({-10.0, 10.0});
-    layout_->addRow(tr("Guard factor"), edit);
-    rows_.push_back({"guardFactor", edit, nullptr, false});
-    connect(edit, &QuantityEdit::quantity_edited, this, [this](const std::optional<Quantity>& value) {
-        change("guardFactor",
-               [&](Requirement& r) { r.guard_factor = value ? value->si() : Requirement{}.guard_factor; });
+    rows_.push_back({field, edit});
+    if (is_number(field)) edit->set_range({-10.0, 10.0});
+    connect(edit, &QuantityEdit::quantity_edited, this, [this, &field](const std::optional<Quantity>& value) {
+        change(field.key, [&](Requirement& r) { set_value(r, field, value); });
     });
 }
 
@@ -244,14 +215,9 @@ void RequirementsForm::refresh_values() {
         if (!of) continue;
         row.edit->set_place(document_.unread(),
                             {{SetupOwner::analysis, analysis_},
-                             "/requirements/" + of->group + "|" + of->symbol + "/" + row.key});
-        if (row.member) {
-            row.edit->set_unit(row.is_interval ? of->unit.interval() : of->unit);
-            row.edit->set_quantity(given ? given->*row.member : std::nullopt);
-        } else {
-            row.edit->set_quantity(
-                Quantity{given ? given->guard_factor : Requirement{}.guard_factor, Unit{}});
-        }
+                             "/requirements/" + of->group + "|" + of->symbol + "/" + row.field.key});
+        if (!is_number(row.field)) row.edit->set_unit(row.field.is_interval ? of->unit.interval() : of->unit);
+        row.edit->set_quantity(value_of(given ? *given : Requirement{}, row.field));
     }
 }
 
@@ -265,7 +231,7 @@ void RequirementsForm::refresh_problems() {
     for (const Row& row : rows_) {
         QStringList messages;
         for (const Problem& problem : document_.problems().items())
-            if (!prefix.empty() && problem.path == prefix + row.key) messages << to_qt(problem.message);
+            if (!prefix.empty() && problem.path == prefix + row.field.key) messages << to_qt(problem.message);
         row.edit->set_complaint(messages.join('\n'));
     }
 }
@@ -338,7 +304,7 @@ bool RequirementsForm::focus_field(const std::string& path) {
         if (named || (numbered && path.find('|') == std::string::npos)) outputs_->setCurrentIndex(int(i));
     }
     for (const Row& row : rows_)
-        if (path.ends_with("/" + row.key)) row.edit->setFocus(Qt::OtherFocusReason);
+        if (path.ends_with(std::string("/") + row.field.key)) row.edit->setFocus(Qt::OtherFocusReason);
     return true;
 }
 

@@ -10,6 +10,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/project/requirement_fields.h"
 #include "core/propagation/reverse_budget.h"
 #include "ui/document/document.h"
 #include "ui/forms/quantity_edit.h"
@@ -31,12 +32,9 @@ public:
     QLabel* verdict() const { return verdict_; }
 
 private:
-    using Member = std::optional<Quantity> Requirement::*;
     struct Row {
-        std::string key;  ///< in files: "lowerLimit"
+        const RequirementField& field;
         QuantityEdit* edit;
-        Member member;  ///< null for the guard factor
-        bool is_interval;
     };
     /// A target that is not met, for which the reverse budget is sought.
     struct Sought {
@@ -45,8 +43,7 @@ private:
         double target = 0.0;
         bool operator==(const Sought&) const = default;
     };
-    void add_row(const char* key, const QString& title, const QString& help, Member member, bool is_interval);
-    void add_guard_factor();
+    void add_row(const RequirementField& field);
     void refresh();
     void refresh_outputs();
     void refresh_values();

@@ -1,0 +1,32 @@
+// The figures of a requirement, each declared once: for the project file and for forms.
+#pragma once
+
+#include <array>
+#include <variant>
+
+#include "core/project/project.h"
+
+namespace covaria {
+
+struct RequirementField {
+    using Member = std::variant<std::optional<Quantity> Requirement::*, double Requirement::*>;
+    const char* key;    ///< in the project file
+    const char* title;  ///< for people
+    const char* help;
+    Member member;             ///< a number has the default of `Requirement`
+    bool is_interval = false;  ///< a difference of temperatures, not a temperature
+};
+
+/// What the field holds, guard factors as a quantity of the unit 1; and the other way: nullopt is the
+/// default.
+std::optional<Quantity> value_of(const Requirement& requirement, const RequirementField& field);
+void set_value(Requirement& requirement, const RequirementField& field, const std::optional<Quantity>& value);
+
+inline bool is_number(const RequirementField& field) {
+    return std::holds_alternative<double Requirement::*>(field.member);
+}
+
+/// In the order of the project file.
+const std::array<RequirementField, 6>& requirement_fields();
+
+}  // namespace covaria
