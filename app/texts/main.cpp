@@ -3,6 +3,7 @@
 // model or column of a table is in the catalogues without anybody listing it.
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "core/project/report_contents.h"
 #include "core/propagation/engine.h"
 #include "core/quantity/distribution.h"
+#include "core/quantity/statement_text.h"
 #include "core/readers/readers.h"
 #include "core/report/comparison_columns.h"
 #include "core/report/result_columns.h"
@@ -38,7 +40,11 @@ std::string as_literal(std::string_view text) {
 class TextList {
 public:
     void say(std::string_view what, std::string_view text) {
-        if (text.empty() || looks_like_symbol(text) || !said_.insert(std::string(text)).second) return;
+        if (!looks_like_symbol(text)) say_word(what, text);
+    }
+    /// Likewise, and it is no symbol, although it looks like one: "beta".
+    void say_word(std::string_view what, std::string_view text) {
+        if (text.empty() || !said_.insert(std::string(text)).second) return;
         std::printf("//: %.*s\nQT_TRANSLATE_NOOP(\"core\", %s)\n", int(what.size()), what.data(),
                     as_literal(text).c_str());
     }
@@ -96,10 +102,11 @@ void say_parts_of_project(TextList& list) {
     for (const ReportChapterField& chapter : report_chapters())
         list.say("Chapter of a report", chapter.title);
     for (const DistributionKindInfo& kind : distribution_kinds()) {
-        list.say("Distribution", kind.title);
+        list.say_word("Distribution", kind.title);
         for (const DistributionParameterInfo& parameter : kind.parameters)
-            list.say("Parameter of a distribution", parameter.title);
+            list.say_word("Parameter of a distribution", parameter.title);
     }
+    list.say("Examples of statements in the cell of a budget; the notations stay", statement_examples());
     for (const Reader& reader : reader_registry()) list.say("Format of a file that is read", reader.title);
     for (const Writer& writer : writer_registry()) list.say("Format of a file that is written", writer.title);
 }
@@ -114,17 +121,7 @@ void say_table(TextList& list, const Table& table, const std::set<std::string>& 
     }
 }
 
-/// The heads of tables are those of a result, whatever it is of.
-bool say_tables(TextList& list) {
-    const LoadedProject loaded = load_project(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria");
-    if (!loaded.made || loaded.project.analyses.empty()) return false;
-    const auto prepared = loaded.made->analysis(loaded.project.analyses.front().id);
-    if (!prepared) return false;
-    EvaluationOptions options = prepared->options;
-    options.method = Method::first_order;
-    Result<UncertaintyResult> evaluated = evaluate_first_order(*prepared->propagated, options);
-    if (!evaluated) return false;
-    const auto result = std::make_shared<const UncertaintyResult>(std::move(*evaluated));
+void say_tables_of(TextList& list, const std::shared_ptr<const UncertaintyResult>& result) {
     const std::vector<std::string> contributors = contributor_keys(*result);
     say_table(list, results_table(*result, {0}, {}), {contributors.begin(), contributors.end()});
     say_table(list, budget_table(*result, budget_places(*result, 0)));
@@ -132,6 +129,24 @@ bool say_tables(TextList& list) {
     const ResultComparison comparison = compare_results(result, result);
     say_table(list, compared_results_table(comparison));
     say_table(list, compared_budget_table(comparison, compared_places(comparison, 0)));
+}
+
+/// The heads of tables are those of a result, whatever it is of; help says how U was found.
+bool say_tables(TextList& list) {
+    const LoadedProject loaded = load_project(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria");
+    if (!loaded.made || loaded.project.analyses.empty()) return false;
+    const auto prepared = loaded.made->analysis(loaded.project.analyses.front().id);
+    if (!prepared) return false;
+    for (const Method method : {Method::first_order, Method::monte_carlo})
+        for (const auto& k : {std::optional<double>(), std::optional(2.0)}) {
+            EvaluationOptions options = prepared->options;
+            options.method = method;
+            options.trials = 1000;
+            options.coverage_factor = k;
+            Result<UncertaintyResult> evaluated = evaluate(*prepared->propagated, options);
+            if (!evaluated) return false;
+            say_tables_of(list, std::make_shared<const UncertaintyResult>(std::move(*evaluated)));
+        }
     for (const std::string& word : words_of_cells()) list.say("Cell of a table of results", word);
     return true;
 }

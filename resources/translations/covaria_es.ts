@@ -4411,6 +4411,40 @@
         <source>no</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>gamma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beta</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage factor. U = k u with the coverage factor that was fixed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty. U = k u with the coverage factor that was fixed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage factor. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>75 nm: standard uncertainty
+2 ppm: standard uncertainty, a part of the value
+U = 0.3 um, k = 2 (or p = 95 %): certificate
+rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcsine
+limits 19.5 to 20.5: they give the value
+resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+nu 18 behind any of them: degrees of freedom</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
@@ -57,6 +58,9 @@ PreferencesDialog::PreferencesDialog(PreferenceStore& preferences, QWidget* pare
     buttons->button(QDialogButtonBox::RestoreDefaults)->setAutoDefault(false);
     connect(&preferences_, &PreferenceStore::changed, this, &PreferencesDialog::show_preferences);
     show_preferences();
+    // As high as the notes need when they are broken into lines.
+    const int width = column->totalSizeHint().width();
+    resize(width, std::max(column->totalSizeHint().height(), column->totalHeightForWidth(width)));
 }
 
 QComboBox* PreferencesDialog::add_box(QFormLayout& form, const QString& title, const char* name,

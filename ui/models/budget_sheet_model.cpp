@@ -204,7 +204,7 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
         const QModelIndex cell = sheet_.index(row, column(key));
         if (!cell.data(problem_role).toString().isEmpty()) return cell.data(role);
     }
-    if (role == Qt::ToolTipRole) return to_qt(statement_examples());
+    if (role == Qt::ToolTipRole) return core_text(statement_examples());
     return kind.data(role);
 }
 
@@ -267,7 +267,8 @@ QVariant BudgetSheetModel::headerData(int section, Qt::Orientation orientation, 
             with_unit(QString::fromUtf8(head.title), result_->outputs[output_].quantity.unit.interval()));
     if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
     if (role == typeset_role) return QVariant::fromValue(title);
-    if (role == Qt::ToolTipRole) return section == stated ? to_qt(statement_examples()) : ui::tr(head.help);
+    if (role == Qt::ToolTipRole)
+        return section == stated ? core_text(statement_examples()) : ui::tr(head.help);
     return {};
 }
 
