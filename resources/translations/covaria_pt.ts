@@ -4762,6 +4762,10 @@ nu 18 behind any of them: degrees of freedom</source>
         <source>Duplicate %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Expanded uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AssetEvaluation</name>
@@ -8332,13 +8336,6 @@ and large-scale metrology</source>
     <name>covaria::ui::UnreadTexts</name>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>covaria::ui::ui</name>
-    <message>
-        <source>Expanded uncertainty</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

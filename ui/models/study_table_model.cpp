@@ -11,6 +11,7 @@ namespace {
 const char* const position_help = QT_TR_NOOP(
     "Standard uncertainty of the position in space: square root of the sum of the variances of its three "
     "coordinates");
+const char* const expanded_help = QT_TR_NOOP("Expanded uncertainty");
 
 }  // namespace
 
@@ -35,8 +36,7 @@ void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool c
                                      : Cell();
         };
         table.add(quantity.id, value)
-            .window(quantity.title,
-                    to_std(quantity.position ? ui::tr(position_help) : ui::tr("Expanded uncertainty")))
+            .window(quantity.title, to_std(quantity.position ? ui::tr(position_help) : ui::tr(expanded_help)))
             .digits(3)
             .in(quantity.unit);
     }
