@@ -61,6 +61,11 @@ int main(int argc, char** argv) {
     std::string file;
     app.add_option("FILE", file, "project file, or report (PDF) that carries one, to open in the window")
         ->check(CLI::ExistingFile);
+    std::string language;
+    app.add_option("--language", language,
+                   "of the window, this time: de, zh_CN; the preferences have the others")
+        ->check(
+            CLI::Validator([](const std::string& code) { return complaint_about_language(code); }, "CODE"));
     const std::vector<Command> commands = all_commands(app);
     try {
         app.parse(argc, argv);
@@ -73,7 +78,7 @@ int main(int argc, char** argv) {
     }
     // Whatever is still thrown ends in a sentence.
     const auto status = guarded([&]() -> int {
-        if (app.get_subcommands().empty()) return run_window(file);
+        if (app.get_subcommands().empty()) return run_window(file, language);
         const Interrupt interrupt;
         for (const Command& command : commands)
             if (command.parser->parsed()) return command.run(interrupt.token());

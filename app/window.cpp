@@ -9,6 +9,7 @@
 #include "app/terminal.h"
 #include "core/base/resource_path.h"
 #include "ui/main_window/main_window.h"
+#include "ui/theme/languages.h"
 
 namespace covaria {
 namespace {
@@ -29,7 +30,7 @@ void end_with_a_sentence(QtMsgType type, const QMessageLogContext&, const QStrin
 
 }  // namespace
 
-int run_window(const std::string& file) {
+int run_window(const std::string& file, const std::string& language) {
     if (!has_display()) {
         print_message(
             "there is no display to open a window on; \"covaria --help\" lists the commands that need none");
@@ -40,10 +41,19 @@ int run_window(const std::string& file) {
     qInstallMessageHandler(before);
     QApplication::setWindowIcon(
         QIcon(QString::fromStdString((data_directory() / "resources" / "icons" / "covaria.svg").string())));
+    ui::speak_as_preferred(QString::fromStdString(language));
     ui::MainWindow window;
     window.show();
     window.begin(QString::fromStdString(file));
     return QApplication::exec();
+}
+
+std::string complaint_about_language(const std::string& code) {
+    if (!ui::offered_language(QString::fromStdString(code)).isEmpty()) return {};
+    std::string codes;
+    for (const ui::Language& offered : ui::offered_languages())
+        codes += (codes.empty() ? "" : ", ") + offered.code.toStdString();
+    return "there is no language \"" + code + "\"; there are: " + codes;
 }
 
 }  // namespace covaria

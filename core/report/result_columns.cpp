@@ -12,6 +12,9 @@
 namespace covaria {
 namespace {
 
+const char* const met_word = "met";
+const char* const not_met_word = "not met";
+
 using Number = std::function<std::optional<double>(const OutputResult&)>;
 using Scale = Measured::Scale;
 
@@ -291,7 +294,7 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
             row.target = Measured{target, Scale::interval, of.quantity.unit, {}};
             if (target > 0.0) row.part = Measured{of.expanded_uncertainty / target};
         }
-        if (any) row.met = std::string(met ? "met" : "not met");
+        if (any) row.met = std::string(met ? met_word : not_met_word);
     }
     Table table = results_table(result, std::move(outputs));
     table.add("target", [rows](std::size_t row) { return (*rows)[row].target; })
@@ -304,8 +307,14 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
         .not_in_files();
     table.add("met", [rows](std::size_t row) { return (*rows)[row].met; })
         .window("Requirement", "Whether the target uncertainty is met and the value is accepted")
+        .of_own_words()
         .not_in_files();
     return table;
+}
+
+const std::vector<std::string>& words_of_cells() {
+    static const std::vector<std::string> words{met_word, not_met_word, Answer{}.yes, Answer{}.no};
+    return words;
 }
 
 Table results_table(const UncertaintyResult& result) {

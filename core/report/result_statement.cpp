@@ -17,19 +17,20 @@ constexpr double skewed_from = 0.05;  // of U
 /// How the numbers of one result are written: all of them multiplied by a power of ten, to one place.
 struct Place {
     int exponent = 0, decimals = 0;
+    NumberLocale locale = {};
 
     std::string operator()(double value) const {
-        return grouped_digits(format_decimals(value * std::pow(10.0, -exponent), decimals));
+        return grouped_digits(format_decimals(value * std::pow(10.0, -exponent), decimals), locale);
     }
 };
 
 /// Two digits of U cannot lose 5 % of it by rounding: nothing is rounded up (ILAC-P14 5.4).
-Place place_for(double estimate, double uncertainty) {
+Place place_for(double estimate, double uncertainty, const NumberLocale& locale) {
     const int decimals = decimals_for(uncertainty);
     const double largest = std::max(std::abs(estimate), uncertainty);
-    if (decimals >= 0 && largest >= smallest_plain && largest < largest_plain) return {0, decimals};
+    if (decimals >= 0 && largest >= smallest_plain && largest < largest_plain) return {0, decimals, locale};
     const int exponent = -decimals_for(largest, 1);
-    return {exponent, decimals + exponent};
+    return {exponent, decimals + exponent, locale};
 }
 
 bool has_interval(double estimate, double uncertainty) {
@@ -49,13 +50,14 @@ std::string unit_words(const Unit& unit) {
 
 }  // namespace
 
-std::string value_statement(const OutputResult& output, bool with_unit) {
+std::string value_statement(const OutputResult& output, bool with_unit, const NumberLocale& locale) {
     const Unit& unit = output.quantity.unit;
     const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
     const std::string in_unit = with_unit ? unit_words(unit) : "";
     if (!has_interval(y, U))
-        return typeset_number(format_typed(y)) + in_unit + (U == 0.0 ? " (exact)" : " (U not finite)");
-    const Place place = place_for(y, U);
+        return typeset_number(format_typed(y), locale) + in_unit +
+               (U == 0.0 ? " (exact)" : " (U not finite)");
+    const Place place = place_for(y, U, locale);
     const std::string pair = place(y) + " ± " + place(U), power = power_words(place.exponent);
     return in_unit.empty() && power.empty() ? pair : "(" + pair + ")" + power + in_unit;
 }
@@ -70,8 +72,8 @@ double stated_probability(const OutputResult& output, const UncertaintyResult& r
                                                output.first_order.effective_degrees_of_freedom);
 }
 
-std::string probability_text(double probability) {
-    return typeset_number(format_trimmed(100.0 * probability, 4)) + "\u00a0%";
+std::string probability_text(double probability, const NumberLocale& locale) {
+    return typeset_number(format_trimmed(100.0 * probability, 4), locale) + "\u00a0%";
 }
 
 double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyResult& result) {
@@ -79,26 +81,29 @@ double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyRe
     return shown_degrees_of_freedom(output.first_order.effective_degrees_of_freedom);
 }
 
-std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result) {
+std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result,
+                               const NumberLocale& locale) {
     const double nu = stated_degrees_of_freedom(output, result);
     std::string words = std::isfinite(output.coverage_factor)
-                            ? "k = " + typeset_number(format_decimals(output.coverage_factor, 2))
+                            ? "k = " + typeset_number(format_decimals(output.coverage_factor, 2), locale)
                             : "without k, because u is not finite";
-    if (std::isfinite(nu)) words += ", nu_eff = " + typeset_number(format_degrees_of_freedom(nu));
-    words += ", p = " + probability_text(stated_probability(output, result));
-    const std::string interval = skewed_interval(output, result);
+    if (std::isfinite(nu)) words += ", nu_eff = " + typeset_number(format_degrees_of_freedom(nu), locale);
+    words += ", p = " + probability_text(stated_probability(output, result), locale);
+    const std::string interval = skewed_interval(output, result, locale);
     return interval.empty() ? words : words + ", coverage interval " + interval;
 }
 
-std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result) {
+std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,
+                            const NumberLocale& locale) {
     const Unit& unit = output.quantity.unit;
     const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
     const CoverageInterval interval = coverage_interval_of(output, result);
     const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);
     if (!output.monte_carlo || !has_interval(y, U) || std::abs(0.5 * (low + high) - y) <= skewed_from * U)
         return {};
-    const Place place = place_for(y, U);
-    return "[" + place(low) + ", " + place(high) + "]" + power_words(place.exponent) + unit_words(unit);
+    const Place place = place_for(y, U, locale);
+    const char* between = locale.decimal == "," ? "; " : ", ";
+    return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) + unit_words(unit);
 }
 
 }  // namespace covaria

@@ -85,8 +85,12 @@ std::string format_by(const NumberRule& rule, double value, std::optional<double
 }
 
 Text head_shown(const Column& column, const TableView& view) {
-    if (!column.unit || *column.unit == Unit{}) return column.title;
-    return column.title + (" / " + view.units.of(*column.unit).display());
+    return head_shown(column.title, column, view);
+}
+
+Text head_shown(const Text& title, const Column& column, const TableView& view) {
+    if (!column.unit || *column.unit == Unit{}) return title;
+    return title + (" / " + view.units.of(*column.unit).display());
 }
 
 Text cell_shown(const Table& table, const Column& column, std::size_t row, const TableView& view) {

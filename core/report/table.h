@@ -57,6 +57,7 @@ struct Column {
     NumberRule rule = {};
     std::optional<Unit> unit = {};  ///< of all its numbers: the head says it
     bool in_files = true;
+    bool own_words = false;  ///< its texts are the program's ("not met"), not people's
 
     // To write columns down on a line.
     Column& print(std::string words) { return head = std::move(words), *this; }
@@ -69,6 +70,7 @@ struct Column {
     Column& match(std::string to) { return rule.match = std::move(to), *this; }
     Column& in(std::optional<Unit> common) { return unit = std::move(common), *this; }
     Column& of_symbols() { return symbols = true, *this; }
+    Column& of_own_words() { return own_words = true, *this; }
     Column& not_in_files() { return in_files = false, *this; }
 };
 
@@ -99,6 +101,8 @@ struct TableView {
 };
 /// Head with its unit: "|c|·u / mm".
 Text head_shown(const Column& column, const TableView& view);
+/// Likewise, under another title.
+Text head_shown(const Text& title, const Column& column, const TableView& view);
 /// Rounded, typeset; words as they are.
 Text cell_shown(const Table& table, const Column& column, std::size_t row, const TableView& view);
 /// By its rule, plain: `other` is the uncertainty that it is matched to.

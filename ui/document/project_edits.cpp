@@ -11,6 +11,7 @@
 #include "core/project/links.h"
 #include "core/project/project_id.h"
 #include "core/project/references.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -24,6 +25,14 @@ void visit_entry(Project& project, const SetupAddress& address, Function&& funct
     } else if (AnalysisEntry* entry = find_analysis_entry(project, address.id)) {
         function(*entry, project.analyses);
     }
+}
+
+QString add_words(const QString& name) {
+    return tr("Add %1").arg(name);
+}
+
+QString duplicate_words(const QString& name) {
+    return tr("Duplicate %1").arg(name);
 }
 
 QString name_of(const Project& project, const SetupAddress& address) {
@@ -73,8 +82,8 @@ std::string add_asset(Document& document, const std::string& kind) {
     const AssetDescriptor* descriptor = find_asset_kind(kind);
     if (!descriptor) return {};
     const std::string id = unique_id(document.project(), kind);
-    const std::string name = unique_name(document.project(), descriptor->title);
-    document.apply(Document::tr("Add %1").arg(to_qt(descriptor->title)), [&](Project& project) {
+    const std::string name = unique_name(document.project(), core_words(descriptor->title));
+    document.apply(add_words(core_text(descriptor->title)), [&](Project& project) {
         project.assets.push_back({id, kind, name, {}, {}});
     });
     return id;
@@ -84,8 +93,7 @@ std::string add_copy(Document& document, const AssetEntry& asset) {
     AssetEntry copy = asset;
     copy.id = unique_id(document.project(), asset.id);
     copy.name = unique_name(document.project(), asset.name);
-    document.apply(Document::tr("Add %1").arg(to_qt(asset.name)),
-                   [&](Project& project) { project.assets.push_back(copy); });
+    document.apply(add_words(to_qt(asset.name)), [&](Project& project) { project.assets.push_back(copy); });
     return copy.id;
 }
 
@@ -95,9 +103,9 @@ std::string add_analysis(Document& document, const std::string& model, const Eva
     AnalysisEntry entry;
     entry.id = unique_id(document.project(), model);
     entry.model = model;
-    entry.name = unique_name(document.project(), descriptor->title);
+    entry.name = unique_name(document.project(), core_words(descriptor->title));
     entry.options = options;
-    document.apply(Document::tr("Add %1").arg(to_qt(descriptor->title)),
+    document.apply(add_words(core_text(descriptor->title)),
                    [&](Project& project) { project.analyses.push_back(entry); });
     return entry.id;
 }
@@ -109,22 +117,20 @@ std::string add_from_template(Document& document, const AnalysisTemplate& wanted
         why = to_qt(id.error().message);
         return {};
     }
-    document.apply(Document::tr("Add %1").arg(to_qt(wanted.title)),
-                   [&](Project& project) { project = with; });
+    document.apply(add_words(core_text(wanted.title)), [&](Project& project) { project = with; });
     return *id;
 }
 
 std::string duplicate(Document& document, const SetupAddress& address) {
     std::string id;
-    document.apply(Document::tr("Duplicate %1").arg(name_of(document.project(), address)),
-                   [&](Project& project) {
-                       visit_entry(project, address, [&](auto& entry, auto& entries) {
-                           auto copy = entry;
-                           copy.id = id = unique_id(project, entry.id);
-                           copy.name = unique_name(project, entry.name);
-                           entries.insert(entries.begin() + (&entry - entries.data()) + 1, std::move(copy));
-                       });
-                   });
+    document.apply(duplicate_words(name_of(document.project(), address)), [&](Project& project) {
+        visit_entry(project, address, [&](auto& entry, auto& entries) {
+            auto copy = entry;
+            copy.id = id = unique_id(project, entry.id);
+            copy.name = unique_name(project, entry.name);
+            entries.insert(entries.begin() + (&entry - entries.data()) + 1, std::move(copy));
+        });
+    });
     return id;
 }
 

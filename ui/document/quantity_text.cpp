@@ -1,7 +1,6 @@
 // Parsing and writing of quantities in the user's locale.
 #include "ui/document/quantity_text.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 #include <cmath>
 
@@ -10,10 +9,6 @@
 namespace covaria::ui {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("covaria::ui::Quantity", text);
-}
 
 QString plain_number(QString text) {
     text = with_plain_exponent(text).trimmed().replace(QChar(0x2212), '-');

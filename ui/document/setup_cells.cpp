@@ -1,19 +1,15 @@
 // One place for the text of cells: tables, pasting and import agree.
 #include "ui/document/setup_cells.h"
 
-#include <QCoreApplication>
 #include <cmath>
 
 #include "ui/document/quantity_text.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("covaria::ui::Cell", text);
-}
 
 tl::unexpected<Error> refuse(const QString& message) {
     return fail(ErrorCode::bad_input, to_std(message));
@@ -36,9 +32,10 @@ Result<SetupCell> parse_choice_cell(const ColumnSpec& column, const QString& tex
     QStringList titles;
     for (const Choice& choice : column.choices) {
         if (text.compare(to_qt(choice.key), Qt::CaseInsensitive) == 0 ||
-            text.compare(to_qt(choice.title), Qt::CaseInsensitive) == 0)
+            text.compare(core_text(choice.title), Qt::CaseInsensitive) == 0 ||
+            text.compare(core_text(choice.title), Qt::CaseInsensitive) == 0)
             return SetupCell(choice.key);
-        titles << to_qt(choice.title);
+        titles << core_text(choice.title);
     }
     return refuse(tr("“%1” is not one of: %2.").arg(text, titles.join(", ")));
 }
@@ -58,7 +55,7 @@ QString cell_text(const ColumnSpec& column, const SetupCell& cell, const QLocale
     const std::string* text = std::get_if<std::string>(&cell);
     if (!text) return {};
     for (const Choice& choice : column.choices)
-        if (choice.key == *text) return to_qt(choice.title);
+        if (choice.key == *text) return core_text(choice.title);
     return to_qt(*text);
 }
 

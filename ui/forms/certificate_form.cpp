@@ -8,6 +8,7 @@
 #include "ui/forms/form_labels.h"
 #include "ui/forms/prose_editor.h"
 #include "ui/forms/simple_editors.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -67,7 +68,7 @@ void CertificateForm::add_head() {
 }
 
 void CertificateForm::add_section(const CertificateSection& section) {
-    auto* label = new QLabel(tr(section.title), this);
+    auto* label = new QLabel(core_text(section.title), this);
     QFont bold = label->font();
     bold.setBold(true);
     label->setFont(bold);
@@ -108,7 +109,7 @@ FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
 
 void CertificateForm::write(const CertificateField& field, const std::string& text) {
     document_.apply(
-        tr("Change %1").arg(QString::fromUtf8(field.title)),
+        tr("Change %1").arg(core_text(field.title)),
         [&](Project& project) { project.certificate.*field.member = text; }, to_qt(pointer_of(field)));
 }
 
@@ -122,7 +123,7 @@ void CertificateForm::refresh() {
         const bool lacks = is_missing(*row.field, certificate);
         row.editor->set_hint(lacks ? clause_words(*row.field) : QString());
         if (row.field->required) ++required;
-        if (lacks) missing << QString::fromUtf8(row.field->title);
+        if (lacks) missing << core_text(row.field->title);
     }
     next_->setEnabled(!missing.isEmpty());
     if (missing.isEmpty())

@@ -13,6 +13,7 @@
 #include "core/text/symbol.h"
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -33,7 +34,7 @@ CsvImportDialog::CsvImportDialog(const FieldSpec& field, std::vector<Unit> units
       columns_(new QTableWidget(this)),
       preview_(new QTableWidget(this)),
       summary_(new QLabel(this)) {
-    setWindowTitle(tr("Import %1 into %2").arg(QFileInfo(file).fileName(), to_qt(field.title)));
+    setWindowTitle(tr("Import %1 into %2").arg(QFileInfo(file).fileName(), core_text(field.title)));
     if (auto read = read_file(to_path(file)))
         text_ = QByteArray::fromStdString(*read);
     else
@@ -91,7 +92,7 @@ void CsvImportDialog::offer_columns(const std::vector<std::string>& headers) {
         choice->addItem(known ? tr("as it is named") : tr("unknown: choose"), to_qt(header));
         choice->addItem(tr("not read"), QString());
         for (const ColumnSpec& column : field_.columns)
-            choice->addItem(to_qt(to_unicode(with_unit(title_text(column.title), column.unit))),
+            choice->addItem(to_qt(to_unicode(with_unit(title_text(core_words(column.title)), column.unit))),
                             to_qt(column_header(column, column.unit)));
         columns_->setCellWidget(row, 1, choice);
         connect(choice, &QComboBox::currentIndexChanged, this, &CsvImportDialog::read);
@@ -142,7 +143,8 @@ void CsvImportDialog::show_preview() {
     preview_->setRowCount(rows);
     for (std::size_t c = 0; c < field_.columns.size(); ++c) {
         const Unit unit = c < table.units.size() ? table.units[c] : field_.columns[c].unit;
-        const QString title = to_qt(to_unicode(with_unit(title_text(field_.columns[c].title), unit)));
+        const QString title =
+            to_qt(to_unicode(with_unit(title_text(core_words(field_.columns[c].title)), unit)));
         preview_->setHorizontalHeaderItem(static_cast<int>(c), new QTableWidgetItem(title));
         for (int r = 0; r < rows; ++r) {
             const auto& row = table.rows[static_cast<std::size_t>(r)];

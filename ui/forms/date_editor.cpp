@@ -9,6 +9,7 @@
 #include <QWidgetAction>
 
 #include "ui/forms/complaint.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
@@ -36,7 +37,7 @@ DateEditor::DateEditor(const FieldSpec& field, Days days, Document& document, Te
         row->addWidget(new QLabel(tr("to"), this));
         row->addWidget(last_ = add_line(field, key + QStringLiteral("/last")), 1);
         column->addLayout(row);
-        last_->setAccessibleName(tr("%1, last day").arg(to_qt(field.title)));
+        last_->setAccessibleName(tr("%1, last day").arg(core_text(field.title)));
     }
     setFocusProxy(first_);
     connect(&unread_, &UnreadTexts::changed, this, [this] {
@@ -49,7 +50,7 @@ DateEditor::DateEditor(const FieldSpec& field, Days days, Document& document, Te
 QLineEdit* DateEditor::add_line(const FieldSpec& field, const QString& name) {
     auto* line = new QLineEdit(this);
     line->setObjectName(name);
-    line->setAccessibleName(to_qt(field.title));
+    line->setAccessibleName(core_text(field.title));
     line->setToolTip(help_);
     QAction* calendar = line->addAction(icon(QStringLiteral("calendar")), QLineEdit::TrailingPosition);
     calendar->setToolTip(tr("Choose from a calendar"));

@@ -10,6 +10,7 @@
 
 #include "core/project/options_json.h"
 #include "ui/document/setup_address.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -421,7 +422,7 @@ void DesignsForm::refresh_choice(const Design& shown) {
     table_->clear();
     table_->addItem(tr("none"));
     for (const DesignTableOffer& offer : offers_) {
-        table_->addItem(to_qt(to_unicode(offer.title)));
+        table_->addItem(to_qt(to_unicode(core_title(offer.title))));
         if (shown.choose && offer.choice.asset == shown.choose->asset &&
             offer.choice.table == shown.choose->table)
             table_->setCurrentIndex(table_->count() - 1);

@@ -13,6 +13,7 @@
 #include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -73,7 +74,7 @@ DistributionEdit::DistributionEdit(QWidget* parent)
       picture_(new DensityPicture(this)),
       summary_(new QLabel(this)) {
     for (const DistributionKindInfo& kind : distribution_kinds())
-        kind_->addItem(to_qt(kind.title), to_qt(kind.key));
+        kind_->addItem(core_text(kind.title), to_qt(kind.key));
     kind_->setAccessibleName(tr("Distribution"));
     kind_->setObjectName("distribution");
     unit_->setAccessibleName(tr("Unit"));
@@ -106,7 +107,7 @@ void DistributionEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
 
 void DistributionEdit::set_component(const ComponentEdit& component) {
     component_ = component;
-    kind_->setCurrentIndex(kind_->findData(to_qt(component.distribution)));
+    kind_->setCurrentIndex(kind_->findData(core_text(component.distribution)));
     unit_->clear();
     for (const Unit& unit : DisplayUnits::choices(component.unit.interval()))
         unit_->addItem(to_qt(unit.display()), to_qt(unit.text()));
@@ -160,9 +161,9 @@ void DistributionEdit::add_parameter(std::size_t index, const DistributionParame
     edit->set_keeps_unit(false);
     edit->set_interval(true);
     edit->set_optional(false);
-    edit->setAccessibleName(to_qt(info.title));
+    edit->setAccessibleName(core_text(info.title));
     edit->setObjectName(to_qt(info.key));
-    parameters_->addRow(as_label(to_qt(info.title)), edit);
+    parameters_->addRow(as_label(core_text(info.title)), edit);
     edits_.push_back(edit);
     connect(edit, &QuantityEdit::quantity_edited, this,
             [this, index](const std::optional<Quantity>& quantity) { set_parameter(index, quantity); });

@@ -6,6 +6,7 @@
 #include "ui/forms/pose_editor.h"
 #include "ui/forms/simple_editors.h"
 #include "ui/forms/table_editor.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -37,7 +38,7 @@ FieldEditor* make_field_editor(const FieldSpec& field, const FieldContext& conte
 }
 
 QString help_text(const FieldSpec& field) {
-    QString text = to_qt(field.help);
+    QString text = core_text(field.help);
     const auto limit = [&](double si) {
         return quantity_text({QString::number(field.unit.from_si(si), 'g', 12).toDouble(), field.unit},
                              QLocale());

@@ -1,6 +1,7 @@
 #include "ui/forms/form_labels.h"
 
 #include "core/text/symbol.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -9,7 +10,7 @@ namespace {
 constexpr int widest_label = 24;  // digits: longer titles take a second line
 
 QString label_of(const std::string& title) {
-    const Text text = title_text(title);
+    const Text text = title_text(core_words(title));
     return to_qt(text.has_scripts() ? to_html(text) : to_unicode(text));
 }
 
@@ -35,7 +36,7 @@ void align_labels(QFormLayout& form, int width) {
 }
 
 int component_label_width(const QWidget& widget) {
-    return widget.fontMetrics().horizontalAdvance(QLabel::tr("Degrees of freedom")) + 6;
+    return widget.fontMetrics().horizontalAdvance(tr("Degrees of freedom")) + 6;
 }
 
 }  // namespace covaria::ui

@@ -17,6 +17,7 @@
 #include "core/made/made_project.h"
 #include "core/readers/proposal_text.h"
 #include "core/readers/text_encoding.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -144,7 +145,7 @@ void ImportDialog::offer_readers() {
         if (std::find(listed.begin(), listed.end(), &reader) == listed.end()) listed.push_back(&reader);
     for (std::size_t i = 0; i < listed.size(); ++i)
         readers_->addItem(
-            i < known ? tr("%1 (recognised)").arg(to_qt(listed[i]->title)) : to_qt(listed[i]->title),
+            i < known ? tr("%1 (recognised)").arg(core_text(listed[i]->title)) : core_text(listed[i]->title),
             to_qt(listed[i]->name));
     readers_->setCurrentIndex(found.readers.size() == 1 ? 1 : 0);
 }
@@ -209,7 +210,7 @@ void ImportDialog::offer_columns(const SourceTable& table) {
         box->setAccessibleName(tr("Column %1 is read as").arg(column + 1));
         box->addItem(word.empty() ? tr("unknown: choose") : tr("as it is named"), to_qt(word));
         for (const SourceTable::Word& other : table.words) {
-            box->addItem(to_qt(other.title), to_qt(other.key));
+            box->addItem(core_text(other.title), to_qt(other.key));
             if (other.key == word) box->setCurrentIndex(box->count() - 1);
         }
         table_->setCellWidget(0, column, box);

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "ui/forms/complaint.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -59,7 +60,7 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
     edit_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
     edit_->setTabChangesFocus(true);
-    edit_->setAccessibleName(to_qt(field.title));
+    edit_->setAccessibleName(core_text(field.title));
     edit_->setObjectName(to_qt(field.key));
     edit_->setToolTip(help_);
     keep_room(*message_, 2);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/document/setup_address.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -74,14 +75,14 @@ void OptionsForm::add(const OptionField& field) {
         rows_.push_back(quantity_row(field));
     QWidget* editor = rows_.back().editor;
     editor->setObjectName(QString::fromUtf8(field.key));
-    editor->setAccessibleName(QString::fromUtf8(field.title));
+    editor->setAccessibleName(core_text(field.title));
 }
 
 OptionsForm::Row OptionsForm::choice_row(const OptionField& field, const ChosenOption& member) {
     auto* box = new QComboBox(this);
-    for (const Choice& choice : field.choices) box->addItem(to_qt(choice.title), to_qt(choice.key));
-    box->setToolTip(QString::fromUtf8(field.help));
-    layout_->addRow(QString::fromUtf8(field.title), box);
+    for (const Choice& choice : field.choices) box->addItem(core_text(choice.title), to_qt(choice.key));
+    box->setToolTip(core_text(field.help));
+    layout_->addRow(core_text(field.title), box);
     connect(box, &QComboBox::activated, this, [this, box, &field, &member](int row) {
         const std::string key = box->itemData(row).toString().toStdString();
         change(field, [&](EvaluationOptions& options) { member.set(options, key); });
@@ -94,8 +95,8 @@ OptionsForm::Row OptionsForm::choice_row(const OptionField& field, const ChosenO
 }
 
 OptionsForm::Row OptionsForm::flag_row(const OptionField& field, bool EvaluationOptions::*member) {
-    auto* box = new QCheckBox(QString::fromUtf8(field.title), this);
-    box->setToolTip(QString::fromUtf8(field.help));
+    auto* box = new QCheckBox(core_text(field.title), this);
+    box->setToolTip(core_text(field.help));
     layout_->addRow(QString(), box);
     connect(box, &QCheckBox::clicked, this, [this, &field, member](bool checked) {
         change(field, [&](EvaluationOptions& options) { options.*member = checked; });
@@ -111,8 +112,8 @@ OptionsForm::Row OptionsForm::quantity_row(const OptionField& field) {
     edit->set_range(range_of(field));
     edit->set_optional(may_be_absent(field));
     if (field.none_at_zero) edit->setPlaceholderText(tr("none"));
-    edit->set_help(QString::fromUtf8(field.help));
-    layout_->addRow(QString::fromUtf8(field.title), edit);
+    edit->set_help(core_text(field.help));
+    layout_->addRow(core_text(field.title), edit);
     edit->set_place(document_.unread(), place_of(field));
     connect(edit, &QuantityEdit::quantity_edited, this,
             [this, &field](const std::optional<Quantity>& quantity) {

@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -19,7 +20,7 @@ PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWid
         edit->set_keeps_unit(false);
         edit->set_optional(false);
         edit->set_help(help_text(field));
-        edit->setAccessibleName(to_qt(field.title) + ' ' + symbols[i]);
+        edit->setAccessibleName(core_text(field.title) + ' ' + symbols[i]);
         edit->setObjectName(to_qt(field.key) + '_' + QString::number(i));
         edit->set_place(context.document.unread(),
                         {context.address, "/setup/" + field.key + (i < 3 ? "/position/" : "/angles/") +

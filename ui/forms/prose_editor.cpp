@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/forms/complaint.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -21,7 +22,7 @@ ProseEditor::ProseEditor(const FieldSpec& field, QWidget* parent)
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(edit_);
     edit_->setTabChangesFocus(true);
-    edit_->setAccessibleName(to_qt(field.title));
+    edit_->setAccessibleName(core_text(field.title));
     edit_->setObjectName(to_qt(field.key));
     edit_->setToolTip(help_);
     setFocusProxy(edit_);

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -15,8 +16,7 @@ ReportForm::ReportForm(Document& document, QWidget* parent)
     column_->addLayout(analyses_column_);
     add_head(tr("Chapters of the report"));
     for (const ReportChapterField& chapter : report_chapters()) {
-        QCheckBox* box =
-            make_box(&ReportContents::without_chapters, chapter.key, QString::fromUtf8(chapter.title));
+        QCheckBox* box = make_box(&ReportContents::without_chapters, chapter.key, core_text(chapter.title));
         column_->addWidget(box);
         chapters_.push_back({box, chapter.key});
     }

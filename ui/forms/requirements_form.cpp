@@ -91,8 +91,8 @@ QString conformity_words(const UncertaintyResult& result, const RequirementResul
                             to_qt(decision_rule(r.guard_factor)));
     if (r.uncertainty_ratio && r.capability_index)
         text += RequirementsForm::tr("<br>TUR %1, C<sub>m</sub> %2.")
-                    .arg(to_qt(format_significant(*r.uncertainty_ratio, 3)),
-                         to_qt(format_significant(*r.capability_index, 3)));
+                    .arg(localized(format_significant(*r.uncertainty_ratio, 3)),
+                         localized(format_significant(*r.capability_index, 3)));
     if (r.global_risks)
         text += RequirementsForm::tr("<br>Global risks of the rule: consumer's %1, producer's %2.")
                     .arg(percent(r.global_risks->consumer), percent(r.global_risks->producer));

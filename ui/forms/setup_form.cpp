@@ -3,6 +3,7 @@
 
 #include "ui/document/missing_fields.h"
 #include "ui/forms/form_labels.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -33,7 +34,7 @@ void SetupForm::build() {
     std::string section;
     sections_.push_back(nullptr);
     for (const FieldSpec& field : schema_->fields()) {
-        if (field.section != section && !field.section.empty()) add_section(to_qt(field.section));
+        if (field.section != section && !field.section.empty()) add_section(core_text(field.section));
         section = field.section;
         add_field(field);
     }
@@ -79,7 +80,7 @@ FieldEditor* SetupForm::editor(const std::string& key) const {
 void SetupForm::write(const FieldSpec& field, const SetupValue& value) {
     const QString key = QStringLiteral("setup:%1:%2").arg(to_qt(address_.id), to_qt(field.key));
     document_.apply(
-        tr("Change %1").arg(to_qt(field.title)),
+        tr("Change %1").arg(core_text(field.title)),
         [&](Project& project) {
             Setup* setup = find_setup(project, address_);
             if (!setup) return;

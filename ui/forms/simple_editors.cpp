@@ -8,6 +8,7 @@
 
 #include "ui/document/project_edits.h"
 #include "ui/forms/complaint.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -19,7 +20,7 @@ Widget* fill(FieldEditor* editor, Widget* widget, const FieldSpec& field) {
     auto* layout = new QHBoxLayout(editor);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(widget);
-    widget->setAccessibleName(to_qt(field.title));
+    widget->setAccessibleName(core_text(field.title));
     widget->setToolTip(help_text(field));
     widget->setObjectName(to_qt(field.key));
     editor->setFocusProxy(widget);
@@ -105,7 +106,7 @@ void ListEditor::set_value(const SetupValue& value) {
     const QString key = text ? to_qt(*text) : QString();
     box_->clear();
     if (field_.optional || key.isEmpty()) box_->addItem(empty_words(), QString());
-    for (const Choice& choice : choices()) box_->addItem(to_qt(choice.title), to_qt(choice.key));
+    for (const Choice& choice : choices()) box_->addItem(core_text(choice.title), to_qt(choice.key));
     if (box_->findData(key) < 0) box_->addItem(tr("%1 (does not exist)").arg(key), key);
     box_->setCurrentIndex(box_->findData(key));
     show_whole_texts();

@@ -10,6 +10,7 @@
 #include "core/text/display_units.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/csv_import_dialog.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -22,7 +23,7 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
       note_(new QLabel(this)),
       origin_(new QLabel(this)),
       embed_(new QPushButton(tr("Take into the project"), this)) {
-    view_->setAccessibleName(to_qt(field.title));
+    view_->setAccessibleName(core_text(field.title));
     view_->setObjectName(to_qt(field.key));
     keep_room(*note_, 1);
     auto* buttons = new QHBoxLayout;
@@ -96,12 +97,13 @@ void TableEditor::choose_unit(int column, const QPoint& position) {
 }
 
 void TableEditor::import_csv() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Import CSV into %1").arg(to_qt(field_.title)),
-                                                      {}, tr("Tables (*.csv *.tsv *.txt);;All files (*)"));
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Import CSV into %1").arg(core_text(field_.title)), {},
+                                     tr("Tables (*.csv *.tsv *.txt);;All files (*)"));
     if (file.isEmpty()) return;
     CsvImportDialog dialog(field_, model_->table().units, file, this);
     if (dialog.exec() == QDialog::Accepted)
-        model_->replace_table(dialog.table(), tr("Import %1").arg(to_qt(field_.title)));
+        model_->replace_table(dialog.table(), tr("Import %1").arg(core_text(field_.title)));
 }
 
 }  // namespace covaria::ui

@@ -1,23 +1,19 @@
 #include "ui/main_window/dialogs.h"
 
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "ui/theme/strings.h"
+
 namespace covaria::ui {
 namespace {
 
-QString text_of(const char* text) {
-    return QCoreApplication::translate("covaria::ui::Dialogs", text);
-}
-
 SaveAnswer ask_save(QWidget* parent, const QString& name) {
-    QMessageBox box(QMessageBox::Question, text_of("Unsaved Changes"),
-                    text_of("Save the changes to “%1”?").arg(name),
+    QMessageBox box(QMessageBox::Question, tr("Unsaved Changes"), tr("Save the changes to “%1”?").arg(name),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
-    box.setInformativeText(text_of("Without saving they are lost."));
+    box.setInformativeText(tr("Without saving they are lost."));
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
         case QMessageBox::Save:
@@ -30,21 +26,21 @@ SaveAnswer ask_save(QWidget* parent, const QString& name) {
 }
 
 DiskAnswer ask_reload(QWidget* parent, const QString& name, bool modified) {
-    QMessageBox box(QMessageBox::Question, text_of("File Changed"),
-                    text_of("Another program changed “%1”.").arg(name), QMessageBox::NoButton, parent);
-    box.setInformativeText(modified ? text_of("Reading it again loses your unsaved changes.")
-                                    : text_of("It can be read again."));
-    auto* reload = box.addButton(text_of("Read Again"), QMessageBox::AcceptRole);
-    box.addButton(text_of("Keep Mine"), QMessageBox::RejectRole);
+    QMessageBox box(QMessageBox::Question, tr("File Changed"), tr("Another program changed “%1”.").arg(name),
+                    QMessageBox::NoButton, parent);
+    box.setInformativeText(modified ? tr("Reading it again loses your unsaved changes.")
+                                    : tr("It can be read again."));
+    auto* reload = box.addButton(tr("Read Again"), QMessageBox::AcceptRole);
+    box.addButton(tr("Keep Mine"), QMessageBox::RejectRole);
     box.exec();
     return box.clickedButton() == reload ? DiskAnswer::reload : DiskAnswer::keep;
 }
 
 int ask_recover(QWidget* parent, const QStringList& entries) {
     bool accepted = false;
-    const QString chosen = QInputDialog::getItem(
-        parent, text_of("Recover Unsaved Work"),
-        text_of("Covaria did not end properly. Unsaved work was kept:"), entries, 0, false, &accepted);
+    const QString chosen = QInputDialog::getItem(parent, tr("Recover Unsaved Work"),
+                                                 tr("Covaria did not end properly. Unsaved work was kept:"),
+                                                 entries, 0, false, &accepted);
     return accepted ? int(entries.indexOf(chosen)) : -1;
 }
 
@@ -60,8 +56,8 @@ bool ask_confirm(QWidget* parent, const QString& question, const QString& action
 Dialogs standard_dialogs(QWidget* parent) {
     Dialogs dialogs;
     dialogs.file_to_open = [parent](const QString& folder) {
-        return QFileDialog::getOpenFileName(parent, text_of("Open Project"), folder,
-                                            text_of("Covaria project or report (*.covaria *.pdf)"));
+        return QFileDialog::getOpenFileName(parent, tr("Open Project"), folder,
+                                            tr("Covaria project or report (*.covaria *.pdf)"));
     };
     dialogs.file_to_import = [parent](const QString& title, const QString& folder, const QString& filter) {
         return QFileDialog::getOpenFileName(parent, title, folder, filter);

@@ -10,6 +10,7 @@
 #include "core/writers/writers.h"
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
@@ -45,8 +46,7 @@ QStringList missing_words(const Certificate& certificate) {
     QStringList words;
     for (const CertificateField& field : certificate_fields())
         if (is_missing(field, certificate))
-            words << QStringLiteral("%1 (%2)").arg(QString::fromUtf8(field.title),
-                                                   QLatin1String(field.clause));
+            words << QStringLiteral("%1 (%2)").arg(core_text(field.title), QLatin1String(field.clause));
     return words;
 }
 
@@ -80,7 +80,8 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
     menu->addSeparator();
     menu->addAction(tr("&Results and Tables …"), this, &ExportActions::ask_tables);
     for (const Writer& writer : writer_registry())
-        menu->addAction(to_qt(writer.title) + tr(" …"), this, [this, &writer] { ask_for_others(writer); });
+        menu->addAction(core_text(writer.title) + tr(" …"), this,
+                        [this, &writer] { ask_for_others(writer); });
     return menu;
 }
 
@@ -156,13 +157,14 @@ void ExportActions::ask_for_others(const Writer& writer) {
     if (!has_results()) return;
     if (const Problems missing = writer.missing ? writer.missing(document_.project()) : Problems();
         missing.has_errors()) {
-        dialogs_.show_message(tr("%1: what it must state is missing").arg(to_qt(writer.title)),
+        dialogs_.show_message(tr("%1: what it must state is missing").arg(core_text(writer.title)),
                               to_qt(first_error(missing, "")));
         return;
     }
     const QString ending = to_qt(writer.ending);
-    const QString file = dialogs_.file_to_save(tr("Export %1").arg(to_qt(writer.title)), suggested(ending),
-                                               tr("%1 (*%2)").arg(to_qt(writer.title), ending));
+    const QString file =
+        dialogs_.file_to_save(tr("Export %1").arg(core_text(writer.title)), suggested(ending),
+                              tr("%1 (*%2)").arg(core_text(writer.title), ending));
     if (!file.isEmpty()) export_for_others(writer, file.endsWith(ending) ? file : file + ending);
 }
 

@@ -15,16 +15,13 @@
 #include "core/base/version.h"
 #include "core/kinds/models.h"
 #include "core/text/symbol.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "viz/vtk/vtk_version.h"
 
 namespace covaria::ui {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("covaria::ui::Help", text);
-}
 
 QString list(const QStringList& items) {
     QString text;
@@ -102,7 +99,7 @@ void show_text(QWidget& window, const QString& title, const QString& markdown) {
 
 void show_model(QWidget& window, const std::string& model) {
     if (const ModelDescriptor* descriptor = find_model(model))
-        show_text(window, to_qt(descriptor->title), help_text(model));
+        show_text(window, core_text(descriptor->title), help_text(model));
 }
 
 QString keys_text() {
@@ -147,7 +144,7 @@ QString help_text(const std::string& model) {
     for (const std::string& note : descriptor->notes) notes << to_qt(note);
     QString text = shipped_page(descriptor->help_page);
     if (text.isEmpty())
-        text = QStringLiteral("# ") + to_qt(descriptor->title) + QStringLiteral("\n\n") +
+        text = QStringLiteral("# ") + core_text(descriptor->title) + QStringLiteral("\n\n") +
                to_qt(descriptor->summary);
     text += tr("\n\n## Equations as evaluated\n\n") + list(equations);
     text += tr("\n## Notes\n\n") + list(notes);
@@ -173,7 +170,8 @@ void add_help_actions(QMenu& menu, QWidget& window, Selection& selection, Docume
     menu.actions().constLast()->setIcon(icon(QStringLiteral("help")));
     QMenu* models = menu.addMenu(tr("M&odels"));
     for (const ModelDescriptor& model : model_registry())
-        models->addAction(to_qt(model.title), &window, [&window, id = model.id] { show_model(window, id); });
+        models->addAction(core_text(model.title), &window,
+                          [&window, id = model.id] { show_model(window, id); });
     menu.addAction(tr("&Results and Requirements"), &window, [&window] {
         show_text(window, tr("Results and requirements"), shipped_page("results.md"));
     });

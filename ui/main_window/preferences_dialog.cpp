@@ -10,7 +10,9 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -56,6 +58,9 @@ PreferencesDialog::PreferencesDialog(PreferenceStore& preferences, QWidget* pare
     buttons->button(QDialogButtonBox::RestoreDefaults)->setAutoDefault(false);
     connect(&preferences_, &PreferenceStore::changed, this, &PreferencesDialog::show_preferences);
     show_preferences();
+    // As high as the notes need when they are broken into lines.
+    const int width = column->totalSizeHint().width();
+    resize(width, std::max(column->totalSizeHint().height(), column->totalHeightForWidth(width)));
 }
 
 QComboBox* PreferencesDialog::add_box(QFormLayout& form, const QString& title, const char* name,
@@ -99,7 +104,7 @@ void PreferencesDialog::add_results(QFormLayout& form) {
                       tr("Significant digits of uncertainties; estimates are rounded to match"));
     add_items(*digits_, {{1, tr("1")}, {2, tr("2")}});
     numbers_ = add_box(form, tr("Numbers"), "numbers", tr("Of all tables, charts and fields of the window"));
-    add_items(*numbers_, {{int(NumberForm::system), tr("As the system writes them")},
+    add_items(*numbers_, {{int(NumberForm::system), tr("As the language writes them")},
                           {int(NumberForm::point), tr("1234.5 (point)")},
                           {int(NumberForm::comma), tr("1234,5 (comma)")}});
 }
@@ -116,6 +121,9 @@ void PreferencesDialog::add_new_analyses(QFormLayout& form) {
 }
 
 void PreferencesDialog::add_window(QFormLayout& form) {
+    language_ = add_box(form, tr("Language"), "language", tr("Of the window, when Covaria starts again"));
+    language_->addItem(tr("As the system"), QString());
+    for (const Language& language : offered_languages()) language_->addItem(language.name, language.code);
     theme_ = add_box(form, tr("Colours"), "theme", tr("Of the window, its charts and the scene"));
     add_items(*theme_, {{QStringLiteral("system"), tr("As the system")},
                         {QStringLiteral("light"), tr("Light")},
@@ -147,6 +155,7 @@ void PreferencesDialog::take() {
     const double k = factor_->currentData().toDouble();
     wanted.coverage_factor = k > 0.0 ? std::optional(k) : std::nullopt;
     wanted.trials = std::uint64_t(trials_->value());
+    wanted.language = language_->currentData().toString();
     wanted.theme = theme_->currentData().toString();
     wanted.font_points = font_->value() < smallest_font ? 0 : font_->value();
     wanted.autosave_seconds = autosave_->value();
@@ -164,6 +173,7 @@ void PreferencesDialog::show_preferences() {
     digits_->setCurrentIndex(digits_->findData(now.digits));
     numbers_->setCurrentIndex(numbers_->findData(int(now.numbers)));
     factor_->setCurrentIndex(now.coverage_factor ? 1 : 0);
+    language_->setCurrentIndex(language_->findData(now.language));
     theme_->setCurrentIndex(theme_->findData(now.theme));
     const std::pair<QSpinBox*, int> numbers[] = {
         {trials_, int(now.trials)},

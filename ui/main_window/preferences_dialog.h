@@ -35,7 +35,8 @@ private:
     };
     PreferenceStore& preferences_;
     std::vector<UnitBox> units_;
-    QComboBox *digits_ = nullptr, *numbers_ = nullptr, *factor_ = nullptr, *theme_ = nullptr;
+    QComboBox *language_ = nullptr, *digits_ = nullptr, *numbers_ = nullptr, *factor_ = nullptr,
+              *theme_ = nullptr;
     QSpinBox *trials_ = nullptr, *autosave_ = nullptr, *font_ = nullptr;
 };
 

@@ -12,6 +12,7 @@
 #include "ui/models/cell_blocks.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
@@ -203,7 +204,7 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
         const QModelIndex cell = sheet_.index(row, column(key));
         if (!cell.data(problem_role).toString().isEmpty()) return cell.data(role);
     }
-    if (role == Qt::ToolTipRole) return to_qt(statement_examples());
+    if (role == Qt::ToolTipRole) return core_text(statement_examples());
     return kind.data(role);
 }
 
@@ -233,7 +234,7 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
         return {};
     }
     if (role != Qt::DisplayRole) return {};
-    if (section == distribution) return to_qt(component.distribution);
+    if (section == distribution) return core_text(component.distribution);
     if (section == u)
         return localized(
             format_significant(component.unit.interval_from_si(component.standard_uncertainty), 3));
@@ -260,13 +261,14 @@ QVariant BudgetSheetModel::headerData(int section, Qt::Orientation orientation, 
     }
     if (section < 0 || section >= sections) return {};
     const SectionHead& head = head_of(section);
-    Text title = section == nu ? symbol_text("nu") : Text(to_std(tr(head.title)));
+    Text title = section == nu ? symbol_text("nu") : Text(to_std(ui::tr(head.title)));
     if (section == contribution && result_)
         title = to_std(
             with_unit(QString::fromUtf8(head.title), result_->outputs[output_].quantity.unit.interval()));
     if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
     if (role == typeset_role) return QVariant::fromValue(title);
-    if (role == Qt::ToolTipRole) return section == stated ? to_qt(statement_examples()) : tr(head.help);
+    if (role == Qt::ToolTipRole)
+        return section == stated ? core_text(statement_examples()) : ui::tr(head.help);
     return {};
 }
 

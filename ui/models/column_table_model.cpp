@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/models/roles.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
@@ -45,10 +46,10 @@ QVariant ColumnTableModel::data(const QModelIndex& index, int role) const {
             if (const auto number = sort_number(of.cell(row))) return *number;
             [[fallthrough]];
         case Qt::DisplayRole:
-            return to_qt(to_unicode(cell_shown(table_, of, row, view())));
+            return to_qt(to_unicode(shown(of, row)));
         case typeset_role:  // words are running text
             if (std::holds_alternative<std::string>(of.cell(row))) return {};
-            return QVariant::fromValue(cell_shown(table_, of, row, view()));
+            return QVariant::fromValue(shown(of, row));
         case exact_role: {
             const auto number = number_in(of.cell(row), view_.units);
             return number ? QVariant(*number) : QVariant();
@@ -71,13 +72,22 @@ QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, 
         return section < rowCount() ? row_title(static_cast<std::size_t>(section), role) : QVariant();
     if (section < 0 || section >= columnCount()) return {};
     const Column& of = column(section);
-    if (role == Qt::DisplayRole) return to_qt(to_unicode(head_shown(of, view())));
-    if (role == typeset_role) return QVariant::fromValue(head_shown(of, view()));
+    if (role == Qt::DisplayRole) return to_qt(to_unicode(head(of)));
+    if (role == typeset_role) return QVariant::fromValue(head(of));
     if (role == id_role) return to_qt(to_unicode(of.title));
-    if (role == Qt::ToolTipRole) return to_qt(of.help);
+    if (role == Qt::ToolTipRole) return core_text(of.help);
     if (role == Qt::TextAlignmentRole)
         return QVariant((is_numeric(of) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return {};
+}
+
+Text ColumnTableModel::head(const Column& column) const {
+    return head_shown(core_title(column.title), column, view());
+}
+
+Text ColumnTableModel::shown(const Column& column, std::size_t row) const {
+    Text text = cell_shown(table_, column, row, view());
+    return column.own_words || std::holds_alternative<Answer>(column.cell(row)) ? core_title(text) : text;
 }
 
 void ColumnTableModel::set_units(const DisplayUnits& units) {

@@ -41,6 +41,9 @@ protected:
 
 private:
     const Column& column(int section) const { return table_[keys_[static_cast<std::size_t>(section)]]; }
+    /// In the language of the window.
+    Text head(const Column& column) const;
+    Text shown(const Column& column, std::size_t row) const;
     void tell();
     /// With numbers in the form of now.
     TableView view() const { return {view_.units, view_.digits, user_numbers()}; }

@@ -9,6 +9,7 @@
 #include "ui/document/quantity_text.h"
 #include "ui/models/number_words.h"
 #include "ui/models/roles.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
@@ -106,7 +107,7 @@ QString InputQuantitiesModel::components_text(int row) const {
         const UncertaintyComponent& component = analysis_->inputs.components[share.component];
         const double u = component.unit.interval_from_si(component.distribution.standard_uncertainty());
         parts << tr("%1 (%2, %3 %4)")
-                     .arg(to_qt(component.name), to_qt(drawn_distribution(component).title()),
+                     .arg(to_qt(component.name), core_text(drawn_distribution(component).title()),
                           localized(format_significant(u, 2)), to_qt(component.unit.display()));
     }
     return parts.join("; ");

@@ -6,6 +6,7 @@
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/roles.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -15,13 +16,13 @@ namespace {
 QString field_words(const SetupSchema* schema, const QStringList& parts) {
     const FieldSpec* field = schema && !parts.isEmpty() ? schema->find(to_std(parts[0])) : nullptr;
     if (!field) return parts.join(QStringLiteral(" › "));
-    QString words = to_qt(field->title);
+    QString words = core_text(field->title);
     if (parts.size() > 2 && parts[1] == QStringLiteral("rows"))
         words += ProblemsModel::tr(", row %1").arg(parts[2].toInt() + 1);
     if (parts.size() > 3) {
         const std::size_t by_key = SetupSchema::column(*field, to_std(parts[3]));
         const std::size_t column = by_key < field->columns.size() ? by_key : parts[3].toUInt();
-        if (column < field->columns.size()) words += ", " + to_qt(field->columns[column].title);
+        if (column < field->columns.size()) words += ", " + core_text(field->columns[column].title);
     }
     return words;
 }
@@ -29,7 +30,7 @@ QString field_words(const SetupSchema* schema, const QStringList& parts) {
 QString words_of_project(const std::string& path) {
     for (const CertificateField& field : certificate_fields())
         if (path == pointer_of(field))
-            return ProblemsModel::tr("Project: certificate, %1").arg(QString::fromUtf8(field.title));
+            return ProblemsModel::tr("Project: certificate, %1").arg(core_text(field.title));
     return path.starts_with("/report/") ? ProblemsModel::tr("Project: report") : to_qt(path);
 }
 

@@ -10,6 +10,7 @@
 #include "ui/document/missing_fields.h"
 #include "ui/document/project_edits.h"
 #include "ui/models/roles.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -191,7 +192,7 @@ QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int r
     }
     if (role != Qt::ToolTipRole) return {};
     return to_qt(asset.name) + QLatin1Char('\n') +
-           (problems.isEmpty() ? to_qt(kind ? kind->title : asset.kind) : problems);
+           (problems.isEmpty() ? core_text(kind ? kind->title : asset.kind) : problems);
 }
 
 QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int column, int role) const {
@@ -203,7 +204,7 @@ QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int colu
     if (status.state == RunState::failed || status.state == RunState::incomplete) return status.message;
     const ModelDescriptor* model = find_model(analysis.model);
     const QString problems = problems_of({SetupOwner::analysis, analysis.id});
-    return to_qt(analysis.name) + QLatin1Char('\n') + to_qt(model ? model->title : analysis.model) +
+    return to_qt(analysis.name) + QLatin1Char('\n') + core_text(model ? model->title : analysis.model) +
            QStringLiteral(": ") + words(status.state) +
            (problems.isEmpty() ? problems : QLatin1Char('\n') + problems);
 }

@@ -11,6 +11,7 @@
 #include "ui/document/setup_cells.h"
 #include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
 
@@ -89,7 +90,7 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
             return QVariant(is_numeric(spec) ? Qt::AlignRight | Qt::AlignVCenter
                                              : Qt::AlignLeft | Qt::AlignVCenter);
         case Qt::ToolTipRole:
-            return complaint(at).isEmpty() ? to_qt(spec.help) : complaint(at);
+            return complaint(at).isEmpty() ? core_text(spec.help) : complaint(at);
         case Qt::BackgroundRole:
             return complaint(at).isEmpty() ? QVariant() : QVariant(QColor(213, 94, 0, 60));
         case problem_role:
@@ -99,7 +100,7 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
                          std::to_string(at.first) + '/' + std::to_string(at.second));
         case choices_role: {
             QStringList titles;
-            for (const Choice& choice : spec.choices) titles << to_qt(choice.title);
+            for (const Choice& choice : spec.choices) titles << core_text(choice.title);
             if (spec.kind == FieldKind::flag)
                 titles << cell_text(spec, true, {}) << cell_text(spec, false, {});
             return titles;
@@ -115,10 +116,10 @@ QVariant SetupTableModel::headerData(int section, Qt::Orientation orientation, i
         return role == Qt::ToolTipRole ? QVariant(complaint({section, -1})) : QVariant();
     }
     if (section < 0 || section >= columnCount()) return {};
-    const Text title = with_unit(title_text(column(section).title), unit(section));
+    const Text title = with_unit(title_text(core_words(column(section).title)), unit(section));
     if (role == Qt::DisplayRole) return to_qt(to_unicode(title));
     if (role == typeset_role) return QVariant::fromValue(title);
-    if (role == Qt::ToolTipRole) return to_qt(column(section).help);
+    if (role == Qt::ToolTipRole) return core_text(column(section).help);
     return {};
 }
 
@@ -175,7 +176,7 @@ bool SetupTableModel::setData(const QModelIndex& index, const QVariant& value, i
     if (role != Qt::EditRole || !checkIndex(index, CheckIndexOption::IndexIsValid) || is_linked())
         return false;
     Marks marks;
-    write(tr("Change %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+    write(tr("Change %1").arg(core_text(field()->title)), [&](SetupTable& table) {
         set_cell(table, {index.row(), index.column()}, value.toString(), marks);
     });
     take(marks);
@@ -184,14 +185,14 @@ bool SetupTableModel::setData(const QModelIndex& index, const QVariant& value, i
 
 bool SetupTableModel::insertRows(int row, int count, const QModelIndex& parent) {
     if (parent.isValid() || row < 0 || row > rowCount() || count < 1) return false;
-    return write(tr("Insert rows in %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+    return write(tr("Insert rows in %1").arg(core_text(field()->title)), [&](SetupTable& table) {
         table.rows.insert(table.rows.begin() + row, static_cast<std::size_t>(count), new_row(*field()));
     });
 }
 
 bool SetupTableModel::removeRows(int row, int count, const QModelIndex& parent) {
     if (parent.isValid() || row < 0 || count < 1 || row + count > rowCount()) return false;
-    return write(tr("Delete rows of %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+    return write(tr("Delete rows of %1").arg(core_text(field()->title)), [&](SetupTable& table) {
         table.rows.erase(table.rows.begin() + row, table.rows.begin() + row + count);
     });
 }
@@ -202,7 +203,7 @@ int SetupTableModel::paste(const QModelIndex& at, const QString& text) {
     const int top = at.isValid() ? at.row() : rowCount();
     const int left = at.isValid() ? at.column() : 0;
     Marks marks;
-    write(tr("Paste into %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+    write(tr("Paste into %1").arg(core_text(field()->title)), [&](SetupTable& table) {
         const std::size_t rows = std::max(table.rows.size(), static_cast<std::size_t>(top) + block.size());
         table.rows.resize(rows, new_row(*field()));
         for (std::size_t r = 0; r < block.size(); ++r) {
@@ -227,7 +228,7 @@ int SetupTableModel::write_row(int row, const std::map<int, TypedCell>& cells, c
                 marks[{row, column}] = {typed.text, typed.refused};
         }
     };
-    write(tr("Change %1").arg(to_qt(field()->title)), change, merge_key);
+    write(tr("Change %1").arg(core_text(field()->title)), change, merge_key);
     return take(marks);
 }
 
@@ -246,7 +247,7 @@ void SetupTableModel::fill_down(const QModelIndexList& cells) {
     std::map<int, std::set<int>> rows_of_column;
     for (const QModelIndex& cell : cells) rows_of_column[cell.column()].insert(cell.row());
     Marks marks;
-    write(tr("Fill down in %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+    write(tr("Fill down in %1").arg(core_text(field()->title)), [&](SetupTable& table) {
         for (const auto& [column_index, rows] : rows_of_column)
             for (const int row : rows) {
                 if (row != *rows.begin()) marks[{row, column_index}] = {};
@@ -258,7 +259,7 @@ void SetupTableModel::fill_down(const QModelIndexList& cells) {
 
 void SetupTableModel::clear(const QModelIndexList& cells) {
     Marks marks;
-    write(tr("Clear cells of %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+    write(tr("Clear cells of %1").arg(core_text(field()->title)), [&](SetupTable& table) {
         for (const QModelIndex& cell : cells) {
             marks[{cell.row(), cell.column()}] = {};
             cell_at(table, cell.row(), cell.column()) = empty_cell(column(cell.column()));

@@ -6,6 +6,7 @@
 #include "ui/document/quantity_text.h"
 #include "ui/document/setup_cells.h"
 #include "ui/models/setup_table_model.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -151,7 +152,7 @@ void SetupTableModel::set_unit(int column_index, const Unit& next) {
     const Unit before = unit(column_index);
     if (!(before.dimension() == next.dimension())) return;
     const auto at = static_cast<std::size_t>(column_index);
-    write(tr("Change unit in %1").arg(to_qt(field()->title)), [&](SetupTable& table) {
+    write(tr("Change unit in %1").arg(core_text(field()->title)), [&](SetupTable& table) {
         table.units[at] = next;
         for (auto& row : table.rows)
             if (double* number = std::get_if<double>(&row[at])) *number = converted(*number, before, next);
@@ -170,7 +171,7 @@ void SetupTableModel::embed() {
     SetupTable embedded = table_;
     embedded.csv_file.clear();
     embedded.csv_columns.clear();
-    replace_table(embedded, tr("Take %1 into the project").arg(to_qt(field()->title)));
+    replace_table(embedded, tr("Take %1 into the project").arg(core_text(field()->title)));
 }
 
 }  // namespace covaria::ui

@@ -8,9 +8,10 @@
 namespace covaria::ui {
 namespace {
 
-const char* const position_help =
+const char* const position_help = QT_TR_NOOP(
     "Standard uncertainty of the position in space: square root of the sum of the variances of its three "
-    "coordinates";
+    "coordinates");
+const char* const expanded_help = QT_TR_NOOP("Expanded uncertainty");
 
 }  // namespace
 
@@ -35,13 +36,13 @@ void StudyTableModel::set_study(std::shared_ptr<const StudyResult> study, bool c
                                      : Cell();
         };
         table.add(quantity.id, value)
-            .window(quantity.title, quantity.position ? position_help : "Expanded uncertainty")
+            .window(quantity.title, to_std(quantity.position ? ui::tr(position_help) : ui::tr(expanded_help)))
             .digits(3)
             .in(quantity.unit);
     }
     if (shown.failed() > 0 || !not_representing(shown).empty())
         table.add("remark", [&shown](std::size_t row) -> Cell { return remark_on(shown, row); })
-            .window("Remark", "Why there are no values, or what is wrong with them");
+            .window(to_std(tr("Remark")), to_std(tr("Why there are no values, or what is wrong with them")));
     std::vector<std::string> keys;
     for (const Column& column : table.columns) keys.push_back(column.key);
     set_contents(study_, std::move(table), std::move(keys), current);

@@ -162,8 +162,10 @@ QString BudgetPage::lines_of(const UncertaintyResult& result) const {
             break;
         }
         const std::string symbol = to_html(symbol_text(output.quantity.symbol));
-        const std::string coverage = to_html(running_text(coverage_statement(output, result)));
-        lines << to_qt("<b>" + symbol + "</b> = " + escape_html(value_statement(output)) + ", " + coverage);
+        const std::string coverage =
+            to_html(running_text(coverage_statement(output, result, user_numbers())));
+        lines << to_qt("<b>" + symbol + "</b> = " +
+                       escape_html(value_statement(output, true, user_numbers())) + ", " + coverage);
     }
     return lines.join(QStringLiteral("<br>"));
 }

@@ -5,6 +5,7 @@
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/models/number_words.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -29,7 +30,7 @@ QString shown(const TableCell& cell, const TableColumn& column) {
 
 QString html_of(const DataTable& table) {
     QString html = QStringLiteral("<h4>%1</h4><table cellpadding=\"3\" cellspacing=\"0\"><tr>")
-                       .arg(to_qt(table.title).toHtmlEscaped());
+                       .arg(core_text(table.title).toHtmlEscaped());
     for (const TableColumn& column : table.columns) html += head_of(column);
     html += QStringLiteral("</tr>");
     for (std::size_t r = 0; r < std::min(table.rows.size(), most_rows); ++r) {

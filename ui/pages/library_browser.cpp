@@ -14,6 +14,7 @@
 #include "core/kinds/assets.h"
 #include "core/made/library.h"
 #include "ui/pages/start_page.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
@@ -152,9 +153,9 @@ void LibraryBrowser::show_collection(const QString& title) {
 void LibraryBrowser::add_templates() {
     const QString folder = from_path(data_directory() / "projects") + QLatin1Char('/');
     for (const AnalysisTemplate& known : analysis_templates()) {
-        Entry entry{to_qt(known.title),
+        Entry entry{core_text(known.title),
                     templates_title(),
-                    to_qt(known.question),
+                    core_text(known.question),
                     {},
                     folder + to_qt(known.example) + QStringLiteral(".png"),
                     QStringLiteral("analysis")};
@@ -181,8 +182,9 @@ void LibraryBrowser::add_examples(const QString& subfolder, const QString& colle
 void LibraryBrowser::add_assets() {
     for (const LibraryItem& item : load_library().items) {
         const AssetDescriptor* kind = find_asset_kind(item.asset.kind);
-        Entry entry{to_qt(item.asset.name),  to_qt(item.collection),  kind ? to_qt(kind->title) : QString(),
-                    to_qt(item.asset.notes), from_path(item.picture), icon_of_category(item.asset)};
+        Entry entry{
+            to_qt(item.asset.name),  to_qt(item.collection),  kind ? core_text(kind->title) : QString(),
+            to_qt(item.asset.notes), from_path(item.picture), icon_of_category(item.asset)};
         entry.asset = item.asset;
         entry.texts = searched_texts(item);
         entries_.push_back(std::move(entry));

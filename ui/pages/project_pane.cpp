@@ -13,6 +13,7 @@
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/entry_delegate.h"
 #include "ui/pages/library_menu.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
@@ -74,11 +75,11 @@ QMenu* ProjectPane::make_add_menu(QWidget* parent) {
     auto* menu = new QMenu(tr("&Add"), parent);
     menu->setIcon(icon(QStringLiteral("add")));
     for (const ModelDescriptor& model : model_registry())
-        menu->addAction(tr("Analysis: %1").arg(to_qt(model.title)), this,
+        menu->addAction(tr("Analysis: %1").arg(core_text(model.title)), this,
                         [this, id = model.id] { add_analysis(id); });
     menu->addSeparator();
     for (const AssetDescriptor& asset : asset_registry())
-        menu->addAction(to_qt(asset.title), this, [this, kind = asset.kind] { add_asset(kind); });
+        menu->addAction(core_text(asset.title), this, [this, kind = asset.kind] { add_asset(kind); });
     menu->addSeparator();
     menu->addAction(icon(QStringLiteral("layers")), tr("&Library and Templates …"), this,
                     &ProjectPane::library_wanted);

@@ -29,6 +29,7 @@
 #include "ui/pages/study_tab.h"
 #include "ui/pages/unit_button.h"
 #include "ui/run/result_words.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/typeset_views.h"
@@ -281,7 +282,7 @@ void ResultsPane::show_next_step() {
     next_->setVisible(missing.has_value());
     if (!missing) return;
     next_place_ = to_qt(missing->path);
-    next_->setText(tr("Next: %1").arg(to_qt(missing->title)));
+    next_->setText(tr("Next: %1").arg(core_text(missing->title)));
     next_->setToolTip(tr("Goes to the field that must be given next"));
 }
 

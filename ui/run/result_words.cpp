@@ -1,6 +1,5 @@
 #include "ui/run/result_words.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +9,6 @@
 namespace covaria::ui {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("covaria::ui::Results", text);
-}
 
 QString count(std::uint64_t trials) {
     return to_qt(count_text(trials));

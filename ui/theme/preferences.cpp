@@ -7,14 +7,15 @@
 #include <array>
 #include <tuple>
 
+#include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
-const QString theme_key = QStringLiteral("theme"), font_key = QStringLiteral("font_points"),
-              numbers_key = QStringLiteral("numbers"), units_key = QStringLiteral("results/units"),
-              digits_key = QStringLiteral("results/digits"),
+const QString language_key = QStringLiteral("language"), theme_key = QStringLiteral("theme"),
+              font_key = QStringLiteral("font_points"), numbers_key = QStringLiteral("numbers"),
+              units_key = QStringLiteral("results/units"), digits_key = QStringLiteral("results/digits"),
               autosave_key = QStringLiteral("autosave_seconds"),
               factor_key = QStringLiteral("new_analyses/coverage_factor"),
               trials_key = QStringLiteral("new_analyses/trials");
@@ -39,6 +40,7 @@ int stored_number(const QVariant& stored, int low, int high, int otherwise) {
 Preferences Preferences::stored() {
     const QSettings settings;
     Preferences read;
+    read.language = offered_language(settings.value(language_key).toString());
     read.theme = themes[place_in(themes, settings.value(theme_key).toString())];
     read.font_points = stored_number(settings.value(font_key), smallest_font, largest_font, 0);
     read.numbers = NumberForm(place_in(forms, settings.value(numbers_key).toString()));
@@ -54,8 +56,8 @@ Preferences Preferences::stored() {
 
 bool Preferences::operator==(const Preferences& other) const {
     const auto rest = [](const Preferences& p) {
-        return std::tie(p.theme, p.font_points, p.numbers, p.units.chosen(), p.digits, p.autosave_seconds,
-                        p.coverage_factor, p.trials);
+        return std::tie(p.language, p.theme, p.font_points, p.numbers, p.units.chosen(), p.digits,
+                        p.autosave_seconds, p.coverage_factor, p.trials);
     };
     return rest(*this) == rest(other);
 }
@@ -64,6 +66,7 @@ void Preferences::store() const {
     QSettings settings;
     QStringList chosen;
     for (const Unit& unit : units.chosen()) chosen << to_qt(unit.text());
+    settings.setValue(language_key, language);
     settings.setValue(theme_key, theme);
     settings.setValue(font_key, font_points);
     settings.setValue(numbers_key, forms[std::size_t(numbers)]);

@@ -15,6 +15,7 @@ namespace covaria::ui {
 enum class NumberForm { system, point, comma };
 
 struct Preferences {
+    QString language = {};                     ///< code; empty: the system's. Of the next start
     QString theme = QStringLiteral("system");  ///< or "light", "dark"
     int font_points = 0;                       ///< 0: as the desktop has it
     NumberForm numbers = NumberForm::system;

@@ -1,6 +1,7 @@
 // Text between the core (UTF-8 std::string, std::filesystem::path) and Qt.
 #pragma once
 
+#include <QCoreApplication>
 #include <QString>
 #include <filesystem>
 #include <string>
@@ -21,6 +22,12 @@ inline std::filesystem::path to_path(const QString& file) {
 }
 inline QString from_path(const std::filesystem::path& file) {
     return QString::fromStdString(file.string());
+}
+
+/// Of functions that belong to no class, which have a `tr` of their own; the context is that of the
+/// catalogues.
+inline QString tr(const char* text) {
+    return QCoreApplication::translate("covaria::ui", text);
 }
 
 }  // namespace covaria::ui

@@ -1,0 +1,165 @@
+// Writes every text that core declares and the window translates (ui/theme/core_text.h), each as
+// QT_TRANSLATE_NOOP("core", "..."), for lupdate. They are taken from the registries: a new field, choice,
+// model or column of a table is in the catalogues without anybody listing it.
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
+#include "core/made/analysis_templates.h"
+#include "core/made/load_project.h"
+#include "core/project/certificate.h"
+#include "core/project/option_fields.h"
+#include "core/project/report_contents.h"
+#include "core/propagation/engine.h"
+#include "core/quantity/distribution.h"
+#include "core/quantity/statement_text.h"
+#include "core/readers/readers.h"
+#include "core/report/comparison_columns.h"
+#include "core/report/result_columns.h"
+#include "core/text/symbol.h"
+#include "core/writers/writers.h"
+
+namespace covaria {
+namespace {
+
+std::string as_literal(std::string_view text) {
+    std::string literal = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') literal += '\\';
+        literal += c == '\n' ? std::string("\\n") : std::string(1, c);
+    }
+    return literal + '"';
+}
+
+/// On standard output, each text once, under what it is.
+class TextList {
+public:
+    void say(std::string_view what, std::string_view text) {
+        if (!looks_like_symbol(text)) say_word(what, text);
+    }
+    /// Likewise, and it is no symbol, although it looks like one: "beta".
+    void say_word(std::string_view what, std::string_view text) {
+        if (text.empty() || !said_.insert(std::string(text)).second) return;
+        std::printf("//: %.*s\nQT_TRANSLATE_NOOP(\"core\", %s)\n", int(what.size()), what.data(),
+                    as_literal(text).c_str());
+    }
+    void say_choices(const std::string& of, const std::vector<Choice>& choices) {
+        for (const Choice& choice : choices) say("Choice of " + of, choice.title);
+    }
+
+private:
+    std::set<std::string> said_;
+};
+
+void say_schema(TextList& list, const std::string& owner, const SetupSchema& schema) {
+    for (const FieldSpec& field : schema.fields()) {
+        const std::string of = owner + ", " + field.title;
+        list.say("Heading of fields of " + owner, field.section);
+        list.say("Field of " + owner, field.title);
+        list.say("Help on " + of, field.help);
+        list.say_choices(of, field.choices);
+        for (const ColumnSpec& column : field.columns) {
+            list.say("Head of a column of " + of, column.title);
+            list.say("Help on a column of " + of, column.help);
+            list.say_choices(of + ", " + column.title, column.choices);
+        }
+    }
+}
+
+void say_kinds(TextList& list) {
+    for (const ModelDescriptor& model : model_registry()) {
+        list.say("Measurement model", model.title);
+        say_schema(list, model.title, model.schema);
+    }
+    for (const AssetDescriptor& asset : asset_registry()) {
+        list.say("Kind of asset", asset.title);
+        say_schema(list, asset.title, asset.schema);
+    }
+    for (const AnalysisTemplate& known : analysis_templates()) {
+        list.say("Template of an analysis", known.title);
+        list.say("What the template answers", known.question);
+    }
+}
+
+void say_parts_of_project(TextList& list) {
+    for (const OptionField& field : option_fields()) {
+        list.say("Option of an evaluation", field.title);
+        list.say(std::string("Help on ") + field.title, field.help);
+        list.say_choices(field.title, field.choices);
+    }
+    for (const CertificateSection& section : certificate_sections()) {
+        list.say("Heading of fields of a certificate", section.title);
+        for (const CertificateField& field : section.fields) {
+            list.say("Field of a certificate", field.title);
+            list.say(std::string("Help on ") + field.title, field.help);
+        }
+    }
+    for (const ReportChapterField& chapter : report_chapters())
+        list.say("Chapter of a report", chapter.title);
+    for (const DistributionKindInfo& kind : distribution_kinds()) {
+        list.say_word("Distribution", kind.title);
+        for (const DistributionParameterInfo& parameter : kind.parameters)
+            list.say_word("Parameter of a distribution", parameter.title);
+    }
+    list.say("Examples of statements in the cell of a budget; the notations stay", statement_examples());
+    for (const Reader& reader : reader_registry()) list.say("Format of a file that is read", reader.title);
+    for (const Writer& writer : writer_registry()) list.say("Format of a file that is written", writer.title);
+}
+
+void say_table(TextList& list, const Table& table, const std::set<std::string>& without = {}) {
+    for (const Column& column : table.columns) {
+        if (without.contains(column.key)) continue;
+        const auto& spans = column.title.spans();
+        if (spans.size() == 1 && !spans[0].italic && spans[0].script == Script::line)
+            list.say("Head of a column of results", spans[0].letters);
+        list.say("Help on a column of results", column.help);
+    }
+}
+
+void say_tables_of(TextList& list, const std::shared_ptr<const UncertaintyResult>& result) {
+    const std::vector<std::string> contributors = contributor_keys(*result);
+    say_table(list, results_table(*result, {0}, {}), {contributors.begin(), contributors.end()});
+    say_table(list, budget_table(*result, budget_places(*result, 0)));
+    say_table(list, inputs_table(result->inputs, all_shares(result->inputs)));
+    const ResultComparison comparison = compare_results(result, result);
+    say_table(list, compared_results_table(comparison));
+    say_table(list, compared_budget_table(comparison, compared_places(comparison, 0)));
+}
+
+/// The heads of tables are those of a result, whatever it is of; help says how U was found.
+bool say_tables(TextList& list) {
+    const LoadedProject loaded = load_project(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria");
+    if (!loaded.made || loaded.project.analyses.empty()) return false;
+    const auto prepared = loaded.made->analysis(loaded.project.analyses.front().id);
+    if (!prepared) return false;
+    for (const Method method : {Method::first_order, Method::monte_carlo})
+        for (const auto& k : {std::optional<double>(), std::optional(2.0)}) {
+            EvaluationOptions options = prepared->options;
+            options.method = method;
+            options.trials = 1000;
+            options.coverage_factor = k;
+            Result<UncertaintyResult> evaluated = evaluate(*prepared->propagated, options);
+            if (!evaluated) return false;
+            say_tables_of(list, std::make_shared<const UncertaintyResult>(std::move(*evaluated)));
+        }
+    for (const std::string& word : words_of_cells()) list.say("Cell of a table of results", word);
+    return true;
+}
+
+}  // namespace
+}  // namespace covaria
+
+int main() {
+    using namespace covaria;
+    TextList list;
+    say_kinds(list);
+    say_parts_of_project(list);
+    if (say_tables(list)) return 0;
+    std::fputs("the example projects/gum/h1-end-gauge.covaria has no result\n", stderr);
+    return 1;
+}

@@ -1,0 +1,291 @@
+// The window in a language of which only the texts are known: every text is its English one in brackets,
+// longer by a third. What has no brackets goes through no catalogue; what is asked for and is in none was not
+// extracted.
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTabBar>
+#include <QTableView>
+#include <QToolButton>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+#include "core/text/symbol.h"
+#include "tests/ui/main_window/session_fixture.h"
+#include "ui/main_window/preferences_dialog.h"
+#include "ui/pages/library_browser.h"
+#include "ui/pages/start_page.h"
+#include "ui/theme/languages.h"
+
+namespace covaria::ui::language_test {
+namespace {
+
+const QChar opening(0x27e6), closing(0x27e7);  // ⟦ ⟧
+
+using Key = std::pair<QString, QString>;  // context, source
+
+QSet<Key> texts_of_catalogue(const QString& code) {
+    QFile file(QStringLiteral(COVARIA_SOURCE_DIR "/resources/translations/covaria_%1.ts").arg(code));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    QXmlStreamReader in(&file);
+    QSet<Key> all;
+    QString context;
+    while (!in.atEnd()) {
+        if (in.readNext() != QXmlStreamReader::StartElement) continue;
+        if (in.name() == QLatin1String("name")) context = in.readElementText();
+        if (in.name() == QLatin1String("source")) all.insert({context, in.readElementText()});
+    }
+    EXPECT_GT(all.size(), 1000);
+    return all;
+}
+
+class Brackets : public QTranslator {
+public:
+    Brackets() : known_(texts_of_catalogue(QStringLiteral("de"))) {}
+    bool isEmpty() const override { return false; }
+    QString translate(const char* context, const char* source, const char*, int) const override {
+        const QString of = QString::fromUtf8(context), text = QString::fromUtf8(source);
+        if (known_.contains({of, text})) return opening + text + closing;
+        const bool has_words = text.contains(QRegularExpression(QStringLiteral("[a-z]{3}")));  // "u" has none
+        if (!has_words) return {};
+        if (of.startsWith(QLatin1String("covaria::ui")) || of == QLatin1String("QObject"))
+            unknown_.insert(of + QStringLiteral(": ") + text);
+        of_others_.insert(text);
+        return {};
+    }
+    /// Qt asked for it: it has catalogues of its own.
+    bool is_of_qt(const QString& text) const { return of_others_.contains(text); }
+    QStringList unknown() const { return unknown_.values(); }
+
+private:
+    QSet<Key> known_;
+    mutable QSet<QString> unknown_, of_others_;
+};
+
+class Languages : public Session {
+protected:
+    Languages() {
+        QCoreApplication::installTranslator(&brackets_);
+        window_->close();
+        make_window();
+    }
+    ~Languages() override { QCoreApplication::removeTranslator(&brackets_); }
+
+    /// Words that stand in no brackets.
+    static QString untranslated(QString text) {
+        static const QRegularExpression in_brackets(QStringLiteral("\u27e6[^\u27e6\u27e7]*\u27e7")),
+            markup(QStringLiteral("<[^<>]*>|&[a-z]+;|\\((Ctrl|Alt|Shift)[^()]*\\)")),
+            word(QStringLiteral("[a-z]{3,}"));
+        for (QString before; before != text;) {
+            before = text;
+            text.remove(in_brackets);
+        }
+        return word.match(text.remove(markup)).hasMatch() ? text.trimmed() : QString();
+    }
+    /// What people, files and models named: the project, its results, examples.
+    void learn(const QString& text) { data_ += text + QLatin1Char('\n'); }
+    void learn_project() {
+        learn(to_qt(project_text(window_->document().project())));
+        for (const AnalysisEntry& analysis : window_->document().project().analyses)
+            if (const auto& prepared = window_->runner().status(to_qt(analysis.id)).prepared) {
+                for (const PlotSpecification& plot : prepared->model->figures())
+                    learn(to_qt(to_unicode(plot.title)));
+                for (const OutputQuantity& output : prepared->model->outputs()) learn_output(output);
+                for (const UncertaintyComponent& component : prepared->inputs.components)
+                    learn(to_qt(component.id) + QLatin1Char('\n') + to_qt(component.name));
+            }
+    }
+    /// Charts speak English.
+    void learn_charts(const QString& file) {
+        const LoadedProject loaded = load_project(to_path(file));
+        ASSERT_TRUE(loaded.made);
+        for (const auto& [id, entry] : loaded.made->assets().entries())
+            for (const PlotSpecification& plot : entry.asset->figures()) learn(to_qt(to_unicode(plot.title)));
+    }
+    void learn_output(const OutputQuantity& output) {
+        for (const std::string& text : {output.group, output.name, output.symbol})
+            learn(to_qt(text) + QLatin1Char('\n') + to_qt(symbol_to_unicode(text)));
+    }
+    bool is_data(const QString& words) const {
+        if (data_.contains(words)) return true;
+        static const QRegularExpression symbol(QStringLiteral("\\w_[\\w,]+|/ \\w+$"),
+                                               QRegularExpression::UseUnicodePropertiesOption);
+        for (QString part : words.split(QRegularExpression(QStringLiteral(", |\n|:$")))) {
+            part = untranslated(part.remove(symbol));
+            if (!part.isEmpty() && !data_.contains(part)) return false;
+        }
+        return true;
+    }
+    void look_at(const QString& place, const QString& text) {
+        const QString words = untranslated(text);
+        if (!words.isEmpty() && !brackets_.is_of_qt(words) && !is_data(words))
+            found_.insert(place + QStringLiteral(": ") + words);
+    }
+    void look_at_head(const QAbstractItemModel& model, const QString& place) {
+        for (int c = 0; c < model.columnCount(); ++c)
+            for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)})
+                look_at(place, model.headerData(c, Qt::Horizontal, role).toString());
+    }
+    void look_at(QWidget& widget) {
+        const QString place =
+            QString::fromLatin1(widget.metaObject()->className()) + QLatin1Char(' ') + widget.objectName();
+        look_at(place + QStringLiteral(" tip"), widget.toolTip());
+        look_at(place + QStringLiteral(" name"), widget.accessibleName());
+        if (auto* label = qobject_cast<QLabel*>(&widget)) look_at(place, label->text());
+        if (auto* button = qobject_cast<QAbstractButton*>(&widget)) look_at(place, button->text());
+        if (auto* group = qobject_cast<QGroupBox*>(&widget)) look_at(place, group->title());
+        if (auto* line = qobject_cast<QLineEdit*>(&widget)) look_at(place, line->placeholderText());
+        if (auto* box = qobject_cast<QComboBox*>(&widget))
+            for (int i = 0; i < box->count(); ++i) look_at(place, box->itemText(i));
+        if (auto* bar = qobject_cast<QTabBar*>(&widget))
+            for (int i = 0; i < bar->count(); ++i) look_at(place, bar->tabText(i));
+        if (auto* table = qobject_cast<QTableView*>(&widget); table && table->model())
+            look_at_head(*table->model(), place);
+        for (QAction* action : widget.actions()) {
+            look_at(place + QStringLiteral(" action"), action->text());
+            look_at(place + QStringLiteral(" action tip"), action->toolTip());
+        }
+    }
+    void look_at_all(QWidget& top) {
+        look_at(top);
+        for (QWidget* widget : top.findChildren<QWidget*>()) look_at(*widget);
+    }
+
+    Brackets brackets_;
+    QString data_;
+    QSet<QString> found_;
+};
+
+TEST_F(Languages, EveryTextOfTheWindowIsInTheCatalogues) {
+    for (const char* subfolder : {"", "gum"})
+        for (const Example& example : shipped_examples(QString::fromLatin1(subfolder)))
+            learn(example.title + QLatin1Char('\n') + example.summary);
+    learn(QStringLiteral("mm\nrad\nmrad\nµrad\ngon\nlbf\nthou\n"));
+    look_at_all(*window_);
+    PreferenceStore store;
+    PreferencesDialog preferences(store);
+    for (const Language& language : all_languages()) learn(language.name);
+    look_at_all(preferences);
+    for (const char* name :
+         {"stewart-platform", "chain", "lsm-network", "force-moment-sensor", "ballbar-design"}) {
+        learn(QString::fromLatin1(name));
+        const QString file = project_copy(QString::fromLatin1(name));
+        learn(file);
+        learn_charts(file);
+        open(file);
+        wait_until_idle();
+        learn_project();
+        const Project& project = window_->document().project();
+        for (const AnalysisEntry& analysis : project.analyses) {
+            select(SetupOwner::analysis, analysis.id);
+            settle();
+            look_at_all(*window_);
+        }
+        for (const AssetEntry& asset : project.assets) {
+            select(SetupOwner::asset, asset.id);
+            settle();
+            look_at_all(*window_);
+        }
+    }
+    for (const QString& one : found_.values()) ADD_FAILURE() << one.toStdString();
+    EXPECT_EQ(brackets_.unknown(), QStringList());
+}
+
+/// The window in the language of a catalogue; English needs none.
+class WholeTexts : public Session, public testing::WithParamInterface<const char*> {
+protected:
+    WholeTexts() {
+        const QString code = QString::fromLatin1(GetParam());
+        is_offered_ = offered_language(code) == code;
+        if (!is_offered_) return;
+        if (catalogue_.load(QStringLiteral(":/translations/covaria_%1.qm").arg(code)))
+            QCoreApplication::installTranslator(&catalogue_);
+        window_->close();
+        make_window();
+    }
+    ~WholeTexts() override { QCoreApplication::removeTranslator(&catalogue_); }
+
+    static void expect_room(const QWidget& widget, const QString& text, int needed, int room) {
+        EXPECT_LE(needed, room + 1) << widget.metaObject()->className() << " "
+                                    << widget.objectName().toStdString() << ": \u201c" << text.toStdString()
+                                    << "\u201d is cut: " << room << " of " << needed << " px";
+    }
+    /// Of those in sight and in no tip; a text that breaks into lines needs height.
+    static int expect_whole_texts(QWidget& top) {
+        int looked_at = 0;
+        for (QWidget* widget : top.findChildren<QWidget*>()) {
+            if (!widget->isVisible()) continue;
+            ++looked_at;
+            if (auto* label = qobject_cast<QLabel*>(widget); label && label->text() != label->toolTip()) {
+                if (label->wordWrap())
+                    expect_room(*label, label->text(), label->heightForWidth(label->width()),
+                                label->height());
+                else
+                    expect_room(*label, label->text(), label->sizeHint().width(), label->width());
+            } else if (auto* button = qobject_cast<QPushButton*>(widget)) {
+                expect_room(*button, button->text(), button->minimumSizeHint().width(), button->width());
+            } else if (auto* tick = qobject_cast<QCheckBox*>(widget)) {
+                expect_room(*tick, tick->text(), tick->sizeHint().width(), tick->width());
+            } else if (auto* tool = qobject_cast<QToolButton*>(widget);
+                       tool && tool->toolButtonStyle() != Qt::ToolButtonIconOnly) {
+                const int letters =
+                    tool->fontMetrics().horizontalAdvance(QString(tool->text()).remove(QLatin1Char('&')));
+                expect_room(*tool, tool->text(), letters, tool->width());
+            } else if (auto* bar = qobject_cast<QTabBar*>(widget)) {
+                for (int i = 0; i < bar->count(); ++i)
+                    if (bar->isTabVisible(i))
+                        expect_room(
+                            *bar, bar->tabText(i),
+                            bar->fontMetrics().horizontalAdvance(QString(bar->tabText(i)).remove('&')),
+                            bar->tabRect(i).width());
+            }
+        }
+        return looked_at;
+    }
+
+    QTranslator catalogue_;
+    bool is_offered_ = false;
+};
+
+TEST_P(WholeTexts, StandInTheWindowAndItsDialogs) {
+    if (!is_offered_) GTEST_SKIP() << GetParam() << " is in work";
+    EXPECT_GT(expect_whole_texts(*window_), 50);  // start page
+    open(project_copy());
+    wait_until_idle();
+    auto* bar = window_->menuBar();
+    for (QAction* menu : bar->actions())
+        EXPECT_TRUE(bar->rect().contains(bar->actionGeometry(menu))) << menu->text().toStdString();
+    for (const AnalysisEntry& analysis : window_->document().project().analyses) {
+        select(SetupOwner::analysis, analysis.id);
+        for (QTabWidget* tabs : window_->findChildren<QTabWidget*>())
+            for (int i = 0; i < tabs->count(); ++i) {
+                if (!tabs->isTabEnabled(i) || !tabs->isVisible()) continue;
+                tabs->setCurrentIndex(i);
+                settle();
+                expect_whole_texts(*window_);
+            }
+    }
+    PreferenceStore store;
+    PreferencesDialog preferences(store);
+    preferences.show();
+    settle();
+    EXPECT_GT(expect_whole_texts(preferences), 20);
+    LibraryBrowser browser;
+    browser.show();
+    settle();
+    EXPECT_GT(expect_whole_texts(browser), 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, WholeTexts, testing::Values("en", "de", "es", "pt", "zh_CN", "ko"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace covaria::ui::language_test

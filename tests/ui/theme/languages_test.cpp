@@ -1,0 +1,67 @@
+#include "ui/theme/languages.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTranslator>
+#include <algorithm>
+
+#include "ui/theme/core_text.h"
+#include "ui/theme/preferences.h"
+
+namespace covaria::ui::languages_test {
+namespace {
+
+TEST(Languages, CataloguesAreInTheProgram) {
+    ASSERT_EQ(all_languages().size(), 6u);
+    EXPECT_EQ(all_languages().front().code, QStringLiteral("en"));
+    for (const Language& language : all_languages()) {
+        if (language.code == QLatin1String("en")) continue;
+        QTranslator own;  // an empty catalogue is none for Qt
+        EXPECT_TRUE(QFile::exists(QStringLiteral(":/translations/covaria_%1.qm").arg(language.code)));
+        EXPECT_EQ(
+            own.load(QStringLiteral(":/translations/covaria_%1.qm").arg(language.code)) && !own.isEmpty(),
+            own.language() == language.code);
+        QTranslator of_qt;
+        ASSERT_TRUE(of_qt.load(QStringLiteral(":/translations/%1.qm").arg(language.qt_catalogue)));
+        EXPECT_FALSE(of_qt.translate("QPlatformTheme", "Cancel").isEmpty()) << language.name.toStdString();
+    }
+}
+
+TEST(Languages, OnlyWhatIsOfferedIsSpoken) {
+    EXPECT_EQ(offered_language(QStringLiteral("en")), QStringLiteral("en"));
+    EXPECT_EQ(offered_language(QStringLiteral("en-GB")), QStringLiteral("en"));
+    EXPECT_EQ(offered_language(QStringLiteral("xx")), QString());
+    EXPECT_EQ(offered_language({}), QString());
+    EXPECT_EQ(offered_language(QStringLiteral("zh_TW")), QString()) << "it is written otherwise";
+    EXPECT_EQ(language_to_speak(QStringLiteral("xx"), QLocale(QLocale::Finnish)), QStringLiteral("en"));
+    for (const Language& language : all_languages()) {
+        const QString spoken = language.is_offered ? language.code : QStringLiteral("en");
+        EXPECT_EQ(language_to_speak(language.code, QLocale::c()), spoken);
+        EXPECT_EQ(language_to_speak({}, QLocale(language.code)), spoken);
+        EXPECT_EQ(language_to_speak(QStringLiteral("en"), QLocale(language.code)), QStringLiteral("en"));
+    }
+}
+
+TEST(Languages, TextsOfTheCoreAreLookedUpAndNamesStay) {
+    class Shouting : public QTranslator {
+    public:
+        bool isEmpty() const override { return false; }
+        QString translate(const char* context, const char* text, const char*, int) const override {
+            const bool is_known = QLatin1String(context) == QLatin1String("core") &&
+                                  QLatin1String(text) == QLatin1String("Estimate");
+            return is_known ? QStringLiteral("ESTIMATE") : QString();
+        }
+    } shouting;
+    QCoreApplication::installTranslator(&shouting);
+    EXPECT_EQ(core_text("Estimate"), QStringLiteral("ESTIMATE"));
+    EXPECT_EQ(core_words("My tracker"), "My tracker");
+    EXPECT_EQ(core_text(""), QString());
+    EXPECT_EQ(core_title(Text("Estimate")), Text("ESTIMATE"));
+    const Text symbol = Text("Estimate") + Text(Text::Span{"c", Script::below, false});
+    EXPECT_EQ(core_title(symbol), symbol);
+    QCoreApplication::removeTranslator(&shouting);
+}
+
+}  // namespace
+}  // namespace covaria::ui::languages_test

@@ -1,0 +1,23 @@
+#include "ui/theme/core_text.h"
+
+#include <QCoreApplication>
+
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+QString core_text(std::string_view english) {
+    if (english.empty()) return {};
+    return QCoreApplication::translate(core_context, std::string(english).c_str());
+}
+
+std::string core_words(std::string_view english) {
+    return to_std(core_text(english));
+}
+
+Text core_title(const Text& english) {
+    const bool plain = english.spans().size() == 1 && !english.has_scripts() && !english.spans()[0].italic;
+    return plain ? Text(core_words(english.spans()[0].letters)) : english;
+}
+
+}  // namespace covaria::ui

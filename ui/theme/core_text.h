@@ -1,0 +1,23 @@
+// Texts that are declared in core (titles, help, choices, heads of tables), in the language of the window.
+// The only place that translates them: context "core" of the catalogues, filled from the registries by
+// app/texts.
+#pragma once
+
+#include <QString>
+#include <string>
+#include <string_view>
+
+#include "core/text/text.h"
+
+namespace covaria::ui {
+
+inline constexpr const char* core_context = "core";
+
+/// As it is where the catalogue has no such text: names that people gave, symbols.
+QString core_text(std::string_view english);
+/// Likewise, for what goes on as UTF-8.
+std::string core_words(std::string_view english);
+/// Likewise; a text with symbols in it stays.
+Text core_title(const Text& english);
+
+}  // namespace covaria::ui

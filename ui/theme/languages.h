@@ -1,0 +1,34 @@
+// The languages that the window speaks: catalogues of Qt Linguist in the program, and the choice among them.
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <vector>
+
+namespace covaria::ui {
+
+struct Language {
+    QString code;             ///< as in the catalogue's name: "de", "zh_CN"
+    QString name;             ///< in the language itself
+    QString qt_catalogue;     ///< of Qt's own texts: "qtbase_de"; empty: they are in the program
+    bool is_offered = false;  ///< its catalogue has no gaps
+};
+
+/// As resources/translations/languages.txt lists them, after English.
+const std::vector<Language>& all_languages();
+/// Those that people may choose.
+std::vector<Language> offered_languages();
+/// The language of that code, or of the same language in another country ("de_AT"); empty: none is offered.
+QString offered_language(const QString& code);
+/// What the window speaks: `chosen` where it is offered; with an empty one, the first of the system's
+/// languages that is; else English.
+QString language_to_speak(const QString& chosen, const QLocale& system);
+
+/// The texts of the application in that language from now on; to be said before there is a window. Where it
+/// was `chosen`, numbers follow it, too: QLocale() is the language's.
+void speak(const QString& code, bool chosen);
+
+/// That of the preferences, or `this_time` where it is not empty.
+void speak_as_preferred(const QString& this_time);
+
+}  // namespace covaria::ui
