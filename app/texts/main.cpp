@@ -15,6 +15,7 @@
 #include "core/project/certificate.h"
 #include "core/project/option_fields.h"
 #include "core/project/report_contents.h"
+#include "core/project/requirement_fields.h"
 #include "core/propagation/engine.h"
 #include "core/quantity/distribution.h"
 #include "core/quantity/statement_text.h"
@@ -91,6 +92,10 @@ void say_parts_of_project(TextList& list) {
         list.say("Option of an evaluation", field.title);
         list.say(std::string("Help on ") + field.title, field.help);
         list.say_choices(field.title, field.choices);
+    }
+    for (const RequirementField& field : requirement_fields()) {
+        list.say("Figure of a requirement", field.title);
+        list.say(std::string("Help on ") + field.title, field.help);
     }
     for (const CertificateSection& section : certificate_sections()) {
         list.say("Heading of fields of a certificate", section.title);

@@ -9,6 +9,7 @@
 #include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/number_words.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -136,10 +137,10 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
 
 void RequirementsForm::add_row(const RequirementField& field) {
     auto* edit = new QuantityEdit(this);
-    const QString title = QString::fromLatin1(field.title);
+    const QString title = core_text(field.title);
     edit->setObjectName(field.key);
     edit->setAccessibleName(title);
-    edit->set_help(QString::fromLatin1(field.help));
+    edit->set_help(core_text(field.help));
     layout_->addRow(title, edit);
     rows_.push_back({field, edit});
     if (is_number(field)) edit->set_range({-10.0, 10.0});
