@@ -188,7 +188,8 @@ TEST(ControlVariate, GainsWhatTheLinearPartExplains) {
               std::nullopt);
 }
 
-/// c = 0.01: the linear part explains all but 2e-4 of the variance; an end alone, without its neighbours, gains 50.
+/// c = 0.01: the linear part explains all but 2e-4 of the variance; an end alone, without its neighbours,
+/// gains 50.
 TEST(ControlVariate, AlmostLinearModelsGainMoreThanAHundredAtTheEnds) {
     const UncertaintyResult result =
         evaluated(bent_model(0.01), options_with(VarianceReduction::control_variate, 200'000));
