@@ -13,6 +13,8 @@
 #include "core/made/load_project.h"
 #include "core/readers/proposal_text.h"
 #include "core/readers/readers.h"
+#include "core/readers/text_encoding.h"
+#include "core/readers/unstated_units.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -21,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FileImport {
-    std::string file, reader, unit, sheet, output;
-    std::vector<std::string> columns;
+    std::string file, reader, sheet, output;
+    std::vector<std::string> columns, units;
     bool list = false, add = false;
 };
 
@@ -68,14 +70,23 @@ Result<const Reader*> chosen_reader(const FileImport& request, const std::string
 Result<ReadChoice> choice_of(const FileImport& request) {
     ReadChoice choice{.file_name = fs::path(request.file).filename().string(),
                       .length_unit = {},
+                      .units = {},
                       .columns = request.columns,
                       .sheet = request.sheet,
                       .chosen = !request.reader.empty()};
-    if (request.unit.empty()) return choice;
-    const auto unit = Unit::parse(request.unit);
-    if (!unit || unit->dimension() != Unit::of("m").dimension())
-        return fail(ErrorCode::usage, "--unit " + request.unit + ": it must be a length: mm, m, in");
-    choice.length_unit = *unit;
+    for (const std::string& text : request.units) {
+        const std::size_t sign = text.rfind('=');
+        const bool lengths = sign == std::string::npos;
+        const auto unit = Unit::parse(lengths ? text : text.substr(sign + 1));
+        if (!unit || (lengths && unit->dimension() != Unit::of("m").dimension()))
+            return fail(ErrorCode::usage, "--unit " + text +
+                                              (lengths ? ": it must be a length (mm, m, in), or NAME=UNIT"
+                                                       : ": " + unit.error().message));
+        if (lengths)
+            choice.length_unit = *unit;
+        else
+            choice.units.insert_or_assign(text.substr(0, sign), *unit);
+    }
     return choice;
 }
 
@@ -109,8 +120,9 @@ Result<void> import_file(const FileImport& request) {
                     request.output + " exists already: --add adds to it, nothing is overwritten");
     const auto choice = choice_of(request);
     if (!choice) return fail(choice.error());
-    const auto text = read_file(request.file);
+    auto text = read_file(request.file);
     if (!text) return fail(text.error());
+    text = text_for_readers(std::move(*text));
     const auto reader = chosen_reader(request, *text);
     if (!reader) return fail(reader.error());
     auto guarded_read = guarded([&] { return (*reader)->read(*text, *choice); });
@@ -119,6 +131,8 @@ Result<void> import_file(const FileImport& request) {
     if (!proposals && proposals.error().code == ErrorCode::usage)
         proposals.error().message += " (--columns NAME,NAME,..., --sheet NAME or --as READER)";
     if (!proposals) return with_file(proposals.error(), request.file);
+    if (auto checked = check_stated_units(*choice, *proposals); !checked)
+        return with_file(checked.error(), request.file);
     std::fputs(text_of(**reader, *proposals, request.output.empty()).c_str(), stdout);
     if (request.output.empty()) {
         std::printf("\nNothing was written; -o PROJECT writes it.\n");
@@ -141,7 +155,13 @@ Command import_command(CLI::App& app) {
     command->add_option("--output,-o", request->output, "project to write; without it the content is shown")
         ->type_name("PROJECT");
     command->add_flag("--add", request->add, "add to the project if it is there already");
-    command->add_option("--unit", request->unit, "unit of lengths that bear none (mm)")->type_name("UNIT");
+    command
+        ->add_option("--unit", request->units,
+                     "unit of lengths that bear none (mm); NAME=UNIT of a quantity that bears none, "
+                     "angles=UNIT; may be repeated")
+        ->type_name("UNIT")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--sheet", request->sheet, "sheet of a workbook")->type_name("NAME");
     command
         ->add_option(

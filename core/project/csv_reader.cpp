@@ -51,6 +51,9 @@ private:
         for (;;) {
             auto cell = read_cell();
             if (!cell) return fail(cell.error());
+            if (row.cells.size() == most_csv_columns)
+                return fail(error_at(
+                    row.line, "more than " + std::to_string(most_csv_columns) + " columns are not read"));
             row.cells.push_back(std::move(*cell));
             if (at_ >= text_.size()) return {};
             const char stop = text_[at_++];

@@ -1,6 +1,7 @@
 // Text of a CSV file (or of the clipboard) to rows of texts: RFC 4180 with comma, semicolon or tab.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@
 #include "core/base/error.h"
 
 namespace covaria {
+
+/// A line of more cells is refused before it is kept.
+inline constexpr std::size_t most_csv_columns = 100'000;
 
 struct CsvRow {
     int line = 0;  ///< 1-based, where the row begins

@@ -1,5 +1,7 @@
 #include "core/readers/budget_figures.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -38,6 +40,14 @@ bool is_near(double a, double b) {
 }
 
 }  // namespace
+
+bool is_sum_label(const std::string& label) {
+    std::string lower;
+    for (const char c : label) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    constexpr std::array<const char*, 8> words{"combined", "expanded",   "effective", "sum",
+                                               "total",    "kombiniert", "erweitert", "summe"};
+    return std::any_of(words.begin(), words.end(), [&](const char* word) { return lower.starts_with(word); });
+}
 
 std::optional<double> divisor_in_text(const std::string& text) {
     if (const auto number = number_in_text(text)) return number;

@@ -22,6 +22,9 @@ Result<NotedComponent> stated_component_of(const BudgetFigures& figures, std::st
 /// Standard uncertainty in SI of what `stated_component_of` made.
 double standard_uncertainty_of(const NotedComponent& component);
 
+/// Whether a line is headed as one of sums: "Combined standard uncertainty", "Summe".
+bool is_sum_label(const std::string& label);
+
 /// "√3", "sqrt(3)", "2": empty where it is neither.
 std::optional<double> divisor_in_text(const std::string& text);
 

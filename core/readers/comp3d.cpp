@@ -1,15 +1,21 @@
-// Comp3D coordinates (.cor): code, name, x, y, z and their standard deviations, in metres.
+// Comp3D (IGN): coordinates (.cor) with their standard deviations, observations (.obs) with theirs. Lengths
+// are in metres; the unit of angles stands in neither file, but in the settings of the computation.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "core/base/in_quotes.h"
 #include "core/base/text_places.h"
+#include "core/base/utf8.h"
 #include "core/project/csv_reader.h"
 #include "core/readers/delimited_text.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/listed_points.h"
+#include "core/readers/stated_quantities.h"
+#include "core/readers/unstated_units.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 
@@ -21,7 +27,29 @@ std::string_view without_comment(std::string_view line) {
 }
 
 bool is_code(const std::string& cell) {
-    return cell.size() == 1 && cell[0] >= '0' && cell[0] <= '9';
+    return cell == "-1" || (cell.size() == 1 && cell[0] >= '0' && cell[0] <= '9');
+}
+
+/// code name x y z [sx sy sz] [eta xi]
+bool is_width(std::size_t cells) {
+    return cells == 5 || cells == 7 || cells == 8 || cells == 10;
+}
+
+/// Coordinates that a code constrains to their values; all others are approximate.
+std::string_view constrained_by(char code) {
+    switch (code) {
+        case '1':
+            return "xyz";
+        case '2':
+        case '7':
+        case '9':
+            return "xy";
+        case '3':
+        case '5':
+            return "z";
+        default:
+            return "";
+    }
 }
 
 class CorReader {
@@ -37,43 +65,70 @@ public:
             return {};
         }
         if (!is_code(cells[0])) return refused_at(number, 1, "the code of a point is expected, a digit");
-        if (cells.size() != 5 && cells.size() != 8)
+        if (cells[0] == "-1") {
+            proposals_.leave_out(number, "a point that is not to be used: " +
+                                             in_quotes(plain_name(cells.size() > 1 ? cells[1] : "")));
+            return {};
+        }
+        if (!is_width(cells.size()))
             return refused_at(number, static_cast<int>(cells.size()),
-                              "code, name, x, y, z and three standard deviations are expected, there are " +
+                              "code, name, x, y, z, three standard deviations and two deflections of the "
+                              "vertical are expected, there are " +
                                   std::to_string(cells.size()) + " columns");
         if (list_.points.size() == most_listed_points)
             return refused_at(number, "too many points: divide the file");
-        ListedPoint point{.line = number, .name = cells[1]};
-        for (std::size_t i = 2; i < cells.size(); ++i) {
-            const auto value = csv_number(cells[i], false);
-            if (!value || (i >= 5 && *value < 0.0))
-                return refused_at(
-                    number, static_cast<int>(i) + 1,
-                    in_quotes(plain_name(cells[i])) + (value ? " is negative" : " is not a number"));
-            if (i < 5)
-                point.p[i - 2] = *value;
-            else if (cells[0] == "1")
-                point.u[i - 5] = *value;
-        }
-        if (cells[0] != "1" && cells.size() == 8) {
-            auto& lines = codes_.try_emplace(cells[0], std::pair{number, 0}).first->second;
-            ++lines.second;
-        }
-        list_.points.push_back(std::move(point));
-        return {};
+        return add_point(cells, number);
     }
 
     void finish() {
         for (const auto& [code, lines] : codes_)
             proposals_.leave_out(lines.first, "standard deviations of " + std::to_string(lines.second) +
-                                                  " points of code " + code +
-                                                  ": only those of code 1 are taken");
+                                                  " points of code " + code + ": it constrains " +
+                                                  (constrained_by(code[0]).empty()
+                                                       ? "none of their coordinates"
+                                                       : std::string(constrained_by(code[0])) + " only"));
+        if (deflections_ > 0)
+            proposals_.leave_out(
+                0, "deflections of the vertical of " + std::to_string(deflections_) + " points");
+        if (approximate_ > 0)
+            proposals_.found.push_back(std::to_string(approximate_) +
+                                       " points are not constrained: their coordinates are approximate ones "
+                                       "for the adjustment");
         if (comments_ > 0) proposals_.leave_out(0, std::to_string(comments_) + " comments");
     }
 
 private:
+    Result<void> add_point(const std::vector<std::string>& cells, int number) {
+        ListedPoint point{.line = number, .name = cells[1]};
+        const bool stated = cells.size() == 8 || cells.size() == 10;
+        const std::string_view constrained = constrained_by(cells[0][0]);
+        for (std::size_t i = 2; i < cells.size(); ++i) {
+            const auto value = csv_number(cells[i], false);
+            if (!value)
+                return refused_at(number, static_cast<int>(i) + 1,
+                                  in_quotes(plain_name(cells[i])) + " is not a number");
+            if (i < 5) point.p[i - 2] = *value;
+            if (i < 5 || i >= 8 || !stated || constrained.find("xyz"[i - 5]) == std::string_view::npos)
+                continue;
+            if (*value >= 0.0)
+                point.u[i - 5] = *value;
+            else
+                proposals_.leave_out(number, in_quotes(plain_name(point.name)) + ": the constraint of " +
+                                                 "xyz"[i - 5] + ", which is switched off");
+        }
+        if (stated && constrained.size() < 3) {
+            auto& lines = codes_.try_emplace(cells[0], std::pair{number, 0}).first->second;
+            ++lines.second;
+        }
+        if (cells.size() == 7 || cells.size() == 10) ++deflections_;
+        if (constrained.empty()) ++approximate_;
+        list_.points.push_back(std::move(point));
+        return {};
+    }
+
     PointList& list_;
     Proposals& proposals_;
+    std::size_t deflections_ = 0, approximate_ = 0;
     std::map<std::string, std::pair<int, int>> codes_;
     std::size_t comments_ = 0;
 };
@@ -85,7 +140,7 @@ Recognition recognise_cor(std::string_view beginning, const std::string& file_na
         const std::vector<std::string> cells = blank_separated(without_comment(beginning.substr(0, end)));
         beginning.remove_prefix(std::min(end + 1, beginning.size()));
         if (cells.empty() || cells[0].front() == '@') continue;
-        const bool point = is_code(cells[0]) && (cells.size() == 5 || cells.size() == 8);
+        const bool point = is_code(cells[0]) && (cells[0] == "-1" || is_width(cells.size()));
         return point ? Recognition::certain : Recognition::no;
     }
     return Recognition::no;
@@ -100,7 +155,7 @@ Result<Proposals> read_cor(const std::string& text, const ReadChoice& choice) {
                    .unit = Unit::of("m"),
                    .source = "Comp3D, " + plain_name(choice.file_name)};
     CorReader reader(list, proposals);
-    std::string_view rest = text;
+    std::string_view rest = without_byte_order_mark(text);
     for (int number = 1; !rest.empty(); ++number) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         if (auto done = reader.read_line(rest.substr(0, end), number); !done) return fail(done.error());
@@ -112,13 +167,184 @@ Result<Proposals> read_cor(const std::string& text, const ReadChoice& choice) {
     return proposals;
 }
 
+/// Observations between two points, one a line.
+class ObsReader {
+public:
+    explicit ObsReader(const ReadChoice& choice) : choice_(choice) {
+        proposals_.title = without_ending(choice.file_name);
+        if (proposals_.title.empty()) proposals_.title = "Observations";
+    }
+
+    Result<void> read_line(std::string_view line, int number) {
+        const std::vector<std::string> cells = blank_separated(without_comment(line));
+        if (cells.empty()) return {};
+        const auto code = cells[0].size() <= 3 ? csv_number(cells[0], false) : std::nullopt;
+        if (cells[0].front() == '@' || (cells.size() > 2 && cells[2].front() == '@')) {
+            proposals_.leave_out(number, "a file that it includes: " + in_quotes(plain_name(cells.back())));
+            return {};
+        }
+        if (!code || *code != std::floor(*code))
+            return refused_at(number, 1, "the code of an observation is expected, a whole number");
+        const Kind* kind = kind_of(static_cast<int>(std::abs(*code)));
+        if (!kind) {
+            proposals_.leave_out(number, "an observation of code " + plain_name(cells[0]));
+            return {};
+        }
+        if (cells.size() != 5 && cells.size() != 6 && cells.size() != 8)
+            return refused_at(number, static_cast<int>(cells.size()),
+                              "code, two points, value, one or two standard deviations and two heights are "
+                              "expected, there are " +
+                                  std::to_string(cells.size()) + " columns");
+        std::array<double, 5> figures{};
+        for (std::size_t i = 3; i < cells.size(); ++i) {
+            const auto value = csv_number(cells[i], false);
+            if (!value)
+                return refused_at(number, static_cast<int>(i) + 1,
+                                  in_quotes(plain_name(cells[i])) + " is not a number");
+            figures[i - 3] = *value;
+        }
+        const std::string between = plain_name(cells[1]) + " - " + plain_name(cells[2]);
+        if (*code < 0.0 || (figures[1] < 0.0 && kind->code != 9)) {
+            proposals_.leave_out(number, std::string(kind->name) + " " + between + ": it is switched off");
+            return {};
+        }
+        return kind->code == 9 ? add_centring(between, figures, number)
+                               : add(*kind, between, figures, number);
+    }
+
+    Result<Proposals> finish() {
+        if (beyond_ > 0)
+            proposals_.leave_out(0, std::to_string(beyond_) + " observations: more than " +
+                                        std::to_string(most_stated_quantities));
+        if (quantities_.empty())
+            return fail(ErrorCode::bad_input, "the file has no observation that is taken");
+        proposals_.found.push_back(std::to_string(quantities_.size()) +
+                                   " observations, lengths in metres; each is its own result: write the "
+                                   "equations of what you measure with them");
+        proposals_.analyses.push_back(
+            analysis_of(id_of(proposals_.title, "observations"), proposals_.title,
+                        "From Comp3D, " + plain_name(choice_.file_name) + ". Standard deviations as stated.",
+                        quantities_));
+        return std::move(proposals_);
+    }
+
+private:
+    struct Kind {
+        int code;
+        const char* name;
+        bool angle, distance;
+    };
+
+    static const Kind* kind_of(int code) {
+        static constexpr std::array<Kind, 9> kinds{{{1, "slope distance", false, true},
+                                                    {2, "horizontal distance", false, true},
+                                                    {3, "slope distance", false, true},
+                                                    {4, "height difference", false, false},
+                                                    {5, "horizontal direction", true, false},
+                                                    {6, "zenith angle", true, false},
+                                                    {7, "horizontal direction", true, false},
+                                                    {8, "azimuth", true, false},
+                                                    {9, "centring", false, false}}};
+        const auto found =
+            std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) { return kind.code == code; });
+        return found == kinds.end() ? nullptr : &*found;
+    }
+
+    Result<void> add(const Kind& kind, const std::string& between, const std::array<double, 5>& figures,
+                     int number) {
+        Unit unit = Unit::of("m");
+        if (kind.angle) {
+            unit = unstated_unit(choice_, "angles", "angles", Unit::of("gon"), proposals_);
+            if (unit.dimension() != Unit::of("rad").dimension())
+                return fail(ErrorCode::usage, "the unit of angles must be one of an angle: gon, deg, rad");
+        }
+        double u = figures[1];
+        if (kind.distance)
+            u += figures[2] * std::abs(figures[0]);
+        else if (figures[2] != 0.0)
+            proposals_.leave_out(number, std::string(kind.name) + " " + between +
+                                             ": the part of its standard deviation that depends on the "
+                                             "distance");
+        StatedQuantity q{.symbol = "", .name = std::string(kind.name) + " " + between, .value = figures[0]};
+        q.unit = unit;
+        q.a = u;
+        if (figures[3] != 0.0 || figures[4] != 0.0)
+            q.source =
+                "heights " + shortest_number(figures[3]) + " m and " + shortest_number(figures[4]) + " m";
+        take(std::move(q), number);
+        return {};
+    }
+
+    /// Two observations of 0; a negative standard deviation switches one off, a second one of 0 is the first.
+    Result<void> add_centring(const std::string& between, const std::array<double, 5>& figures, int number) {
+        const double second = figures[2] == 0.0 ? figures[1] : figures[2];
+        for (const auto& [axis, u] : {std::pair("x", figures[1]), std::pair("y", second)}) {
+            const std::string name = "centring " + between + ", " + axis;
+            if (u < 0.0) {
+                proposals_.leave_out(number, name + ": it is switched off");
+                continue;
+            }
+            StatedQuantity q{.symbol = "", .name = name};
+            q.unit = Unit::of("m");
+            q.a = u;
+            take(std::move(q), number);
+        }
+        return {};
+    }
+
+    void take(StatedQuantity q, int number) {
+        if (quantities_.size() == most_stated_quantities) {
+            ++beyond_;
+            return;
+        }
+        q.symbol = "o_" + std::to_string(quantities_.size() + 1);
+        q.name = plain_name(q.name);
+        q.statement = "standard";
+        q.source = "line " + std::to_string(number) + (q.source.empty() ? "" : ", ") + q.source;
+        quantities_.push_back(std::move(q));
+    }
+
+    const ReadChoice& choice_;
+    Proposals proposals_;
+    std::vector<StatedQuantity> quantities_;
+    std::size_t beyond_ = 0;
+};
+
+Recognition recognise_obs(std::string_view, const std::string& file_name) {
+    return file_name.ends_with(".obs") || file_name.ends_with(".OBS") ? Recognition::certain
+                                                                      : Recognition::no;
+}
+
+Result<Proposals> read_obs(const std::string& text, const ReadChoice& choice) {
+    ObsReader reader(choice);
+    std::string_view rest = without_byte_order_mark(text);
+    for (int number = 1; !rest.empty(); ++number) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        if (auto done = reader.read_line(rest.substr(0, end), number); !done) return fail(done.error());
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return reader.finish();
+}
+
 }  // namespace
+
+Reader comp3d_observations_reader() {
+    return {.name = "comp3d-obs",
+            .title = "Comp3D observations",
+            .pattern = "*.obs",
+            .takes =
+                "distances, height differences, angles with their standard deviations -> quantities of a "
+                "measurement equation",
+            .recognise = recognise_obs,
+            .read = read_obs};
+}
 
 Reader comp3d_reader() {
     return {.name = "comp3d",
             .title = "Comp3D coordinates",
             .pattern = "*.cor",
-            .takes = "code, name, x, y, z, standard deviations of points of code 1 -> an artefact",
+            .takes =
+                "code, name, x, y, z, standard deviations of coordinates that are constrained -> an artefact",
             .recognise = recognise_cor,
             .read = read_cor};
 }

@@ -123,13 +123,17 @@ private:
         const xml_node inner = child_called(list, "realList");
         const xml_node vector = inner ? inner : list;
         const std::string common = unit_text(vector);
+        const DccStatement of_all = dcc_statement_of(vector);
+        std::size_t number = 0;
         for (const xml_node& child : vector.children()) {
             if (local_name(child) != "real") continue;
-            const std::string own = unit_text(child);
+            ++number;
+            const std::string own = unit_text(child), label = text_of_child(child, "label");
             const auto added = add(child, text_of_child(child, "value"), own.empty() ? common : own,
-                                   text_of_child(child, "label"));
+                                   label.empty() ? std::to_string(number) : label);
             if (!added || !*added) return added ? Result<void>() : fail(added.error());
-            if (auto stated = state(child, dcc_statement_of(child), 0); !stated) return stated;
+            const DccStatement statement = dcc_statement_of(child);
+            if (auto stated = state(child, statement.node ? statement : of_all, 0); !stated) return stated;
         }
         for (StatedQuantity& q : quantity_.values) q.group = quantity_.name;
         for (xml_node at = vector; at; at = next_element(at, vector, false))

@@ -30,7 +30,11 @@ bool states_uncertainty(std::string_view name) {
 pugi::xml_node statement_in(const pugi::xml_node& value) {
     for (const pugi::xml_node& child : value.children()) {
         if (states_uncertainty(local_name(child))) return child;
-        if (!local_name(child).starts_with("measurementUncertaintyUniva")) continue;
+        const std::string_view name = local_name(child);
+        // "list...": of all values of a list together.
+        if (!name.starts_with("measurementUncertaintyUniva") &&
+            !name.starts_with("listMeasurementUncertainty") && !name.starts_with("listUnivariateUnc"))
+            continue;
         for (const pugi::xml_node& inner : child.children())
             if (states_uncertainty(local_name(inner))) return inner;
     }

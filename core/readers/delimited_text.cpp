@@ -13,7 +13,11 @@ constexpr std::string_view blanks = " \t\r\v\f";
 
 bool is_comment(std::string_view line) {
     const std::size_t first = line.find_first_not_of(blanks);
-    return first != std::string_view::npos && (line[first] == '#' || line.substr(first).starts_with("//"));
+    if (first == std::string_view::npos) return false;
+    line.remove_prefix(first);
+    // "sep=;" is how Excel is told the separator.
+    return line[0] == '#' || line[0] == '!' || line.starts_with("//") ||
+           (line.starts_with("sep=") && line.find_last_not_of(blanks) <= 4);
 }
 
 std::string_view next_line(std::string_view& rest) {
@@ -47,10 +51,15 @@ bool has_decimal_commas(std::string_view line) {
     return words.size() >= 3 && std::all_of(words.begin(), words.end(), has_one_at_most);
 }
 
-/// A tab between words, not behind blanks that align them.
+/// A tab between words, not behind blanks that align them: where there are both, at least two tabs, none
+/// beside a blank.
 bool has_tabs(std::string_view line) {
-    const std::size_t tab = line.find('\t', std::min(line.find_first_not_of(blanks), line.size()));
-    return tab != std::string_view::npos && line.find(' ') == std::string_view::npos;
+    line = line.substr(std::min(line.find_first_not_of(blanks), line.size()));
+    line = line.substr(0, line.find_last_not_of(blanks) + 1);
+    const auto tabs = std::count(line.begin(), line.end(), '\t');
+    if (line.find(' ') == std::string_view::npos) return tabs > 0;
+    return tabs > 1 && line.find(" \t") == std::string_view::npos &&
+           line.find("\t ") == std::string_view::npos;
 }
 
 Result<void> scan_blank_separated(std::string_view text, const TakeCsvRow& take) {
@@ -63,6 +72,9 @@ Result<void> scan_blank_separated(std::string_view text, const TakeCsvRow& take)
             return refused_at(number, static_cast<int>(valid_utf8(line)) + 1,
                               "the text is not encoded as UTF-8; save it as UTF-8");
         std::vector<std::string> cells = blank_separated(line);
+        if (cells.size() > most_csv_columns)
+            return refused_at(number,
+                              "more than " + std::to_string(most_csv_columns) + " columns are not read");
         if (!cells.empty() && !take({number, std::move(cells)})) break;
     }
     return {};
@@ -86,6 +98,7 @@ std::vector<std::string> blank_separated(std::string_view line) {
         const std::size_t begin = quoted ? at + 1 : at;
         const std::size_t end =
             std::min(quoted ? line.find('"', begin) : line.find_first_of(blanks, begin), line.size());
+        if (cells.size() > most_csv_columns) break;  // refused by who scans
         cells.emplace_back(line.substr(begin, end - begin));
         at = quoted ? end + 1 : end;
     }
@@ -105,9 +118,8 @@ Result<void> scan_table(std::string_view text, const DelimitedText& format, std:
     text = without_byte_order_mark(text);
     for (std::string_view rest = text; !rest.empty();) comments += is_comment(next_line(rest));
     if (format.separator == ' ') return scan_blank_separated(text, take);
-    return scan_csv(text, format.separator, [&](CsvRow&& row) {
-        return row.cells.front().starts_with("//") || take(std::move(row));
-    });
+    return scan_csv(text, format.separator,
+                    [&](CsvRow&& row) { return is_comment(row.cells.front()) || take(std::move(row)); });
 }
 
 std::vector<std::string> first_cells(std::string_view text, const DelimitedText& format) {

@@ -19,14 +19,15 @@ struct DelimitedText {
 /// in a line of blanks are decimal ones.
 DelimitedText delimited_text_of(std::string_view text);
 
-/// Lines with content, as `scan_csv`; those that begin with '#' or '//' are counted instead.
+/// Lines with content, as `scan_csv`; those that begin with '#', '!' or '//', and "sep=;", are counted
+/// instead.
 Result<void> scan_table(std::string_view text, const DelimitedText& format, std::size_t& comments,
                         const TakeCsvRow& take);
 
 /// The cells of the first line with content; empty where there is none.
 std::vector<std::string> first_cells(std::string_view text, const DelimitedText& format);
 
-/// Words between blanks; what stands in double quotes is one.
+/// Words between blanks; what stands in double quotes is one. Not more than `most_csv_columns` + 1 of them.
 std::vector<std::string> blank_separated(std::string_view line);
 
 }  // namespace covaria

@@ -9,6 +9,7 @@
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/stated_budget.h"
+#include "core/readers/unstated_units.h"
 #include "core/readers/workbook.h"
 #include "core/readers/xml_text.h"
 #include "core/setup/message_text.h"
@@ -138,7 +139,7 @@ struct StatedShare {
 
 class BudgetReader {
 public:
-    BudgetReader(SheetBudget place, const ReadChoice& choice) : place_(std::move(place)) {
+    BudgetReader(SheetBudget place, const ReadChoice& choice) : place_(std::move(place)), choice_(choice) {
         proposals_.title = without_ending(choice.file_name);
     }
 
@@ -232,15 +233,6 @@ private:
         return *read ? std::optional((*read)->value) : std::nullopt;
     }
 
-    static bool is_sum(const std::string& label) {
-        std::string lower;
-        for (const char c : label) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        constexpr std::array<const char*, 8> words{"combined", "expanded",   "effective", "sum",
-                                                   "total",    "kombiniert", "erweitert", "summe"};
-        return std::any_of(words.begin(), words.end(),
-                           [&](const char* word) { return lower.starts_with(word); });
-    }
-
     bool has_figure(int row, Column wanted) const {
         const WorkbookCell* found = cell(row, wanted);
         return found && (found->number || !found->failure.empty());
@@ -255,7 +247,7 @@ private:
                                !text(row, Column::divisor).empty() || !text(row, Column::c).empty();
         const bool valued = cell(row, Column::value) != nullptr, first = budget_.quantities.empty();
         const bool contributes = has_figure(row, Column::contribution);
-        if (!first && !described && (is_sum(label) || is_sum(name))) return end_with(row, false);
+        if (!first && !described && (is_sum_label(label) || is_sum_label(name))) return end_with(row, false);
         if (!first && !described && (contributes || uncertain) && valued && !label.empty() &&
             (contributes || column(Column::contribution) == 0) &&
             (column(Column::distribution) > 0 || column(Column::divisor) > 0 || column(Column::c) > 0))
@@ -288,7 +280,8 @@ private:
         result_symbol_ = text(row, Column::quantity);
         const auto value = figure(row, Column::value);
         if (!value) return fail(value.error());
-        const auto unit = unit_of_row(row, *value);
+        const std::string label = result_symbol_.empty() ? result_name_ : result_symbol_;
+        const auto unit = unit_of_row(row, *value, label);
         if (!unit) return fail(unit.error());
         result_unit_ = *unit;
         if (*value) result_value_ = unit->to_si((*value)->value);
@@ -296,8 +289,9 @@ private:
     }
 
     /// In its own column, behind the value, or in the head; one where nothing says it.
-    Result<Unit> unit_of_row(int row, const std::optional<CellFigure>& value) const {
-        if (const std::string words = text(row, Column::unit); !words.empty() && words != "-") {
+    Result<Unit> unit_of_row(int row, const std::optional<CellFigure>& value, const std::string& label) {
+        const std::string words = text(row, Column::unit);
+        if (!words.empty() && words != "-") {
             const auto unit = Unit::parse(words);
             if (!unit) return refused(row, Column::unit, unit.error().message);
             return *unit;
@@ -305,7 +299,8 @@ private:
         if (value && value->unit) return *value->unit;
         for (const Column wanted : {Column::value, Column::standard, Column::expanded, Column::limits})
             if (const auto unit = unit_in_head(wanted)) return *unit;
-        return Unit();
+        if (label.empty() || words == "-") return Unit();
+        return unstated_unit(choice_, label, text(row, Column::name), Unit(), proposals_);
     }
 
     Result<void> add(int row, const std::string& symbol, const std::string& name, bool uncertain,
@@ -316,11 +311,11 @@ private:
                 "more than " + std::to_string(most_stated_quantities) + " quantities are not read");
         const auto value = figure(row, Column::value);
         if (!value) return fail(value.error());
-        const auto unit = unit_of_row(row, *value);
-        if (!unit) return fail(unit.error());
         const std::string label = symbol.empty() ? name : symbol;
         const bool further =
             !valued && !budget_.quantities.empty() && (label.empty() || label == last_label_);
+        const auto unit = unit_of_row(row, *value, further ? std::string() : label);
+        if (!unit) return fail(unit.error());
         if (!further) {
             const auto c = coefficient(row);
             if (!c) return fail(c.error());
@@ -332,7 +327,7 @@ private:
         }
         NotedQuantity& quantity = budget_.quantities.back();
         if (!uncertain) return {};
-        auto component = component_of(row, further ? *unit : quantity.unit);
+        auto component = component_of(row, further && !(*unit == Unit()) ? *unit : quantity.unit);
         if (!component) return fail(component.error());
         component->name = name.empty() ? quantity.name : name;
         component->source = text(row, Column::source);
@@ -392,13 +387,16 @@ private:
     Result<Unit> unit_of_result() {
         if (result_unit_) return *result_unit_;
         if (const auto unit = unit_in_head(Column::contribution)) return *unit;
+        if (const auto stated = choice_.units.find("result"); stated != choice_.units.end())
+            return unstated_unit(choice_, "result", "the result", stated->second, proposals_);
         const Unit& first = budget_.quantities.front().unit;
         for (const NotedQuantity& q : budget_.quantities)
             if (q.unit.dimension() != first.dimension())
-                return refused(std::max(place_.head_row, 1), Column::unit,
-                               "the unit of the result is not stated: give the result a row of its own, or "
-                               "put the unit behind the head of the contributions");
-        return first.interval();
+                return refused(
+                    std::max(place_.head_row, 1), Column::unit,
+                    "the unit of the result is not stated: give the result a row of its own, put "
+                    "the unit behind the head of the contributions, or state it as that of 'result'");
+        return unstated_unit(choice_, "result", "the result", first.interval(), proposals_);
     }
 
     Result<Proposals> propose() {
@@ -506,6 +504,7 @@ private:
     }
 
     SheetBudget place_;
+    const ReadChoice& choice_;
     Proposals proposals_;
     StatedBudget budget_;
     SymbolNames names_;

@@ -11,6 +11,7 @@ Reader dcc_reader();
 Reader gsi_reader();
 Reader gama_reader();
 Reader comp3d_reader();
+Reader comp3d_observations_reader();
 Reader excel_budget_reader();
 Reader gum_workbench_reader();
 Reader suncal_reader();

@@ -1,4 +1,5 @@
-// GNU Gama networks (.gkf): points and observed coordinates with their covariance.
+// GNU Gama: networks (.gkf), their points and observations with their covariance; adjusted networks (.xml),
+// their coordinates with their covariance.
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include "core/readers/covariance.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
+#include "core/readers/gama_observations.h"
 #include "core/readers/listed_points.h"
 #include "core/readers/xml_text.h"
 
@@ -36,8 +38,12 @@ public:
             proposals_.leave_out(0, "the stated unit of lengths: coordinates of Gama are in metres");
         say_axes(network);
         const pugi::xml_node data = child_called(network, "points-observations");
+        GamaObservations observations(xml_, data, proposals_);
         for (const pugi::xml_node& node : data.children())
-            if (auto done = read_part(node); !done) return fail(done.error());
+            if (auto done = GamaObservations::is_cluster(local_name(node)) ? observations.read(node)
+                                                                           : read_part(node);
+                !done)
+                return fail(done.error());
         if (const pugi::xml_node parameters = child_called(network, "parameters"))
             proposals_.leave_out(xml_.line(parameters), "<parameters>");
         for (const auto& [name, lines] : others_)
@@ -49,8 +55,13 @@ public:
             proposals_.found.push_back(std::to_string(planar_) + " points have no z: it is taken as 0");
         if (list_.points.empty())
             return xml_.refused(data ? data : network, "the network has no points with coordinates x and y");
+        if (approximate_ > 0)
+            proposals_.found.push_back(std::to_string(approximate_) +
+                                       " points are to be adjusted: their coordinates are approximate ones");
+        const std::string source = list_.source, title = list_.title;
         auto proposed = propose_points(std::move(list_), proposals_);
         if (!proposed) return fail(proposed.error());
+        observations.propose(title, source);
         return std::move(proposals_);
     }
 
@@ -105,6 +116,7 @@ private:
         if (list_.points.size() == most_listed_points)
             return xml_.refused(node, "too many points: divide the file");
         index_.try_emplace(id, list_.points.size());
+        if (node.attribute("adj") && !node.attribute("fix")) ++approximate_;
         list_.points.push_back(
             {.line = xml_.line(node), .name = id, .p = {*(*p)[0], *(*p)[1], (*p)[2].value_or(0.0)}});
         return {};
@@ -140,35 +152,17 @@ private:
         return matrix ? read_covariance(matrix, places) : Result<void>();
     }
 
-    /// Rows of the band above the diagonal, in mm².
+    /// In mm².
     Result<void> read_covariance(const pugi::xml_node& node, const std::vector<std::size_t>& places) {
-        const auto n = static_cast<Eigen::Index>(places.size());
-        const auto dim = number_in_text(node.attribute("dim").value()),
-                   band = number_in_text(node.attribute("band").value());
-        if (!dim || !band || *dim != static_cast<double>(n) || !(*band >= 0.0) || !(*band < *dim))
-            return xml_.refused(node, "its dim must be the " + std::to_string(n) +
-                                          " observed coordinates, its band less than that");
         if (places.size() > most_stated_quantities) {
             proposals_.leave_out(xml_.line(node), "a covariance matrix of more than " +
                                                       std::to_string(most_stated_quantities) +
                                                       " coordinates");
             return {};
         }
-        Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
-        std::istringstream words(node.child_value());
-        for (Eigen::Index i = 0; i < n; ++i)
-            for (Eigen::Index j = i; j < std::min<Eigen::Index>(n, i + static_cast<Eigen::Index>(*band) + 1);
-                 ++j) {
-                std::string word;
-                words >> word;
-                const auto value = number_in_text(word);
-                if (!value)
-                    return xml_.refused(node, "element " + std::to_string(i + 1) + ", " +
-                                                  std::to_string(j + 1) + ": " + in_quotes(plain_name(word)) +
-                                                  " is no number");
-                covariance(i, j) = covariance(j, i) = *value;
-            }
-        const auto taken = take_covariance(covariance);
+        const auto covariance = gama_band(xml_, node, places.size(), "observed coordinates");
+        if (!covariance) return fail(covariance.error());
+        const auto taken = take_covariance(*covariance);
         if (!taken) return xml_.refused(node, taken.error().message);
         for (std::size_t i = 0; i < places.size(); ++i)
             list_.points[places[i] / 3].u[places[i] % 3] = taken->u[static_cast<Eigen::Index>(i)] * 1e-3;
@@ -183,8 +177,110 @@ private:
     PointList list_;
     std::map<std::string, std::size_t> index_;
     std::map<std::string, std::pair<int, int>> others_;  ///< element -> first line, how many
-    std::size_t unplaced_ = 0, planar_ = 0;
+    std::size_t unplaced_ = 0, planar_ = 0, approximate_ = 0;
     int unplaced_line_ = 0;
+};
+
+/// What gama-local found: coordinates of its points, fixed and adjusted ones, in metres.
+class AdjustedGamaReader {
+public:
+    AdjustedGamaReader(const XmlText& xml, const ReadChoice& choice) : xml_(xml) {
+        list_.title = without_ending(choice.file_name);
+        if (list_.title.empty()) list_.title = "Network";
+        list_.unit = Unit::of("m");
+        list_.source = "GNU Gama, " + plain_name(choice.file_name);
+        if (choice.length_unit)
+            proposals_.leave_out(0, "the stated unit of lengths: coordinates of Gama are in metres");
+    }
+
+    Result<Proposals> read() {
+        const pugi::xml_node coordinates = child_called(xml_.root(), "coordinates");
+        for (const char* part : {"fixed", "adjusted"})
+            for (const pugi::xml_node& point : child_called(coordinates, part).children())
+                if (auto done = read_point(point, *part == 'a'); !done) return fail(done.error());
+        // Planar networks have no z; a point of a levelling has nothing else.
+        std::erase_if(has_, [](const auto& point) { return point.second[0] && point.second[1]; });
+        if (!has_.empty() || places_.empty())
+            return xml_.refused(coordinates ? coordinates : xml_.root(),
+                                places_.empty()
+                                    ? "the file has no adjusted coordinates"
+                                    : "point " + in_quotes(has_.begin()->first) + " has no x and y");
+        proposals_.title = list_.title;
+        proposals_.found.push_back("adjusted coordinates in metres");
+        const pugi::xml_node matrix = child_called(coordinates, "cov-mat");
+        if (!matrix) proposals_.leave_out(0, "uncertainties: the file has no <cov-mat>");
+        if (matrix)
+            if (auto done = read_matrix(matrix); !done) return fail(done.error());
+        proposals_.leave_out(0, "residuals and orientations");
+        if (auto proposed = propose_points(std::move(list_), proposals_); !proposed)
+            return fail(proposed.error());
+        return std::move(proposals_);
+    }
+
+private:
+    Result<void> read_point(const pugi::xml_node& node, bool adjusted) {
+        if (local_name(node) != "point") return {};
+        const std::string id = plain_name(text_of_child(node, "id"));
+        const auto [found, added] = index_.try_emplace(id, list_.points.size());
+        if (added && list_.points.size() == most_listed_points)
+            return xml_.refused(node, "too many points: divide the file");
+        if (added) list_.points.push_back({.line = xml_.line(node), .name = id, .p = {}});
+        for (const pugi::xml_node& child : node.children()) {
+            const std::string_view name = local_name(child);
+            const std::size_t axis = name.size() == 1 ? std::string_view("xyzXYZ").find(name) % 3 : 3;
+            if (name.size() != 1 || std::string_view("xyzXYZ").find(name) == std::string_view::npos) continue;
+            const auto value = number_in_text(trimmed_text(child));
+            if (!value)
+                return xml_.refused(child, std::string(name) + " = " +
+                                               in_quotes(plain_name(trimmed_text(child))) + " is no number");
+            list_.points[found->second].p[axis] = *value;
+            has_[id][axis] = true;
+            if (adjusted) places_.push_back(3 * found->second + axis);
+        }
+        return {};
+    }
+
+    /// In mm², coordinates first, then what orients the directions.
+    Result<void> read_matrix(const pugi::xml_node& node) {
+        const auto dim = number_in_text(text_of_child(node, "dim")),
+                   band = number_in_text(text_of_child(node, "band"));
+        if (!dim || !band || !(*dim >= static_cast<double>(places_.size())) || !(*dim <= 1e5) ||
+            !(*band >= 0.0) || !(*band < *dim))
+            return xml_.refused(node, "its dim must be at least the " + std::to_string(places_.size()) +
+                                          " adjusted coordinates, its band less than it");
+        if (places_.size() > most_stated_quantities) {
+            proposals_.leave_out(xml_.line(node), "a covariance matrix of more than " +
+                                                      std::to_string(most_stated_quantities) +
+                                                      " coordinates");
+            return {};
+        }
+        const auto n = static_cast<Eigen::Index>(places_.size()), width = static_cast<Eigen::Index>(*band);
+        Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
+        pugi::xml_node element = child_called(node, "flt");
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = i; j <= std::min(static_cast<Eigen::Index>(*dim) - 1, i + width); ++j) {
+                const auto value = number_in_text(trimmed_text(element));
+                if (!value)
+                    return xml_.refused(node, "element " + std::to_string(i + 1) + ", " +
+                                                  std::to_string(j + 1) + " is no number");
+                if (j < n) covariance(i, j) = covariance(j, i) = *value;
+                element = element.next_sibling("flt");
+            }
+        const auto taken = take_covariance(covariance);
+        if (!taken) return xml_.refused(node, taken.error().message);
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            list_.points[places_[i] / 3].u[places_[i] % 3] = taken->u[static_cast<Eigen::Index>(i)] * 1e-3;
+        for (const StatedCorrelation& c : taken->correlations)
+            list_.correlations.push_back({places_[c.first], places_[c.second], c.coefficient});
+        return {};
+    }
+
+    const XmlText& xml_;
+    Proposals proposals_;
+    PointList list_;
+    std::map<std::string, std::size_t> index_;
+    std::map<std::string, std::array<bool, 3>> has_;  ///< the coordinates that a point has
+    std::vector<std::size_t> places_;  ///< 3 * point + coordinate of those adjusted, in the order of the file
 };
 
 Recognition recognise_gama(std::string_view beginning, const std::string&) {
@@ -194,6 +290,7 @@ Recognition recognise_gama(std::string_view beginning, const std::string&) {
 Result<Proposals> read_gama(const std::string& text, const ReadChoice& choice) {
     const auto xml = XmlText::parse(text);
     if (!xml) return fail(xml.error());
+    if (local_name(xml->root()) == "gama-local-adjustment") return AdjustedGamaReader(*xml, choice).read();
     return GamaReader(*xml, choice).read();
 }
 
@@ -202,10 +299,10 @@ Result<Proposals> read_gama(const std::string& text, const ReadChoice& choice) {
 Reader gama_reader() {
     return {.name = "gama",
             .title = "GNU Gama network",
-            .pattern = "*.gkf",
+            .pattern = "*.gkf *.xml",
             .takes =
-                "points, and observed coordinates with their covariance -> an artefact and its correlated "
-                "figures",
+                "points, observed or adjusted coordinates with their covariance -> an artefact and its "
+                "correlated figures; observations with theirs -> quantities of a measurement equation",
             .recognise = recognise_gama,
             .read = read_gama};
 }

@@ -8,6 +8,8 @@
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/stated_budget.h"
+#include "core/readers/text_encoding.h"
+#include "core/readers/unstated_units.h"
 #include "core/readers/xml_text.h"
 #include "core/setup/message_text.h"
 
@@ -34,22 +36,6 @@ struct IniSection {
     }
 };
 using IniFile = std::map<std::string, IniSection>;
-
-/// Files of Windows: bytes above 127 that are no UTF-8 are ISO 8859-1.
-std::string in_utf8(const std::string& text) {
-    if (valid_utf8(text) == text.size()) return text;
-    std::string converted;
-    for (const char c : text) {
-        const auto u = static_cast<unsigned char>(c);
-        if (u < 128) converted += c;
-        if (u >= 160) {
-            converted += static_cast<char>(0xC0 | u >> 6);
-            converted += static_cast<char>(0x80 | (u & 0x3F));
-        }
-        if (u >= 128 && u < 160) converted += '?';
-    }
-    return converted;
-}
 
 std::string trimmed_blanks(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
@@ -81,7 +67,8 @@ Result<IniFile> parse_ini(std::string_view text) {
         std::string value = trimmed_blanks(std::string_view(line).substr(sign + 1));
         if (value.size() >= 2 && value.front() == '\'' && value.back() == '\'')
             value = value.substr(1, value.size() - 2);
-        section->values[trimmed_blanks(std::string_view(line).substr(0, sign))] = {in_utf8(value), number};
+        section->values[trimmed_blanks(std::string_view(line).substr(0, sign))] = {utf8_of_windows(value),
+                                                                                   number};
     }
     return file;
 }
@@ -125,7 +112,7 @@ std::string without_remarks(const std::string& line) {
 
 class SmuReader {
 public:
-    SmuReader(const IniFile& file, const ReadChoice& choice) : file_(file) {
+    SmuReader(const IniFile& file, const ReadChoice& choice) : file_(file), choice_(choice) {
         proposals_.title = without_ending(choice.file_name);
     }
 
@@ -216,16 +203,18 @@ private:
         return **value;
     }
 
-    Result<Unit> unit_of(const IniSection& part) const {
+    Result<Unit> unit_of(const IniSection& part, const std::string& symbol) {
         const IniValue* value = part.find("Unit");
-        if (!value || value->text.empty() || value->text == "-") return Unit();
+        if (!value || value->text.empty())
+            return unstated_unit(choice_, symbol, plain_name(part.text("Definition")), Unit(), proposals_);
+        if (value->text == "-") return Unit();
         const auto unit = Unit::parse(value->text);
         if (!unit) return refused_at(value->line, unit.error().message);
         return *unit;
     }
 
     Result<void> read_component(const std::string& symbol, const IniSection& part) {
-        const auto unit = unit_of(part);
+        const auto unit = unit_of(part, symbol);
         if (!unit) return fail(unit.error());
         const std::string type = part.text("Type"), name = plain_name(part.text("Definition"));
         if (type == "Result") return add_result({symbol, name, *unit}, part);
@@ -289,6 +278,7 @@ private:
     }
 
     const IniFile& file_;
+    const ReadChoice& choice_;
     Proposals proposals_;
     StatedBudget budget_;
 };

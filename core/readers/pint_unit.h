@@ -1,4 +1,4 @@
-// Units as Python's pint writes them: "nanometer", "1 / delta_degC", "joule / kelvin / kilogram".
+// Units as pint (Python) writes them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,18 @@
 
 namespace covaria {
 
-/// Error: a word that is no known unit; Fahrenheit and other scales that Covaria does not have.
-Result<Unit> unit_of_pint(const std::string& text);
+/// A unit of others: one that Covaria has, or a multiple of one, on a scale with another zero.
+struct PintUnit {
+    Unit unit = {};
+    double scale = 1.0;  ///< of `unit`
+    double zero = 0.0;   ///< reading where `unit` reads 0
+
+    double value(double stated) const { return (stated - zero) * scale; }
+    double interval(double stated) const { return stated * scale; }
+    bool is_converted() const { return scale != 1.0 || zero != 0.0; }
+};
+
+/// "meter / second ** 2", "delta_degC", "kiloohms", "inch_H2O". Error: no unit that is known.
+Result<PintUnit> unit_of_pint(const std::string& text);
 
 }  // namespace covaria

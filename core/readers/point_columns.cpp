@@ -39,17 +39,21 @@ constexpr std::array<ColumnWord, 15> column_words{
      {"U_z", PointColumnKind::expanded, 2, "expanded uncertainty of z, k = 2"},
      {"-", PointColumnKind::unread, 0, "not read"}}};
 
-/// "X [mm]" or "X (mm)" -> "X" and its unit; brackets around anything else stay in the word.
+/// "X [mm]", "X (mm)" or "X/mm" -> "X" and its unit; brackets around anything else stay in the word.
 PointColumn split_unit(const std::string& text) {
     PointColumn column{.word = text};
-    const std::size_t open = text.find_first_of("[(");
-    if (open == std::string::npos || text.empty() || (text.back() != ']' && text.back() != ')'))
-        return column;
-    const auto unit = Unit::parse(text.substr(open + 1, text.size() - open - 2));
-    if (!unit || unit->dimension() != Unit::of("m").dimension()) return column;
-    column.unit = *unit;
-    column.word = text.substr(0, open);
-    while (!column.word.empty() && column.word.back() == ' ') column.word.pop_back();
+    const auto cut = [&](std::size_t keep, std::size_t begin, std::size_t length) {
+        const auto unit = Unit::parse(text.substr(begin, length));
+        if (!unit || unit->dimension() != Unit::of("m").dimension()) return;
+        column.unit = *unit;
+        column.word = text.substr(0, keep);
+        while (!column.word.empty() && column.word.back() == ' ') column.word.pop_back();
+    };
+    const std::size_t open = text.find_last_of("[("), slash = text.rfind('/');
+    if (open != std::string::npos && (text.back() == ']' || text.back() == ')'))
+        cut(open, open + 1, text.size() - open - 2);
+    else if (slash != std::string::npos)
+        cut(slash, slash + 1, std::string::npos);
     return column;
 }
 
@@ -65,11 +69,23 @@ bool is_one_of(const std::string& word, std::initializer_list<const char*> words
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// "X Coord", "Coordinate X", "std dev X" -> "x", "stddevx".
+std::string coordinate_letters(std::string letters) {
+    for (const std::string name : {"coordinate", "koordinate", "coord", "koord"}) {
+        if (letters.starts_with(name)) letters.erase(0, name.size());
+        if (letters.ends_with(name)) letters.erase(letters.size() - name.size());
+    }
+    return letters;
+}
+
 Meaning meaning_of_header(const std::string& word) {
-    const std::string letters = letters_of(word);
-    if (is_one_of(letters, {"name", "point", "pointname", "pt", "ptname", "id", "target", "pointid"}))
+    const std::string letters = coordinate_letters(letters_of(word));
+    if (is_one_of(letters,
+                  {"name", "point", "pointname", "pt", "ptname", "id", "target", "pointid", "targetname",
+                   "label", "punkt", "punktname", "punktnr", "punktnummer", "bezeichnung", "nr", "no"}))
         return {PointColumnKind::name, 0};
-    if (is_one_of(letters, {"group", "groupname", "pointgroup"})) return {PointColumnKind::group, 0};
+    if (is_one_of(letters, {"group", "groupname", "pointgroup", "gruppe"}))
+        return {PointColumnKind::group, 0};
     if (is_one_of(letters, {"collection", "collectionname"})) return {PointColumnKind::collection, 0};
     if (letters.empty() || letters.back() < 'x' || letters.back() > 'z') return {PointColumnKind::unread, 0};
     const int axis = letters.back() - 'x';
@@ -88,7 +104,12 @@ tl::unexpected<Error> column_choice(const std::string& what) {
     return fail(ErrorCode::usage, what + "; state the columns: " + point_column_words());
 }
 
+constexpr std::size_t most_point_columns = 1000;
+
 Result<void> check(const PointColumns& columns) {
+    if (columns.size() > most_point_columns)
+        return fail(ErrorCode::bad_input,
+                    "more than " + std::to_string(most_point_columns) + " columns are not read");
     for (std::size_t i = 0; i < columns.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (columns[i].kind != PointColumnKind::unread && columns[i].kind == columns[j].kind &&
@@ -155,6 +176,23 @@ Result<PointColumns> point_columns_of_headers(const std::vector<std::string>& he
     }
     if (auto checked = check(columns); !checked) return fail(checked.error());
     return columns;
+}
+
+bool take_line_of_units(const std::vector<std::string>& cells, PointColumns& columns) {
+    PointColumns taken = columns;
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+        if (taken[i].kind == PointColumnKind::unread || taken[i].kind == PointColumnKind::name ||
+            taken[i].kind == PointColumnKind::group || taken[i].kind == PointColumnKind::collection)
+            continue;
+        std::string text = i < cells.size() ? cells[i] : std::string();
+        if (text.size() > 2 && (text.front() == '[' || text.front() == '('))
+            text = text.substr(1, text.size() - 2);
+        const auto unit = Unit::parse(text);
+        if (!unit || csv_number(text, true) || unit->dimension() != Unit::of("m").dimension()) return false;
+        taken[i].unit = *unit;
+    }
+    columns = std::move(taken);
+    return true;
 }
 
 bool are_point_headers(const std::vector<std::string>& cells) {

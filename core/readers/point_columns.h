@@ -40,6 +40,8 @@ Result<PointColumns> stated_point_columns(const std::vector<std::string>& words)
 /// From headers as people write them ("Point Name", "X [mm]", "Ux", "sigma_x"); other headers are not read.
 /// Error{usage}: two headers mean the same, a header may mean two things, no x, y or z.
 Result<PointColumns> point_columns_of_headers(const std::vector<std::string>& headers);
+/// A line of units below the headers ("", "mm", "mm", "mm"): they are taken over; false where it is none.
+bool take_line_of_units(const std::vector<std::string>& cells, PointColumns& columns);
 /// Whether the line has headers for x, y and z and no numbers.
 bool are_point_headers(const std::vector<std::string>& cells);
 

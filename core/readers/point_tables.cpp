@@ -4,6 +4,7 @@
 
 #include "core/base/in_quotes.h"
 #include "core/base/text_places.h"
+#include "core/base/utf8.h"
 #include "core/readers/delimited_text.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
@@ -124,9 +125,45 @@ void say_columns(const PointColumns& columns, const DelimitedText& format, Propo
     proposals.found.push_back(format.words() + ": " + words);
 }
 
-Result<Proposals> read_points(const std::string& text, const ReadChoice& choice, const DelimitedText& format,
+/// Where the lines begin that are read: behind what stands above the headers.
+struct TableText {
+    std::string_view text;
+    int lines_before = 0;
+};
+
+/// From the line of headers, if there is one among the first; else all.
+TableText from_headers(std::string_view text) {
+    text = without_byte_order_mark(text);
+    std::size_t at = 0;
+    bool titles = false;  // comments alone stay: they are counted
+    for (int line = 0; line < 30 && at < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string_view one = text.substr(at, end - at);
+        const std::vector<std::string> cells = first_cells(one, delimited_text_of(one));
+        if (are_point_headers(cells)) return titles ? TableText{text.substr(at), line} : TableText{text, 0};
+        titles = titles || !cells.empty();
+        at = end + 1;
+    }
+    return {text, 0};
+}
+
+Result<Proposals> read_points(const TableText& table, const ReadChoice& choice, const DelimitedText& format,
                               PointColumns columns, bool skip_first, const std::string& what) {
     Proposals proposals{.title = without_ending(choice.file_name)};
+    const std::string_view text = table.text;
+    if (table.lines_before > 0)
+        proposals.leave_out(1, std::to_string(table.lines_before) + " lines above the headers");
+    bool units = skip_first && std::none_of(columns.begin(), columns.end(), [](const PointColumn& column) {
+                     return column.unit.has_value();
+                 });
+    if (units) {
+        std::size_t number = 0, ignored = 0;
+        static_cast<void>(scan_table(text, format, ignored, [&](CsvRow&& row) {
+            if (number++ == 0) return true;
+            units = take_line_of_units(row.cells, columns);
+            return false;
+        }));
+    }
     say_columns(columns, format, proposals);
     PointList list{.title = proposals.title.empty() ? "Points" : proposals.title,
                    .unit = unit_of_list(columns, choice, proposals),
@@ -136,10 +173,16 @@ Result<Proposals> read_points(const std::string& text, const ReadChoice& choice,
     std::size_t comments = 0;
     const auto scanned = scan_table(text, format, comments, [&](CsvRow&& row) {
         if (std::exchange(skip_first, false)) return true;
+        if (std::exchange(units, false)) return true;
+        row.line += table.lines_before;
         added = rows.add(row);
         return added.has_value();
     });
-    if (!scanned) return fail(scanned.error());
+    if (!scanned) {
+        Error error = scanned.error();
+        error.line += table.lines_before;
+        return fail(std::move(error));
+    }
     if (!added) return fail(added.error());
     if (comments > 0) proposals.leave_out(0, std::to_string(comments) + " lines of comment");
     auto proposed = propose_points(std::move(list), proposals);
@@ -148,13 +191,15 @@ Result<Proposals> read_points(const std::string& text, const ReadChoice& choice,
 }
 
 Recognition recognise_table(std::string_view beginning, const std::string&) {
-    return are_point_headers(first_cells(beginning, delimited_text_of(beginning))) ? Recognition::possible
-                                                                                   : Recognition::no;
+    const std::string_view from = from_headers(beginning).text;
+    return are_point_headers(first_cells(from, delimited_text_of(from))) ? Recognition::possible
+                                                                         : Recognition::no;
 }
 
 Result<Proposals> read_table(const std::string& text, const ReadChoice& choice) {
-    const DelimitedText format = delimited_text_of(text);
-    const std::vector<std::string> first = first_cells(text, format);
+    const TableText table = from_headers(text);
+    const DelimitedText format = delimited_text_of(table.text);
+    const std::vector<std::string> first = first_cells(table.text, format);
     const bool numbers = std::any_of(first.begin(), first.end(), [&](const std::string& cell) {
         return csv_number(cell, format.decimal_comma).has_value();
     });
@@ -164,7 +209,7 @@ Result<Proposals> read_table(const std::string& text, const ReadChoice& choice) 
     auto columns =
         choice.columns.empty() ? point_columns_of_headers(first) : stated_point_columns(choice.columns);
     if (!columns) return fail(columns.error());
-    return read_points(text, choice, format, std::move(*columns), !numbers, "table of points");
+    return read_points(table, choice, format, std::move(*columns), !numbers, "table of points");
 }
 
 /// How many words stand before the numbers, and how many numbers.
@@ -229,7 +274,7 @@ Result<Proposals> read_spatial_analyzer(const std::string& text, const ReadChoic
     auto columns = choice.columns.empty() ? spatial_analyzer_columns(shape_of(first, format), choice.chosen)
                                           : stated_point_columns(choice.columns);
     if (!columns) return fail(columns.error());
-    return read_points(text, choice, format, std::move(*columns), false, "SpatialAnalyzer points")
+    return read_points({text, 0}, choice, format, std::move(*columns), false, "SpatialAnalyzer points")
         .map([](Proposals proposals) {
             proposals.found.insert(proposals.found.begin() + 1,
                                    "coordinates are read as Cartesian: cylindric and polar ones look alike");
@@ -238,7 +283,8 @@ Result<Proposals> read_spatial_analyzer(const std::string& text, const ReadChoic
 }
 
 /// The first rows; columns as the reader finds them, where it does.
-Result<SourceTable> rows_of_points(const std::string& text, const ReadChoice& choice, bool headers) {
+Result<SourceTable> rows_of_points(const std::string& whole, const ReadChoice& choice, bool headers) {
+    const std::string_view text = headers ? from_headers(whole).text : std::string_view(whole);
     const DelimitedText format = delimited_text_of(text);
     SourceTable table;
     std::size_t comments = 0, width = 0;

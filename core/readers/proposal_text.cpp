@@ -78,6 +78,10 @@ std::string text_of(const Reader& reader, const Proposals& proposals, bool with_
     std::ostringstream out;
     out << "read as " << reader.title << " (" << reader.name << ")\n";
     for (const std::string& line : proposals.found) out << "  " << line << "\n";
+    for (const UnstatedUnit& unit : proposals.unstated)
+        out << "  " << unit.key
+            << (unit.title.empty() || unit.title == unit.key ? "" : " (" + unit.title + ")")
+            << ": the file states no unit, " << unit.taken.display() << " is taken\n";
     if (with_tables) write_tables(out, proposals);
     if (proposals.left_out.empty()) return out.str();
     out << "\nnot taken over\n";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,11 +22,12 @@ enum class Recognition {
 
 /// What people say about a file, because its bytes do not.
 struct ReadChoice {
-    std::string file_name = {};             ///< without folders
-    std::optional<Unit> length_unit = {};   ///< of coordinates that bear none; empty: mm
-    std::vector<std::string> columns = {};  ///< what stands in each column of a table; empty: found
-    std::string sheet = {};                 ///< of a workbook; empty: the one with a budget
-    bool chosen = false;                    ///< the reader was named: what it stands for is stated
+    std::string file_name = {};              ///< without folders
+    std::optional<Unit> length_unit = {};    ///< of coordinates that bear none; empty: mm
+    std::map<std::string, Unit> units = {};  ///< of what else bears none, by the keys of `UnstatedUnit`
+    std::vector<std::string> columns = {};   ///< what stands in each column of a table; empty: found
+    std::string sheet = {};                  ///< of a workbook; empty: the one with a budget
+    bool chosen = false;                     ///< the reader was named: what it stands for is stated
 };
 
 /// Something of the file that is not taken over.
@@ -34,14 +36,21 @@ struct LeftOut {
     std::string what;
 };
 
+/// A unit that the file does not state.
+struct UnstatedUnit {
+    std::string key, title;  ///< "angles"; the name of a quantity
+    Unit taken = {};
+};
+
 /// What a file may become in a project. Ids are unique among the proposals only.
 struct Proposals {
     std::string title = {};
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};
-    std::vector<std::string> found = {};  ///< lines: what was found, and how it is understood
-    std::vector<LeftOut> left_out = {};   ///< at most `most_left_out`
-    std::size_t left_out_beyond = 0;      ///< how many more
+    std::vector<std::string> found = {};      ///< lines: what was found, and how it is understood
+    std::vector<LeftOut> left_out = {};       ///< at most `most_left_out`
+    std::size_t left_out_beyond = 0;          ///< how many more
+    std::vector<UnstatedUnit> unstated = {};  ///< people may state them
 
     static constexpr std::size_t most_left_out = 1000;
     void leave_out(int line, std::string what) {

@@ -52,6 +52,7 @@ const std::vector<Reader>& reader_registry() {
                                              gsi_reader(),
                                              gama_reader(),
                                              comp3d_reader(),
+                                             comp3d_observations_reader(),
                                              excel_budget_reader(),
                                              gum_workbench_reader(),
                                              suncal_reader(),

@@ -35,10 +35,18 @@ void add_component(TableRows& rows, const std::string& symbol, const std::string
 }
 
 /// A quantity with one component in its own unit is one row; others have a row for each component.
-void add_quantity(TableRows& rows, const NotedQuantity& q) {
-    if (q.components.size() == 1 && q.components.front().unit == q.unit)
+void add_quantity(TableRows& rows, TableRows& observations, const NotedQuantity& q) {
+    for (std::size_t i = 0; i < q.observations.size(); ++i)
+        observations.add(
+            {{"quantity", q.symbol},
+             {"number", q.observed_together ? SetupCell(static_cast<double>(i + 1)) : SetupCell()},
+             {"value", q.observations[i]}});
+    if (q.observations.empty() && q.components.size() == 1 && q.components.front().unit == q.unit)
         return add_component(rows, q.symbol, q.name, q.value, q.components.front());
-    add_component(rows, q.symbol, q.name, q.value, {.unit = q.unit});
+    if (q.observations.empty())
+        add_component(rows, q.symbol, q.name, q.value, {.unit = q.unit});
+    else
+        add_component(rows, q.symbol, q.name, SetupCell(), {.statement = "observations", .unit = q.unit});
     for (const NotedComponent& c : q.components) add_component(rows, q.symbol, c.name, SetupCell(), c);
 }
 
@@ -53,8 +61,9 @@ bool is_symbol_text(const std::string& text) {
 }  // namespace
 
 AnalysisEntry analysis_of(const StatedBudget& budget) {
-    TableRows rows(table_of(budget_kind, "quantities")), outputs(table_of(budget_kind, "outputs"));
-    for (const NotedQuantity& q : budget.quantities) add_quantity(rows, q);
+    TableRows rows(table_of(budget_kind, "quantities")), outputs(table_of(budget_kind, "outputs")),
+        observations(table_of(budget_kind, "observations"));
+    for (const NotedQuantity& q : budget.quantities) add_quantity(rows, observations, q);
     for (const NotedResult& r : budget.results)
         outputs.add({{"symbol", r.symbol},
                      {"name", optional_text(r.name)},
@@ -63,6 +72,7 @@ AnalysisEntry analysis_of(const StatedBudget& budget) {
     analysis.setup.values["equations"] = budget.equations;
     analysis.setup.values["quantities"] = rows.table();
     if (!budget.results.empty()) analysis.setup.values["outputs"] = outputs.table();
+    if (!observations.table().rows.empty()) analysis.setup.values["observations"] = observations.table();
     for (const StatedCorrelation& c : budget.correlations)
         if (c.coefficient != 0.0)
             analysis.correlations.push_back(

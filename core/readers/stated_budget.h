@@ -25,6 +25,8 @@ struct NotedQuantity {
     double value = 0.0;
     Unit unit = {};
     std::vector<NotedComponent> components = {};
+    std::vector<double> observations = {};  ///< in `unit`; their mean is then the value
+    bool observed_together = false;         ///< with the others that are so: their means are correlated
 };
 
 struct NotedResult {

@@ -1,16 +1,18 @@
-// Suncal (Sandia): project files in YAML; the calculations of mode "uncertainty".
+// Suncal (Sandia): project files in YAML; the calculations of modes "uncertainty" and "system".
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/base/in_quotes.h"
 #include "core/base/utf8.h"
-#include "core/math/normal_quantile.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/pint_unit.h"
 #include "core/readers/stated_budget.h"
+#include "core/readers/suncal_figures.h"
+#include "core/readers/unstated_units.h"
 #include "core/readers/xml_text.h"
 #include "core/readers/yaml_text.h"
 #include "core/setup/message_text.h"
@@ -19,8 +21,9 @@ namespace covaria {
 
 namespace {
 
-/// Python's powers and the symbols that names became; all else stays.
-std::string equation_of(const std::string& expression, const std::map<std::string, std::string>& symbols) {
+/// Python's powers and the symbols that names became, which are collected in `used`; all else stays.
+std::string equation_of(const std::string& expression, const std::map<std::string, std::string>& symbols,
+                        std::set<std::string>& used) {
     std::string equation;
     const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
     for (std::size_t at = 0; at < expression.size();) {
@@ -31,6 +34,7 @@ std::string equation_of(const std::string& expression, const std::map<std::strin
             const std::string word = expression.substr(at, end - at);
             const auto symbol = symbols.find(word);
             equation += symbol == symbols.end() ? word : symbol->second;
+            used.insert(word);
             at = end;
         } else if (std::isdigit(static_cast<unsigned char>(c))) {  // 1e-5: its e is no name
             std::size_t end = at;
@@ -46,18 +50,30 @@ std::string equation_of(const std::string& expression, const std::map<std::strin
     return equation;
 }
 
+/// What the parts of a calculation are called in a mode.
+struct SuncalKeys {
+    const char *name, *value, *components, *equation;
+};
+constexpr SuncalKeys uncertainty_keys{"name", "mean", "uncerts", "expr"};
+constexpr SuncalKeys system_keys{"symbol", "testpoint", "typeb", "equation"};
+
+constexpr std::size_t most_suncal_observations = 10'000;
+
 class SuncalReader {
 public:
-    explicit SuncalReader(const ReadChoice& choice) { proposals_.title = without_ending(choice.file_name); }
+    explicit SuncalReader(const ReadChoice& choice) : choice_(choice) {
+        proposals_.title = without_ending(choice.file_name);
+    }
 
     Result<Proposals> read(const YamlNode& root) {
+        std::vector<const YamlNode*> parts;
         if (root.kind == YamlNode::Kind::list)
-            for (const YamlNode& part : root.children)
-                if (auto done = read_part(part); !done) return fail(done.error());
-        if (root.kind == YamlNode::Kind::map)
-            if (auto done = read_part(root); !done) return fail(done.error());
+            for (const YamlNode& part : root.children) parts.push_back(&part);
+        if (root.kind == YamlNode::Kind::map) parts.push_back(&root);
+        for (const YamlNode* part : parts)
+            if (auto done = read_part(*part); !done) return fail(done.error());
         if (proposals_.analyses.empty())
-            return root.refused("the file has no calculation of mode 'uncertainty'" +
+            return root.refused("the file has no calculation of mode 'uncertainty' or 'system'" +
                                 (skipped_.empty() ? "" : "; it has " + skipped_));
         return std::move(proposals_);
     }
@@ -66,31 +82,90 @@ private:
     Result<void> read_part(const YamlNode& part) {
         std::string mode = plain_name(part.text_of("mode"));
         if (mode.empty() && part.find("functions") && part.find("inputs")) mode = "uncertainty";
-        if (mode != "uncertainty") {
-            const std::string words = mode.empty() ? "an entry without mode" : "mode " + in_quotes(mode);
-            skipped_ += (skipped_.empty() ? "" : ", ") + words;
-            proposals_.leave_out(part.line, words);
-            return {};
-        }
+        if (mode == "uncertainty") return read_uncertainty_part(part);
+        if (mode == "system") return read_system_part(part);
+        const std::string words = mode.empty() ? "an entry without mode" : "mode " + in_quotes(mode);
+        skipped_ += (skipped_.empty() ? "" : ", ") + words;
+        proposals_.leave_out(part.line, words);
+        return {};
+    }
+
+    void begin(const YamlNode& part) {
         budget_ = {};
         symbols_.clear();
+        used_.clear();
         names_ = {};
+        observations_ = 0;
         budget_.name = plain_name(part.text_of("name"));
-        if (budget_.name.empty() || budget_.name == "uncertainty") budget_.name = proposals_.title;
+        if (budget_.name.empty() || budget_.name == "uncertainty" || budget_.name == "system")
+            budget_.name = proposals_.title;
         if (budget_.name.empty()) budget_.name = "Budget";
         budget_.id = id_of(budget_.name, "budget");
         budget_.notes = part.text_of("description");
+        if (budget_.notes.empty()) budget_.notes = part.text_of("desc");
         budget_.notes.resize(valid_notes(budget_.notes));
-        leave_out_others(part, "", {"mode", "name", "description", "functions", "inputs", "correlations"});
-        for (const auto read :
-             {&SuncalReader::read_inputs, &SuncalReader::read_functions, &SuncalReader::read_correlations})
-            if (auto done = (this->*read)(part); !done) return done;
+    }
+
+    void finish() {
         proposals_.found.push_back(budget_.name + ": " + std::to_string(budget_.quantities.size()) +
                                    " quantities, " + std::to_string(budget_.results.size()) + " results");
         for (AnalysisEntry& before : proposals_.analyses)
             if (before.id == budget_.id) budget_.id += "-" + std::to_string(proposals_.analyses.size() + 1);
         proposals_.analyses.push_back(analysis_of(budget_));
+    }
+
+    Result<void> read_uncertainty_part(const YamlNode& part) {
+        begin(part);
+        leave_out_others(part, "",
+                         {"mode", "name", "description", "desc", "functions", "inputs", "correlations"});
+        keys_ = uncertainty_keys;
+        const YamlNode *inputs = list_of(part, "inputs"), *functions = list_of(part, "functions");
+        if (!inputs || inputs->children.empty()) return part.refused("the calculation has no inputs");
+        if (!functions || functions->children.empty())
+            return part.refused("the calculation has no functions");
+        if (auto done = read_inputs(*inputs, pointers(*inputs)); !done) return done;
+        if (auto done = read_functions(*functions, pointers(*functions)); !done) return done;
+        if (auto done = read_correlations(part); !done) return done;
+        finish();
         return {};
+    }
+
+    /// Quantities that are measured directly, and those that follow from them, in one model.
+    Result<void> read_system_part(const YamlNode& part) {
+        begin(part);
+        leave_out_others(part, "", {"mode", "name", "description", "desc", "quantities", "correlate"});
+        keys_ = system_keys;
+        const YamlNode* quantities = list_of(part, "quantities");
+        if (!quantities) return part.refused("the system has no quantities");
+        std::vector<const YamlNode*> direct, indirect;
+        for (const YamlNode& quantity : quantities->children) {
+            const std::string type = plain_name(quantity.text_of("type"));
+            if (type != "direct" && type != "indirect")
+                return quantity.refused("quantities of type " + in_quotes(type) +
+                                        " are not read; those that are: direct, indirect");
+            (type == "direct" ? direct : indirect).push_back(&quantity);
+        }
+        if (direct.empty()) return quantities->refused("the system has no direct quantity");
+        together_ = part.text_of("correlate") != "false";
+        if (auto done = read_inputs(*quantities, direct); !done) return done;
+        if (auto done = read_functions(*quantities, indirect); !done) return done;
+        // What no equation uses is a result as it stands.
+        for (const YamlNode* node : direct) {
+            const std::string name = node->text_of(keys_.name);
+            if (used_.contains(name)) continue;
+            const NotedQuantity& quantity = budget_.quantities[*index_of(name)];
+            const std::string symbol = names_.take("y_" + quantity.symbol);
+            budget_.equations += (budget_.equations.empty() ? "" : "\n") + symbol + " = " + quantity.symbol;
+            budget_.results.push_back({symbol, quantity.name, quantity.unit});
+        }
+        finish();
+        return {};
+    }
+
+    static std::vector<const YamlNode*> pointers(const YamlNode& list) {
+        std::vector<const YamlNode*> nodes;
+        for (const YamlNode& node : list.children) nodes.push_back(&node);
+        return nodes;
     }
 
     static std::size_t valid_notes(const std::string& notes) {
@@ -122,32 +197,44 @@ private:
         return symbol;
     }
 
-    Result<void> read_inputs(const YamlNode& part) {
-        const YamlNode* inputs = list_of(part, "inputs");
-        if (!inputs || inputs->children.empty()) return part.refused("the calculation has no inputs");
-        if (inputs->children.size() > most_stated_quantities)
-            return inputs->refused("more than " + std::to_string(most_stated_quantities) +
-                                   " inputs are not read");
-        for (const YamlNode& input : inputs->children)
-            if (auto done = read_input(input); !done) return done;
+    Result<void> read_inputs(const YamlNode& list, const std::vector<const YamlNode*>& inputs) {
+        if (inputs.size() > most_stated_quantities)
+            return list.refused("more than " + std::to_string(most_stated_quantities) +
+                                " inputs are not read");
+        for (const YamlNode* input : inputs)
+            if (auto done = read_input(*input); !done) return done;
         return {};
     }
 
+    static std::string description_of(const YamlNode& node) {
+        const std::string text = plain_name(node.text_of("desc"));
+        return text.empty() ? plain_name(node.text_of("description")) : text;
+    }
+
     Result<void> read_input(const YamlNode& input) {
-        const std::string name = input.text_of("name");
+        const std::string name = input.text_of(keys_.name);
         if (name.empty()) return input.refused("an input without a name");
         const std::string where = in_quotes(plain_name(name)) + ": ";
-        const auto unit = unit_of(input, Unit());
+        auto unit = unit_of(input, {});
         if (!unit) return fail(unit.error());
-        const YamlNode* mean = input.find("mean");
+        const YamlNode* mean = input.find(keys_.value);
         const auto value = mean ? mean->number() : std::nullopt;
-        if (!value) return (mean ? *mean : input).refused(where + "its mean must be a number");
+        if (!value) return (mean ? *mean : input).refused(where + "its " + keys_.value + " must be a number");
         if (symbols_.contains(name)) return input.refused(where + "there are two inputs of that name");
-        NotedQuantity quantity{symbol_of(name), plain_name(input.text_of("desc")), *value, *unit, {}};
-        leave_out_others(input, where, {"name", "desc", "mean", "units", "uncerts"});
-        if (const YamlNode* uncerts = list_of(input, "uncerts"))
+        if (!input.find("units"))
+            unit->unit = unstated_unit(choice_, plain_name(name), description_of(input), Unit(), proposals_);
+        NotedQuantity quantity{symbol_of(name), description_of(input), unit->value(*value), unit->unit, {}};
+        if (unit->is_converted())
+            proposals_.found.push_back(where + shortest_number(*value) + " " +
+                                       plain_name(input.text_of("units")) + " is " +
+                                       readable_number(quantity.value) + " " + unit->unit.display());
+        leave_out_others(input, where,
+                         {keys_.name, "name", "desc", "description", "type", keys_.value, "units",
+                          keys_.components, "typea", "typea_uncert", "numnewmeas", "autocorrelate"});
+        if (auto done = read_observations(input, *unit, quantity, where); !done) return done;
+        if (const YamlNode* uncerts = list_of(input, keys_.components))
             for (const YamlNode& uncert : uncerts->children) {
-                auto component = read_uncertainty(uncert, quantity, where);
+                auto component = read_uncertainty(uncert, quantity, *unit, *value, where);
                 if (!component) return fail(component.error());
                 quantity.components.push_back(std::move(*component));
             }
@@ -155,50 +242,117 @@ private:
         return {};
     }
 
-    static Result<Unit> unit_of(const YamlNode& node, const Unit& otherwise) {
+    /// Repeated observations, or the standard uncertainty of their mean.
+    Result<void> read_observations(const YamlNode& input, const PintUnit& unit, NotedQuantity& quantity,
+                                   const std::string& where) {
+        if (const YamlNode* stated = input.find("typea_uncert")) {
+            const auto u = stated->number();
+            if (!u || !(*u >= 0.0)) return stated->refused(where + "typea_uncert must be a number from 0");
+            quantity.components.push_back({.name = "Type A",
+                                           .statement = "standard",
+                                           .a = unit.interval(*u),
+                                           .unit = quantity.unit.interval()});
+        }
+        const YamlNode* list = input.find("typea");
+        if (!list) return {};
+        if (list->kind != YamlNode::Kind::list || list->children.size() < 2)
+            return list->refused(where + "typea must be a list of at least two observations");
+        std::vector<double> values;
+        for (const YamlNode& node : list->children) {
+            const auto value = node.number();
+            if (!value)
+                return node.refused(where + "an observation must be a number; those in groups are not read");
+            if (++observations_ > most_suncal_observations)
+                return node.refused("more than " + std::to_string(most_suncal_observations) +
+                                    " observations are not read");
+            values.push_back(unit.value(*value));
+        }
+        const YamlNode* means = input.find("numnewmeas");
+        const auto count = means ? means->number() : std::optional(static_cast<double>(values.size()));
+        if (!count || !(*count >= 1.0)) return means->refused(where + "numnewmeas must be a number from 1");
+        if (values.size() > 50)
+            proposals_.found.push_back(where +
+                                       "its observations are taken as independent: Suncal enlarges "
+                                       "the uncertainty of more than 50 that are autocorrelated");
+        if (*count == static_cast<double>(values.size())) {
+            quantity.observations = std::move(values);
+            quantity.observed_together = together_;
+            return {};
+        }
+        quantity.components.push_back(mean_of_new(values, *count, quantity.unit));
+        return {};
+    }
+
+    /// s of the observations, for the mean of another number of them.
+    static NotedComponent mean_of_new(const std::vector<double>& values, double count, const Unit& unit) {
+        const double n = static_cast<double>(values.size());
+        double mean = 0.0, squares = 0.0;
+        for (const double value : values) mean += (value - values[0]) / n;
+        mean += values[0];
+        for (const double value : values) squares += (value - mean) * (value - mean);
+        return {.name = "Type A",
+                .statement = "standard",
+                .a = std::sqrt(squares / (n - 1.0) / count),
+                .degrees_of_freedom = n - 1.0,
+                .unit = unit.interval(),
+                .source = "s of " + std::to_string(values.size()) + " observations, mean of " +
+                          shortest_number(count)};
+    }
+
+    static Result<PintUnit> unit_of(const YamlNode& node, const PintUnit& otherwise) {
         const YamlNode* text = node.find("units");
-        if (!text || text->text.empty()) return otherwise;
+        if (!text || text->text.empty() || text->text == "null" || text->text == "None") return otherwise;
         const auto unit = unit_of_pint(text->text);
         if (!unit) return text->refused(unit.error().message);
         return *unit;
     }
 
-    /// A figure of a component, or part of the mean ("5%").
-    static Result<std::optional<double>> figure(const YamlNode& node, const char* key, double mean,
-                                                const std::string& where) {
+    /// A figure of a component: a number, or shares of the mean and of ranges ("5% + 0.01%range(10)").
+    Result<std::optional<double>> figure(const YamlNode& node, const char* key, double mean,
+                                         const std::string& where) {
         const YamlNode* value = node.find(key);
         if (!value) return std::optional<double>();
         if (const auto number = value->number()) return std::optional<double>(*number);
-        if (!value->text.empty() && value->text.back() == '%')
-            if (const auto percent = number_in_text(value->text.substr(0, value->text.size() - 1)))
-                return std::optional<double>(*percent / 100.0 * std::abs(mean));
-        return value->refused(where + key + " " + in_quotes(plain_name(value->text)) + " is no number");
+        const auto read = value->kind == YamlNode::Kind::scalar ? suncal_figure(value->text, mean)
+                                                                : std::optional<double>();
+        if (!read)
+            return value->refused(where + key + " " + in_quotes(plain_name(value->text)) + " is no number");
+        proposals_.found.push_back(where + key + " " + in_quotes(plain_name(value->text)) + " is " +
+                                   readable_number(*read));
+        return std::optional<double>(*read);
     }
 
     Result<NotedComponent> read_uncertainty(const YamlNode& node, const NotedQuantity& quantity,
+                                            const PintUnit& of_quantity, double stated_mean,
                                             const std::string& where) {
-        const auto unit =
-            unit_of(node, quantity.unit.has_offset() ? quantity.unit.interval() : quantity.unit);
+        const auto unit = unit_of(node, {of_quantity.unit.interval(), of_quantity.scale, 0.0});
         if (!unit) return fail(unit.error());
-        NotedComponent c{.name = plain_name(node.text_of("desc")), .unit = *unit};
+        const Unit own = unit->unit.interval();
+        NotedComponent c{.name = description_of(node), .unit = own};
         if (c.name.empty()) c.name = plain_name(node.text_of("name"));
         if (const YamlNode* nu = node.find("degf"); nu && !is_infinite(nu->text)) {
             c.degrees_of_freedom = nu->number();
             if (!c.degrees_of_freedom || !(*c.degrees_of_freedom > 0.0))
                 return nu->refused(where + "degf must be a number greater than 0, or .inf");
         }
-        const double mean = quantity.unit.interval_to_si(quantity.value) / unit->interval_to_si(1.0);
+        // Shares are of the mean as it stands, in the unit of the component.
+        const double mean = of_quantity.zero != 0.0 ? stated_mean
+                                                    : quantity.unit.interval_to_si(quantity.value) /
+                                                          own.interval_to_si(unit->scale);
         std::map<std::string, double> figures;
-        for (const char* key : {"a", "d", "unc", "std", "k", "conf"}) {
+        for (const char* key : {"a", "d", "unc", "std", "k", "conf", "v"}) {
             const auto value = figure(node, key, mean, where);
             if (!value) return fail(value.error());
-            if (*value) figures[key] = **value;
+            const bool number = *key == 'k' || *key == 'c';
+            if (*value) figures[key] = number ? **value : unit->interval(**value);
         }
-        const std::string complaint = state(node.text_of("dist"), figures, c);
+        std::string how;
+        const std::string complaint = state_suncal(node.text_of("dist"), figures, c, how);
         if (!complaint.empty()) return node.refused(where + complaint);
-        leave_out_others(
-            node, where,
-            {"name", "desc", "dist", "degf", "df", "units", "a", "d", "unc", "std", "k", "conf"});
+        if (!how.empty()) proposals_.found.push_back(where + how);
+        leave_out_others(node, where,
+                         {"name", "desc", "description", "dist", "degf", "df", "units", "a", "d", "unc",
+                          "std", "k", "conf", "v"});
         return c;
     }
 
@@ -206,74 +360,55 @@ private:
         return text == ".inf" || text == ".Inf" || text == "inf" || text == ".INF";
     }
 
-    /// What Suncal's distributions mean, as statements; empty, or what cannot be taken over.
-    static std::string state(const std::string& dist, const std::map<std::string, double>& figures,
-                             NotedComponent& c) {
-        static const std::map<std::string, const char*> limited{{"uniform", "rectangular"},
-                                                                {"triangular", "triangular"},
-                                                                {"arcsine", "arcsine"},
-                                                                {"resolution", "resolution"},
-                                                                {"curvtrap", "curvilinear-trapezoid"}};
-        const auto has = [&](const char* key) { return figures.contains(key); };
-        if (const auto kind = limited.find(dist); kind != limited.end()) {
-            if (!has("a")) return "a is missing";
-            c.statement = kind->second;
-            c.a = figures.at("a");
-            if (dist == "curvtrap") {
-                if (!has("d")) return "d is missing";
-                c.b = figures.at("d");
-            }
-            return {};
+    Result<void> read_functions(const YamlNode& list, const std::vector<const YamlNode*>& functions) {
+        if (functions.size() > most_stated_quantities)
+            return list.refused("more than " + std::to_string(most_stated_quantities) +
+                                " functions are not read");
+        for (const YamlNode* function : functions) {
+            std::string name = function->text_of(keys_.name);
+            if (name.empty()) name = "f_" + std::to_string(budget_.results.size());
+            if (symbols_.contains(name))
+                return function->refused("a function has the name of an input or of another function");
+            const auto unit = unit_of(*function, {});
+            if (!unit) return fail(unit.error());
+            NotedResult result{symbol_of(name), description_of(*function), {}};
+            if (!function->text_of("units").empty()) result.unit = unit->unit;
+            if (unit->is_converted())
+                proposals_.found.push_back(in_quotes(plain_name(name)) + ": in " + unit->unit.display() +
+                                           " instead of " + plain_name(function->text_of("units")));
+            leave_out_others(*function, in_quotes(plain_name(name)) + ": ",
+                             {keys_.name, "name", "desc", "description", "type", keys_.equation, "units"});
+            budget_.results.push_back(std::move(result));
         }
-        if (dist != "normal" && dist != "t" && !dist.empty())
-            return "the distribution " + in_quotes(plain_name(dist)) + " is not taken over";
-        c.statement = "standard";
-        if (!has("unc") && !has("std")) return "neither unc nor std is stated";
-        c.a = figures.at(has("unc") ? "unc" : "std");
-        if (!has("unc")) return {};
-        if (has("conf")) {
-            const double p = figures.at("conf");
-            if (!(p > 0.0 && p < 1.0)) return "conf must lie between 0 and 1";
-            if (dist == "t" || !c.degrees_of_freedom) {
-                c.statement = "certificate-p";
-                c.b = 100.0 * p;
-            } else {  // Suncal's normal distribution takes the factor of infinite degrees of freedom
-                c.statement = "certificate-k";
-                c.b = normal_quantile(0.5 * (1.0 + p));
-            }
-        } else if (has("k")) {
-            c.statement = "certificate-k";
-            c.b = figures.at("k");
-        }
+        for (std::size_t i = 0; i < functions.size(); ++i)
+            if (auto done = read_equation(*functions[i], budget_.results[i]); !done) return done;
         return {};
     }
 
-    Result<void> read_functions(const YamlNode& part) {
-        const YamlNode* functions = list_of(part, "functions");
-        if (!functions || functions->children.empty())
-            return part.refused("the calculation has no functions");
-        if (functions->children.size() > most_stated_quantities)
-            return functions->refused("more than " + std::to_string(most_stated_quantities) +
-                                      " functions are not read");
-        for (const YamlNode& function : functions->children) {
-            const std::string name = function.text_of("name");
-            if (symbols_.contains(name)) return function.refused("a function has the name of an input");
-            const auto unit = unit_of(function, Unit());
-            if (!unit) return fail(unit.error());
-            NotedResult result{symbol_of(name), plain_name(function.text_of("desc")), {}};
-            if (!function.text_of("units").empty()) result.unit = *unit;
-            leave_out_others(function, in_quotes(plain_name(name)) + ": ", {"name", "desc", "expr", "units"});
-            budget_.results.push_back(std::move(result));
+    Result<void> read_equation(const YamlNode& function, const NotedResult& result) {
+        const YamlNode* node = function.find(keys_.equation);
+        const std::string text = node ? node->text : std::string();
+        const YamlNode& place = node ? *node : function;
+        const std::size_t sign = text.find('='), semicolon = text.find(';');
+        std::string equation;
+        if (sign == std::string::npos) {
+            equation = result.symbol + " = " + equation_of(text, symbols_, used_);
+        } else if (semicolon == std::string::npos) {  // "f = a*b"
+            equation = result.symbol + " = " + equation_of(text.substr(sign + 1), symbols_, used_);
+        } else {  // "a*f**2 - b = 0; f~3": solved from a starting value
+            const std::size_t tilde = text.find('~', semicolon);
+            const auto start =
+                tilde == std::string::npos ? std::optional(1.0) : number_in_text(text.substr(tilde + 1));
+            if (!start) return place.refused(in_quotes(plain_name(text)) + ": no starting value");
+            if (!result.unit)
+                return place.refused(in_quotes(plain_name(text)) +
+                                     ": state the unit of what is solved for under 'units'");
+            equation = "solve " + result.symbol + " = " + shortest_number(*start) + " [" +
+                       result.unit->text() + "]: " + equation_of(text.substr(0, semicolon), symbols_, used_);
         }
-        for (std::size_t i = 0; i < functions->children.size(); ++i) {
-            const YamlNode& function = functions->children[i];
-            const YamlNode* text = function.find("expr");
-            const std::string equation =
-                budget_.results[i].symbol + " = " + equation_of(text ? text->text : "", symbols_);
-            if (const std::string complaint = equation_complaint(equation); !complaint.empty())
-                return (text ? *text : function).refused(in_quotes(plain_name(equation)) + ": " + complaint);
-            budget_.equations += (i > 0 ? "\n" : "") + equation;
-        }
+        if (const std::string complaint = equation_complaint(equation); !complaint.empty())
+            return place.refused(in_quotes(plain_name(equation)) + ": " + complaint);
+        budget_.equations += (budget_.equations.empty() ? "" : "\n") + equation;
         return {};
     }
 
@@ -299,11 +434,16 @@ private:
         return std::nullopt;
     }
 
+    const ReadChoice& choice_;
     Proposals proposals_;
     StatedBudget budget_;
     SymbolNames names_;
     std::map<std::string, std::string> symbols_;
+    std::set<std::string> used_;  ///< names in the equations
     std::string skipped_;
+    SuncalKeys keys_ = uncertainty_keys;
+    std::size_t observations_ = 0;
+    bool together_ = false;  ///< lists of observations were made together
 };
 
 Recognition recognise_suncal(std::string_view beginning, const std::string&) {
@@ -324,7 +464,9 @@ Reader suncal_reader() {
     return {.name = "suncal",
             .title = "Suncal project",
             .pattern = "*.yaml *.yml",
-            .takes = "calculations of mode uncertainty: functions and inputs -> measurement equation",
+            .takes =
+                "calculations of modes uncertainty and system: functions, quantities with their components "
+                "and observations -> measurement equation",
             .recognise = recognise_suncal,
             .read = read_suncal};
 }

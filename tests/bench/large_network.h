@@ -12,6 +12,7 @@ inline Project large_network(int sensors, int targets) {
     const AssetEntry tracker = *project.find_asset("laser-tracker");
     AnalysisEntry analysis = *project.find_analysis("recommended");
     analysis.studies.clear();
+    analysis.designs.clear();
     auto& rows_of_sensors = std::get<SetupTable>(analysis.setup.values.at("sensors")).rows;
     auto& rows_of_targets = std::get<SetupTable>(analysis.setup.values.at("targets")).rows;
     rows_of_sensors.clear();

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QFormLayout>
+#include <QHash>
 #include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "core/base/guarded.h"
 #include "core/made/made_project.h"
 #include "core/readers/proposal_text.h"
+#include "core/readers/text_encoding.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -49,14 +51,22 @@ ImportDialog::ImportDialog(const QString& file, QWidget* parent)
       sheets_label_(new QLabel(tr("&Sheet"), this)),
       table_label_(new QLabel(tr("Columns of the file and what each is read as"), this)),
       summary_(new QLabel(this)),
+      units_(new QTableWidget(0, 2, this)),
+      units_label_(new QLabel(tr("Units that the &file does not state"), this)),
       table_(new QTableWidget(this)),
       preview_(new QPlainTextEdit(this)),
       stamp_(new QCheckBox(tr("&Note the file with its size, time and SHA-256 in what is added"), this)) {
     setWindowTitle(tr("Import %1").arg(QFileInfo(file).fileName()));
-    if (auto read = read_file(to_path(file)))
-        text_ = std::move(*read);
-    else
+    if (auto read = read_file(to_path(file))) {
+        bytes_ = static_cast<qint64>(read->size());
+        hash_ = QString::fromLatin1(
+            QCryptographicHash::hash(QByteArray::fromRawData(read->data(), static_cast<qsizetype>(bytes_)),
+                                     QCryptographicHash::Sha256)
+                .toHex());
+        text_ = text_for_readers(std::move(*read));
+    } else {
         failure_ = to_qt(read.error().message);
+    }
     for (const char* unit : {"", "mm", "m", "cm", "in", "ft"})
         unit_->addItem(*unit ? QString::fromLatin1(unit) : tr("as the file says, else mm"),
                        QString::fromLatin1(unit));
@@ -67,6 +77,7 @@ ImportDialog::ImportDialog(const QString& file, QWidget* parent)
     preview_->setObjectName(QStringLiteral("preview"));
     stamp_->setObjectName(QStringLiteral("stamp"));
     summary_->setObjectName(QStringLiteral("summary"));
+    units_->setObjectName(QStringLiteral("units"));
     stamp_->setChecked(true);
     make_layout();
     offer_readers();
@@ -76,6 +87,7 @@ ImportDialog::ImportDialog(const QString& file, QWidget* parent)
     });
     connect(sheets_, &QComboBox::currentIndexChanged, this, &ImportDialog::change_reader);
     connect(unit_, &QComboBox::currentIndexChanged, this, &ImportDialog::read);
+    connect(units_, &QTableWidget::cellChanged, this, &ImportDialog::read);
     change_reader();
 }
 
@@ -101,6 +113,15 @@ void ImportDialog::make_layout() {
     layout->addLayout(form);
     layout->addWidget(table_label_);
     layout->addWidget(table_, 1);
+    units_label_->setBuddy(units_);
+    units_->setHorizontalHeaderLabels({tr("Quantity"), tr("Unit")});
+    units_->horizontalHeader()->setStretchLastSection(true);
+    units_->verticalHeader()->hide();
+    units_->setMaximumHeight(120);
+    units_->hide();
+    units_label_->hide();
+    layout->addWidget(units_label_);
+    layout->addWidget(units_);
     layout->addWidget(new QLabel(tr("What becomes of it, and what is not taken over"), this));
     layout->addWidget(preview_, 2);
     layout->addWidget(summary_);
@@ -136,6 +157,11 @@ ReadChoice ImportDialog::choice() const {
     ReadChoice choice{.file_name = to_std(QFileInfo(file_).fileName())};
     if (const QString unit = unit_->currentData().toString(); !unit.isEmpty())
         choice.length_unit = Unit::of(to_std(unit));
+    for (int row = 0; row < units_->rowCount(); ++row) {
+        const std::string text = to_std(units_->item(row, 1)->text());
+        if (const auto unit = Unit::parse(text))
+            choice.units.insert_or_assign(to_std(units_->item(row, 0)->data(Qt::UserRole).toString()), *unit);
+    }
     choice.sheet = to_std(sheets_->currentData().toString());
     choice.chosen = reader_chosen_;
     for (int column = 0; table_chosen_ && column < table_->columnCount(); ++column) {
@@ -148,6 +174,10 @@ ReadChoice ImportDialog::choice() const {
 
 void ImportDialog::change_reader() {
     table_chosen_ = false;
+    {
+        const QSignalBlocker quiet(units_);
+        units_->setRowCount(0);
+    }
     show_table();
     read();
 }
@@ -211,7 +241,11 @@ void ImportDialog::read() {
         else
             proposals_ = std::move(**guarded_read);
     }
-    if (proposals_) {
+    if (proposals_) show_units();
+    for (int row = 0; row < units_->rowCount() && failure.isEmpty(); ++row)
+        if (const auto unit = Unit::parse(to_std(units_->item(row, 1)->text())); !unit)
+            failure = to_qt(unit.error().message);
+    if (proposals_ && failure.isEmpty()) {
         preview_->setPlainText(to_qt(text_of(*chosen, *proposals_, true)));
         failure = contradictions(*proposals_);
         if (failure.isEmpty())
@@ -223,14 +257,35 @@ void ImportDialog::read() {
     accept_->setEnabled(failure.isEmpty());
 }
 
+/// Units that were typed stay, unreadable ones too.
+void ImportDialog::show_units() {
+    const QSignalBlocker quiet(units_);
+    QHash<QString, QString> typed;
+    for (int row = 0; row < units_->rowCount(); ++row)
+        typed[units_->item(row, 0)->data(Qt::UserRole).toString()] = units_->item(row, 1)->text();
+    units_->setRowCount(static_cast<int>(proposals_->unstated.size()));
+    for (int row = 0; row < units_->rowCount(); ++row) {
+        const UnstatedUnit& unit = proposals_->unstated[static_cast<std::size_t>(row)];
+        const QString key = to_qt(unit.key);
+        auto* name = new QTableWidgetItem(
+            unit.title.empty() || unit.title == unit.key ? key : tr("%1 (%2)").arg(key, to_qt(unit.title)));
+        name->setFlags(Qt::ItemIsEnabled);
+        name->setData(Qt::UserRole, key);
+        units_->setItem(row, 0, name);
+        units_->setItem(row, 1, new QTableWidgetItem(typed.value(key, to_qt(unit.taken.text()))));
+    }
+    units_->resizeColumnToContents(0);
+    for (QWidget* widget : std::initializer_list<QWidget*>{units_, units_label_})
+        widget->setVisible(units_->rowCount() > 0);
+}
+
 QString ImportDialog::stamp() const {
     const QFileInfo info(file_);
-    const QByteArray bytes = QByteArray::fromRawData(text_.data(), static_cast<qsizetype>(text_.size()));
     return tr("Imported from %1, %2 bytes, of %3, SHA-256 %4.")
         .arg(info.fileName())
-        .arg(text_.size())
+        .arg(bytes_)
         .arg(info.lastModified().toUTC().toString(Qt::ISODate))
-        .arg(QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex()));
+        .arg(hash_);
 }
 
 Proposals ImportDialog::proposals() const {

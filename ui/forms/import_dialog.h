@@ -33,15 +33,19 @@ private:
     void show_table();
     void offer_columns(const SourceTable& table);
     void read();
+    void show_units();
     QString stamp() const;
 
-    QString file_, failure_;
-    std::string text_;
+    QString file_, failure_, hash_;
+    qint64 bytes_ = 0;
+    std::string text_;            ///< as readers take it
     bool reader_chosen_ = false;  ///< not only recognised
     bool table_chosen_ = false;   ///< people said what a column is
     std::optional<Proposals> proposals_;
     QComboBox *readers_, *sheets_, *unit_;
     QLabel *sheets_label_, *table_label_, *summary_;
+    QTableWidget* units_;  ///< what the file states no unit for, and the unit that is typed
+    QLabel* units_label_;
     QTableWidget* table_;  ///< row 0: what each column is read as
     QPlainTextEdit* preview_;
     QCheckBox* stamp_;

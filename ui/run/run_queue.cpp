@@ -10,6 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr auto settling_time = 120ms;  // without a further change, before a live run starts
+constexpr auto alone_time = 500ms;     // a change after as long a rest is taken for one by itself
 
 }  // namespace
 
@@ -30,10 +31,12 @@ void RunQueue::push(const RunKey& key) {
 }
 
 void RunQueue::settle() {
-    if (execution_ == Execution::threads)
-        settling_.start();
-    else
+    const bool alone = !last_change_.isValid() || last_change_.hasExpired(alone_time.count());
+    last_change_.start();
+    if (alone || execution_ == Execution::inline_execution)
         begin();
+    else
+        settling_.start();
 }
 
 void RunQueue::begin() {

@@ -37,8 +37,9 @@ public:
     ~RunQueue() override;
 
     void push(const RunKey& key);
-    /// Runs begin, after a while without another call of `settle`.
-    void begin();
+    void begin();  ///< what waits
+    /// A change has come: what waits begins at once after a rest, and while changes follow each other closely
+    /// (typing, dragging) when they have ceased for a moment: the law of propagation has the processor to itself.
     void settle();
     bool waits(const RunKey& key) const;
     /// Those that wait.
@@ -75,9 +76,8 @@ private:
     quint64 number_ = 0;  ///< of the run: progress of a former one is not shown
     std::stop_source stop_;
     QElapsedTimer time_;
-    /// While changes follow each other closely (typing, dragging), live runs wait: the law of propagation has
-    /// the processor to itself.
     QTimer settling_;
+    QElapsedTimer last_change_;
     Execution execution_;
     JobQueue jobs_;  ///< last member: its thread ends first
 };

@@ -79,6 +79,96 @@ TEST(ReadSuncal, StatementsUnitsAndCorrelationsAreTaken) {
     EXPECT_NEAR(first_order(*read).outputs.at(0).estimate, 4.999 / 0.019661, 1e-9);
 }
 
+/// A system as Suncal writes it, with units that Covaria does not have.
+const char* const pitot_system =
+    "- mode: system\n  name: system\n  correlate: true\n  quantities:\n"
+    "  - {type: indirect, symbol: v, equation: sqrt(2)*sqrt(D*R*T/p), units: meter / second}\n"
+    "  - {type: direct, symbol: D, testpoint: 8.0, units: inch_H2O, typea: null,\n"
+    "     typeb: [{dist: normal, k: 2.0, unc: 0.1, units: inch_H2O, degf: .inf}]}\n"
+    "  - {type: direct, symbol: R, testpoint: 287.06, units: joule / kelvin / kilogram, typeb: []}\n"
+    "  - {type: direct, symbol: T, testpoint: 67.4, units: degree_Fahrenheit,\n"
+    "     typeb: [{dist: normal, k: 2.0, unc: 0.2, units: delta_degree_Fahrenheit}]}\n"
+    "  - {type: direct, symbol: p, testpoint: 14.7, units: pound_force_per_square_inch,\n"
+    "     typeb: [{dist: normal, k: 2.0, unc: 0.3, units: pound_force_per_square_inch}]}\n"
+    "  - {type: direct, symbol: w, testpoint: 3.0, units: volts, typeb: []}\n";
+
+TEST(ReadSuncal, ASystemIsOneModel) {
+    const auto read = read_with("suncal", pitot_system);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(errors_of(*read), "");
+    const UncertaintyResult result = first_order(*read);
+    ASSERT_EQ(result.outputs.size(), 2u) << "the airspeed, and w, which no equation uses";
+    // Independently: inch of water 249.08891 Pa, psi 6894.757293168 Pa, (67.4 °F - 32) 5/9 + 273.15 K
+    EXPECT_NEAR(result.outputs[0].estimate, 57.49145038400207, 1e-10);
+    EXPECT_NEAR(result.outputs[0].standard_uncertainty, 0.3440153339205798, 1e-11);
+    EXPECT_NE(all_found(*read).find("'D': 8 inch_H2O is 1992.71128 Pa"), std::string::npos)
+        << all_found(*read);
+}
+
+TEST(ReadSuncal, ObservationsOfASystemAreTypeAAndCorrelated) {
+    const auto read = read_with(
+        "suncal",
+        "- mode: system\n  quantities:\n"
+        "  - {type: direct, symbol: V, testpoint: 5.0, units: volt, typea: [5.007,4.994,5.005,4.990,4.999],\n"
+        "     typeb: [{dist: uniform, a: 0.001, units: volt}]}\n"
+        "  - {type: direct, symbol: I, testpoint: 19.6, units: milliampere,\n"
+        "     typea: [19.663,19.639,19.640,19.685,19.678]}\n"
+        "  - {type: indirect, symbol: R, equation: V/I, units: ohm}\n");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(errors_of(*read), "");
+    const OutputResult r = first_order(*read).outputs.at(0);
+    EXPECT_NEAR(r.estimate, 254.2597019480189, 1e-9);
+    EXPECT_NEAR(r.standard_uncertainty, 0.23815348948850232, 1e-11);
+}
+
+TEST(ReadSuncal, FiguresMayBeShares) {
+    const auto read = read_with(
+        "suncal",
+        "- functions: [{name: f, expr: f = A*B/C}]\n  inputs:\n"
+        "  - {name: A, mean: -32.0, uncerts: [{dist: normal, unc: .01% + .00001*100, units: null}]}\n"
+        "  - {name: B, mean: 2.0, typea: [1.9, 2.1, 2.0], numnewmeas: 1,\n"
+        "     uncerts: [{dist: normal, unc: 10 ppm + .01%range(10), k: '2'}]}\n"
+        "  - {name: C, mean: 100.0, typea_uncert: 0.5, uncerts: [{dist: poisson, v: '81', k: 2, unc: 1}]}\n");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(errors_of(*read), "");
+    const AnalysisEntry& analysis = read->analyses.at(0);
+    const SetupSchema& schema = find_model(analysis.model)->schema;
+    const auto a = [&](std::size_t row) {
+        return std::get<double>(cell(schema, analysis.setup, "quantities", row, "a"));
+    };
+    EXPECT_DOUBLE_EQ(a(0), 0.0032 + 0.001);
+    EXPECT_NEAR(a(2), 0.1, 1e-15) << "s of the observations, one new reading";
+    EXPECT_DOUBLE_EQ(a(3), 0.00002 + 0.001);
+    EXPECT_DOUBLE_EQ(a(5), 0.5);
+    EXPECT_DOUBLE_EQ(a(6), 9.0) << "counts";
+    EXPECT_EQ(read->unstated.size(), 3u);
+}
+
+TEST(ReadSuncal, ImplicitFunctionsAreSolved) {
+    const std::string file =
+        "- functions: [{name: p, expr: '-p + F/(A*(1 + l*p)) = 0; p~41000.0', units: pascal}]\n  inputs:\n"
+        "  - {name: F, mean: 13.7, units: newton}\n  - {name: A, mean: 0.000335, units: meter ** 2}\n"
+        "  - {name: l, mean: 4.0e-06, units: 1 / pascal}\n";
+    const auto read = read_with("suncal", file);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(errors_of(*read), "");
+    const double b = 13.7 / 0.000335;  // 4e-6 p² + p = b
+    EXPECT_NEAR(first_order(*read).outputs.at(0).estimate, (std::sqrt(1.0 + 16e-6 * b) - 1.0) / 8e-6, 1e-6);
+    expect_refused("suncal", {{replaced(file, ", units: pascal}]", "}]"), 1, "state the unit"}});
+}
+
+TEST(ReadSuncal, WhatASystemDoesNotSayIsRefused) {
+    const std::string file = pitot_system;
+    expect_refused("suncal",
+                   {{replaced(file, "type: indirect", "type: curve"), 5, "quantities of type 'curve'"},
+                    {replaced(file, "typea: null", "typea: [[1, 2], [3, 4]]"), 6, "in groups"},
+                    {replaced(file, "typea: null", "typea: [1]"), 6, "at least two"},
+                    {replaced(file, "testpoint: 8.0", "testpoint: x"), 6, "must be a number"},
+                    {replaced(file, "unc: 0.1", "unc: 0.1*(1+"), 7, "is no number"},
+                    {replaced(file, "unc: 0.1", "unc: " + std::string(150, '(')), 7, "is no number"},
+                    {replaced(file, "inch_H2O", "furlong"), 6, "furlong"}});
+}
+
 TEST(ReadSuncal, BombsAndContradictionsHaveAPlace) {
     const std::string file = data("resistor.yaml");
     std::string deep = "- ";

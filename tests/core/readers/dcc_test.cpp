@@ -48,6 +48,25 @@ TEST(ReadCertificate, ALengthBecomesAQuantityAndAStandard) {
     EXPECT_EQ((*reader_for(data("bar.xml"), "bar.xml"))->name, "dcc");
 }
 
+TEST(ReadCertificate, AListMayStateOneUncertaintyForAllItsValues) {
+    const std::string values = "<s:real><s:value>1</s:value></s:real><s:real><s:value>2</s:value></s:real>";
+    for (const char* element : {"listUnivariateUnc", "listMeasurementUncertaintyUnivariate"}) {
+        const std::string name = element;
+        const auto read = read_with(
+            "dcc",
+            certificate(quantity("<s:list><s:listUnit>\\newton</s:listUnit><s:" + name +
+                                 "><s:expandedUnc><s:uncertainty>0.1</s:uncertainty><s:coverageFactor>2"
+                                 "</s:coverageFactor></s:expandedUnc></s:" +
+                                 name + ">" + values + "</s:list>")));
+        ASSERT_TRUE(read) << read.error().message;
+        for (std::size_t row = 0; row < 2; ++row) {
+            EXPECT_EQ(stated(*read, row, "statement"), SetupCell(std::string("certificate-k"))) << element;
+            EXPECT_EQ(stated(*read, row, "a"), SetupCell(0.1)) << element;
+        }
+        EXPECT_EQ(stated(*read, 1, "name"), SetupCell(std::string("q [2]"))) << "told apart without labels";
+    }
+}
+
 TEST(ReadCertificate, EveryFormOfUncertainty) {
     const std::string value = "<s:value>5</s:value><s:unit>\\newton</s:unit>";
     const auto read = read_with(

@@ -16,7 +16,7 @@ TEST(ReadGama, ObservedCoordinatesKeepTheirCovariance) {
     const auto read = read_with("gama", data("frame.gkf"));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(errors_of(*read), "");
-    ASSERT_EQ(read->analyses.size(), 1u);
+    ASSERT_EQ(read->analyses.size(), 2u);
     const AnalysisEntry& analysis = read->analyses[0];
     const SetupSchema& schema = find_model(analysis.model)->schema;
     EXPECT_EQ(cell(schema, analysis.setup, "quantities", 3, "value"), SetupCell(10.501))
@@ -29,8 +29,8 @@ TEST(ReadGama, ObservedCoordinatesKeepTheirCovariance) {
     EXPECT_DOUBLE_EQ(analysis.correlations[0].coefficient, 0.25);
     EXPECT_DOUBLE_EQ(analysis.correlations[1].coefficient, -0.5) << "y_1 with x_2";
     const std::string said = all_found(*read);
-    for (const char* words : {"8 1 points without x and y", "9 1 <obs>", "axes-xy = en", "4 <parameters>",
-                              "u_cal is the largest"})
+    for (const char* words : {"8 1 points without x and y", "1 observations;", "1 points are to be adjusted",
+                              "axes-xy = en", "4 <parameters>", "u_cal is the largest"})
         EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
     EXPECT_EQ((*reader_for(data("frame.gkf"), "frame.gkf"))->name, "gama");
 }
@@ -67,6 +67,114 @@ TEST(ReadGama, WhatIsWrongHasAPlace) {
     }
 }
 
+TEST(ReadGama, ObservationsKeepUnitsDeviationsAndBands) {
+    const auto read =
+        read_with("gama",
+                  "<gama-local><network><points-observations direction-stdev='10' distance-stdev='3 2 1'>"
+                  "<point id='A' x='0' y='0'/>"
+                  "<obs from='A'><direction to='B' val='12.5'/><distance to='B' val='2000' from_dh='1.6'/>"
+                  "<z-angle to='B' val='-0-30-36' stdev='7.2'/><angle bs='B' fs='C' val='99.5'/></obs>"
+                  "<vectors><vec from='A' to='B' dx='1' dy='2' dz='3'/>"
+                  "<cov-mat dim='3' band='1'>4 1 9 -3 16</cov-mat></vectors>"
+                  "</points-observations></network></gama-local>");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(errors_of(*read), "");
+    ASSERT_EQ(read->analyses.size(), 1u);
+    const AnalysisEntry& analysis = read->analyses[0];
+    const SetupSchema& schema = find_model(analysis.model)->schema;
+    const auto at = [&](std::size_t row, const char* column) {
+        return std::get<double>(cell(schema, analysis.setup, "quantities", row, column));
+    };
+    EXPECT_DOUBLE_EQ(at(0, "a"), 10e-4) << "0.1 mgon each";
+    EXPECT_DOUBLE_EQ(at(1, "a"), 7e-3) << "3 mm + 2 mm/km";
+    EXPECT_DOUBLE_EQ(at(2, "value"), -0.51) << "degrees";
+    EXPECT_DOUBLE_EQ(at(2, "a"), 0.002);
+    EXPECT_EQ(cell(schema, analysis.setup, "quantities", 3, "statement"), SetupCell());
+    EXPECT_DOUBLE_EQ(at(6, "a"), 4e-3) << "mm²";
+    ASSERT_EQ(analysis.correlations.size(), 2u);
+    EXPECT_EQ(analysis.correlations[1].first, "o_6");
+    EXPECT_DOUBLE_EQ(analysis.correlations[1].coefficient, -0.25);
+}
+
+TEST(ReadGama, AdjustedCoordinatesKeepTheirCovariance) {
+    const std::string file =
+        "<gama-local-adjustment><coordinates><fixed><point><id>A</id><x>1</x><y>2</y></point></fixed>\n"
+        "<adjusted><point><id>A</id><z>3</z></point><point><id>B</id><X>4</X><y>5</y></point></adjusted>\n"
+        "<cov-mat><dim>4</dim><band>3</band><flt>4</flt><flt>1</flt><flt>0</flt><flt>9</flt><flt>9</flt>"
+        "<flt>0</flt><flt>9</flt><flt>1</flt><flt>9</flt><flt>100</flt></cov-mat>"
+        "</coordinates></gama-local-adjustment>";
+    const auto read = read_with("gama", file);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(errors_of(*read), "");
+    ASSERT_EQ(read->analyses.size(), 1u);
+    const AnalysisEntry& analysis = read->analyses[0];
+    const SetupSchema& schema = find_model(analysis.model)->schema;
+    EXPECT_EQ(cell(schema, analysis.setup, "quantities", 2, "a"), SetupCell(2e-3)) << "z of A";
+    EXPECT_EQ(cell(schema, analysis.setup, "quantities", 3, "a"), SetupCell(3e-3)) << "x of B";
+    ASSERT_EQ(analysis.correlations.size(), 1u) << "the fourth unknown is an orientation";
+    EXPECT_DOUBLE_EQ(analysis.correlations[0].coefficient, 1.0 / 6.0);
+    const auto wrong = read_with("gama", replaced(file, "<dim>4", "<dim>2"));
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().line, 3);
+}
+
+TEST(ReadComp3d, CodesSayWhatIsConstrained) {
+    const auto read = read_with("comp3d",
+                                "-1 gone\n2 A 1 2 3 0.001 0.002 0.003\n3 B 4 5 6 0.001 0.001 0.004\n"
+                                "1 C 7 8 9 0.005 -0.005 0.005 1.5 -2\n0 D 1 1 1 0.5 0.6\n",
+                                {.file_name = "a.cor"});
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(errors_of(*read), "");
+    ASSERT_EQ(read->analyses.size(), 1u);
+    const AnalysisEntry& analysis = read->analyses[0];
+    const SetupSchema& schema = find_model(analysis.model)->schema;
+    const auto a = [&](std::size_t row) { return cell(schema, analysis.setup, "quantities", row, "a"); };
+    EXPECT_EQ(a(1), SetupCell(0.002));
+    EXPECT_EQ(a(5), SetupCell(0.004));
+    EXPECT_EQ(a(8), SetupCell(0.005));
+    const std::string said = all_found(*read);
+    for (const char* words :
+         {"1 a point that is not to be used: 'gone'", "4 'C': the constraint of y, which is switched off",
+          "deflections of the vertical of 2 points", "1 points are not constrained"})
+        EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
+}
+
+TEST(ReadComp3d, ObservationsAreQuantities) {
+    const std::string file =
+        "* two stations\n7 A B 0.0 0.001\n5 A C 100.5 0.001 0 1.6 1.5 * with heights\n3 A B 50.0 0.001 "
+        "0.0001\n"
+        "-4 A B 0.1 0.001\n9 A B 0 -0.02 0.001 0 0\n18 axe @axe.obs\n@more.obs\n";
+    const ReadChoice choice{.file_name = "a.obs"};
+    const auto read = read_with("comp3d-obs", file, choice);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(errors_of(*read), "");
+    const AnalysisEntry& analysis = read->analyses.at(0);
+    const SetupSchema& schema = find_model(analysis.model)->schema;
+    const auto at = [&](std::size_t row, const char* column) {
+        return cell(schema, analysis.setup, "quantities", row, column);
+    };
+    EXPECT_EQ(at(1, "unit"), SetupCell(std::string("gon")));
+    EXPECT_DOUBLE_EQ(std::get<double>(at(2, "a")), 0.006) << "0.001 m + 0.0001 of the distance";
+    EXPECT_EQ(at(3, "a"), SetupCell(0.001)) << "centring in y";
+    const std::string said = all_found(*read);
+    for (const char* words : {"5 height difference A - B: it is switched off", "x: it is switched off",
+                              "7 a file that it includes: '@axe.obs'", "8 a file that it includes"})
+        EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
+    ASSERT_EQ(read->unstated.size(), 1u);
+    ReadChoice degrees = choice;
+    degrees.units.emplace("angles", Unit::of("deg"));
+    const auto in_degrees = read_with("comp3d-obs", file, degrees);
+    ASSERT_TRUE(in_degrees);
+    EXPECT_EQ(cell(schema, in_degrees->analyses[0].setup, "quantities", 1, "unit"),
+              SetupCell(std::string("deg")));
+    degrees.units.insert_or_assign("angles", Unit::of("mm"));
+    EXPECT_FALSE(read_with("comp3d-obs", file, degrees));
+    const auto wrong = read_with("comp3d-obs", "3 A B 1 0.001\n3 A B x 0.001\n", choice);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().line, 2);
+    EXPECT_EQ(wrong.error().message, "column 4: 'x' is not a number");
+}
+
 TEST(ReadComp3d, OnlyConstrainedPointsHaveUncertainties) {
     const auto read = read_with("comp3d", data("stations.cor"), {.file_name = "stations.cor"});
     ASSERT_TRUE(read) << read.error().message;
@@ -86,7 +194,7 @@ TEST(ReadComp3d, WhatIsWrongHasAPlace) {
          {std::pair<const char*, const char*>{"\nX A 1 2 3\n", "column 1: the code"},
           {"\n1 A 1 2\n", "there are 4 columns"},
           {"\n1 A 1 2 x 1 1 1\n", "column 5: 'x' is not a number"},
-          {"\n1 A 1 2 3 1 -1 1\n", "column 7: '-1' is negative"}}) {
+          {"\n1 A 1 2 3 1\n", "there are 6 columns"}}) {
         const auto read = read_with("comp3d", text);
         ASSERT_FALSE(read) << text;
         EXPECT_EQ(read.error().line, 2) << text;

@@ -126,6 +126,42 @@ TEST(ReadPoints, ManyGroupsAreOneArtefactAndManyPointsHaveNoAnalysis) {
     EXPECT_NE(all_found(*read).find("only up to 100 points"), std::string::npos) << all_found(*read);
 }
 
+TEST(ReadPoints, HeadersAsProgramsWriteThem) {
+    for (const char* text :
+         {"sep=;\nPunktname;X/mm;Y/mm;Z/mm;u(x)/um\nP1;1,5;2,5;3,5;10\n",
+          "Jig 7\n\nName\tCoord X (mm)\tY (mm)\tZ (mm)\tsigma x (um)\nP1\t1.5\t2.5\t3.5\t10\n",
+          "Point Name,X,Y,Z,Ux\n,mm,mm,mm,um\nP1,1.5,2.5,3.5,10\n",
+          "! written by hand\nTarget,X Coordinate [mm],Y Coordinate [mm],Z Coordinate [mm],Std X "
+          "[um]\nP1,1.5,2.5,3.5,10\n"}) {
+        ASSERT_TRUE(reader_for(text, "a.csv")) << text;
+        const auto read = read_with("points", text);
+        ASSERT_TRUE(read) << text << read.error().message;
+        EXPECT_EQ(point_cell(read->assets[0], 0, "name"), SetupCell(std::string("P1"))) << text;
+        EXPECT_EQ(point_cell(read->assets[0], 0, "z"), SetupCell(3.5)) << text;
+        EXPECT_DOUBLE_EQ(u_cal(read->assets[0], 0), 0.01) << text;
+    }
+    const auto wrong = read_with("points", "Jig 7\nof May\nName,X,Y,Z\nP1,1,2,q\n");
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().line, 4);
+}
+
+TEST(ReadPoints, LinesOfColumnsWithoutEndAreRefused) {
+    for (const char separator : {',', ' '})
+        for (const std::size_t columns : {2000, 300'000}) {
+            std::string text = std::string("name") + separator + "x" + separator + "y" + separator + "z";
+            for (std::size_t i = 0; i < columns; ++i) text += std::string(1, separator) + "q";
+            const auto read = read_with("points", text + "\n");
+            ASSERT_FALSE(read);
+            EXPECT_NE(read.error().message.find("columns"), std::string::npos) << read.error().message;
+        }
+}
+
+TEST(ReadSpatialAnalyzer, NamesWithBlanksStandBetweenTabs) {
+    const auto read = read_with("spatialanalyzer", "Jig A\tMain Group\tP 1\t1.0\t2.0\t3.0\n");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(point_cell(read->assets[0], 0, "name"), SetupCell(std::string("P 1")));
+}
+
 }  // namespace
 
 }  // namespace covaria::readers_test

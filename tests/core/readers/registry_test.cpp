@@ -1,6 +1,8 @@
 // The list of readers: what recognises what, and how proposals enter a project.
 #include <set>
 
+#include "core/readers/text_encoding.h"
+#include "core/readers/unstated_units.h"
 #include "tests/core/readers/reading.h"
 
 namespace covaria::readers_test {
@@ -43,6 +45,36 @@ TEST(Readers, ProposalsGetIdsOfTheirOwn) {
     ASSERT_EQ(project.assets.size(), 4u);
     EXPECT_EQ(project.assets[2].id, "jig-2");
     EXPECT_FALSE(MadeProject::make(project)->problems().has_errors());
+}
+
+TEST(TextForReaders, EncodingsOfOtherSystemsBecomeUtf8) {
+    const std::string text = "K\xC3\xBCvette \xE2\x82\xAC \xF0\x9D\x9B\xBC\n";
+    EXPECT_EQ(text_for_readers(text), text);
+    EXPECT_EQ(text_for_readers(std::string("\xFF\xFEK\0\xFC\0\x35\xD8\xFC\xDE", 10)),
+              "K\xC3\xBC\xF0\x9D\x9B\xBC");
+    EXPECT_EQ(text_for_readers(std::string("\xFE\xFF\0K\xD8\x35", 6)), "K?") << "half a pair";
+    EXPECT_EQ(text_for_readers("K\xFCvette \x80\n"), "K\xC3\xBCvette \xE2\x82\xAC\n");
+    EXPECT_EQ(text_for_readers("a\rb\r"), "a\nb\n");
+    for (const std::string kept :
+         {"<?xml version='1.0' encoding='ISO-8859-1'?><a>\xFC</a>\n", "PK\x03\x04\xFC\r",
+          "110001+0000\xFC"
+          "100 21.322+00000000\n"})
+        EXPECT_EQ(text_for_readers(kept), kept);
+}
+
+TEST(UnstatedUnits, AreListedAndCheckedByName) {
+    Proposals proposals;
+    ReadChoice choice;
+    EXPECT_EQ(unstated_unit(choice, "T", "temperature", Unit(), proposals), Unit());
+    choice.units.emplace("T", Unit::of("K"));
+    EXPECT_EQ(unstated_unit(choice, "T", "temperature", Unit(), proposals), Unit::of("K"));
+    EXPECT_EQ(proposals.unstated.size(), 1u);
+    EXPECT_TRUE(check_stated_units(choice, proposals));
+    choice.units.emplace("F", Unit::of("N"));
+    const auto checked = check_stated_units(choice, proposals);
+    ASSERT_FALSE(checked);
+    EXPECT_EQ(checked.error().code, ErrorCode::usage);
+    EXPECT_NE(checked.error().message.find("'F'"), std::string::npos);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QTest>
 #include <QUrl>
 
@@ -109,6 +110,27 @@ TEST_F(FileImportSession, ADroppedBudgetIsShownAndAddedInOneStep) {
     EXPECT_NE(project.analyses.back().notes.find("SHA-256"), std::string::npos);
     window_->document().undo_stack().undo();
     EXPECT_EQ(window_->document().project().analyses.size(), before);
+}
+
+TEST_F(FileImportSession, UnitsThatTheFileDoesNotStateAreTyped) {
+    open(project_copy());
+    ImportDialog* dialog = drop(sample("traverse.obs"));
+    ASSERT_TRUE(dialog);
+    auto* units = dialog->findChild<QTableWidget*>(QStringLiteral("units"));
+    ASSERT_EQ(units->rowCount(), 1);
+    EXPECT_EQ(units->item(0, 1)->text(), QStringLiteral("gon"));
+    const auto ok = [&] { return dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok); };
+    units->item(0, 1)->setText(QStringLiteral("mm"));
+    EXPECT_FALSE(ok()->isEnabled());
+    units->item(0, 1)->setText(QStringLiteral("degre"));
+    EXPECT_FALSE(ok()->isEnabled());
+    units->item(0, 1)->setText(QStringLiteral("deg"));
+    EXPECT_TRUE(ok()->isEnabled());
+    dialog->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/test-files/import-units.png"));
+    EXPECT_TRUE(dialog->findChild<QPlainTextEdit*>(QStringLiteral("preview"))
+                    ->toPlainText()
+                    .contains(QStringLiteral("no unit, ° is taken")));
+    dialog->reject();
 }
 
 TEST_F(FileImportSession, AFileDroppedOnTheStartPageBeginsAProject) {

@@ -1,0 +1,213 @@
+#include "core/readers/gama_observations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "core/base/in_quotes.h"
+#include "core/readers/covariance.h"
+#include "core/readers/entry_texts.h"
+#include "core/setup/message_text.h"
+
+namespace covaria {
+
+namespace {
+
+using pugi::xml_node;
+
+struct GamaKind {
+    const char *element, *title, *deviation;  ///< attribute of <points-observations>; empty: none
+    bool angle;
+};
+constexpr std::array<GamaKind, 8> gama_kinds{{{"direction", "direction", "direction-stdev", true},
+                                              {"angle", "angle", "angle-stdev", true},
+                                              {"z-angle", "zenith angle", "zenith-angle-stdev", true},
+                                              {"azimuth", "azimuth", "azimuth-stdev", true},
+                                              {"distance", "horizontal distance", "distance-stdev", false},
+                                              {"s-distance", "slope distance", "distance-stdev", false},
+                                              {"dh", "height difference", "", false},
+                                              {"vec", "vector", "", false}}};
+
+const GamaKind* gama_kind_of(std::string_view element) {
+    const auto found = std::find_if(gama_kinds.begin(), gama_kinds.end(),
+                                    [&](const GamaKind& kind) { return kind.element == element; });
+    return found == gama_kinds.end() ? nullptr : &*found;
+}
+
+std::string text_of(const xml_node& node, const char* attribute) {
+    return plain_line(node.attribute(attribute).value());
+}
+
+/// "12-34-56.7", "-0-00-01": degrees, minutes and seconds; empty where it is none.
+std::optional<double> sexagesimal_degrees(std::string text) {
+    const bool minus = text.starts_with('-');
+    if (minus) text.erase(0, 1);
+    std::replace(text.begin(), text.end(), '-', ' ');
+    std::istringstream words(text);
+    std::array<double, 3> parts{};
+    std::string word;
+    for (double& part : parts) {
+        if (!(words >> word)) return std::nullopt;
+        const auto number = number_in_text(word);
+        if (!number || *number < 0.0) return std::nullopt;
+        part = *number;
+    }
+    if (words >> word) return std::nullopt;
+    const double degrees = parts[0] + parts[1] / 60.0 + parts[2] / 3600.0;
+    return minus ? -degrees : degrees;
+}
+
+}  // namespace
+
+Result<Eigen::MatrixXd> gama_band(const XmlText& xml, const xml_node& node, std::size_t count,
+                                  const std::string& what) {
+    const auto n = static_cast<Eigen::Index>(count);
+    const auto dim = number_in_text(node.attribute("dim").value()),
+               band = number_in_text(node.attribute("band").value());
+    if (!dim || !band || *dim != static_cast<double>(n) || !(*band >= 0.0) || !(*band < *dim))
+        return xml.refused(
+            node, "its dim must be the " + std::to_string(n) + " " + what + ", its band less than that");
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
+    std::istringstream words(node.child_value());
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = i; j < std::min<Eigen::Index>(n, i + static_cast<Eigen::Index>(*band) + 1);
+             ++j) {
+            std::string word;
+            words >> word;
+            const auto value = number_in_text(word);
+            if (!value)
+                return xml.refused(node, "element " + std::to_string(i + 1) + ", " + std::to_string(j + 1) +
+                                             ": " + in_quotes(plain_name(word)) + " is no number");
+            covariance(i, j) = covariance(j, i) = *value;
+        }
+    return covariance;
+}
+
+Result<void> GamaObservations::read(const xml_node& cluster) {
+    const std::string station = text_of(cluster, "from");
+    const std::size_t first = quantities_.size(), beyond = beyond_;
+    for (const xml_node& node : cluster.children()) {
+        const std::string_view name = local_name(node);
+        if (node.type() != pugi::node_element || name == "cov-mat") continue;
+        if (!gama_kind_of(name)) {
+            proposals_.leave_out(xml_.line(node), "<" + plain_name(std::string(name)) + ">");
+            continue;
+        }
+        auto done = name == "vec" ? read_vector(node) : read_observation(node, station);
+        if (!done) return done;
+    }
+    const xml_node matrix = child_called(cluster, "cov-mat");
+    if (!matrix) return {};
+    if (beyond_ == beyond) return take_matrix(matrix, first);
+    proposals_.leave_out(xml_.line(matrix), "a covariance matrix of observations that are left out");
+    return {};
+}
+
+Result<void> GamaObservations::read_observation(const xml_node& node, const std::string& station) {
+    const GamaKind& kind = *gama_kind_of(local_name(node));
+    const std::string own = text_of(node, "from"), to = text_of(node, "to"), bs = text_of(node, "bs"),
+                      fs = text_of(node, "fs");
+    std::string name = std::string(kind.title) + " " + (own.empty() ? station : own) + " - ";
+    name += bs.empty() ? to : bs + " - " + fs;
+    return add(node, name, "val", kind.element);
+}
+
+Result<void> GamaObservations::read_vector(const xml_node& node) {
+    for (const char* axis : {"dx", "dy", "dz"})
+        if (auto done =
+                add(node, std::string(axis) + " " + text_of(node, "from") + " - " + text_of(node, "to"), axis,
+                    "vec");
+            !done)
+            return done;
+    return {};
+}
+
+/// In the unit of the file; empty: none is stated.
+Result<std::optional<double>> GamaObservations::deviation(const xml_node& node, const char* kind,
+                                                          double value) const {
+    const GamaKind& of = *gama_kind_of(kind);
+    const std::string own = text_of(node, "stdev"),
+                      common = *of.deviation ? text_of(defaults_, of.deviation) : std::string();
+    const std::string& text = own.empty() ? common : own;
+    if (text.empty()) return std::optional<double>();
+    std::istringstream words(text);
+    std::array<double, 3> parts{0.0, 0.0, 1.0};  // a + b D^c, D in km
+    std::string word;
+    for (std::size_t i = 0; words >> word; ++i) {
+        const auto number = number_in_text(word);
+        if (!number || i >= (of.angle || !own.empty() ? 1u : 3u))
+            return xml_.refused(node, "the standard deviation " + in_quotes(text) + " is no number");
+        parts[i] = *number;
+    }
+    const double u = parts[0] + parts[1] * std::pow(std::abs(value) / 1000.0, parts[2]);
+    if (!(u >= 0.0) || !std::isfinite(u))
+        return xml_.refused(node, "the standard deviation " + in_quotes(text) + " must not be negative");
+    return std::optional<double>(u);
+}
+
+Result<void> GamaObservations::add(const xml_node& node, const std::string& name, const char* value,
+                                   const char* kind) {
+    const bool angle = gama_kind_of(kind)->angle;
+    const std::string text = text_of(node, value);
+    auto number = number_in_text(text);
+    const auto degrees = angle && !number ? sexagesimal_degrees(text) : std::nullopt;
+    if (!number) number = degrees;
+    if (!number) return xml_.refused(node, std::string(value) + " = " + in_quotes(text) + " is no number");
+    const auto u = deviation(node, kind, *number);
+    if (!u) return fail(u.error());
+    if (quantities_.size() == most_stated_quantities) {
+        ++beyond_;
+        return {};
+    }
+    StatedQuantity q{.symbol = "o_" + std::to_string(quantities_.size() + 1), .name = plain_name(name)};
+    q.value = *number;
+    q.unit = Unit::of(degrees ? "deg" : (angle ? "gon" : "m"));
+    per_unit_.push_back(degrees ? 3600.0 : (angle ? 1e4 : 1e3));
+    if (*u) {
+        q.statement = "standard";
+        q.a = **u / per_unit_.back();
+    }
+    q.source = "line " + std::to_string(xml_.line(node));
+    for (const auto& [attribute, words] : {std::pair("from_dh", "instrument"), std::pair("to_dh", "target"),
+                                           std::pair("bs_dh", "backsight"), std::pair("fs_dh", "foresight")})
+        if (const std::string height = text_of(node, attribute); !height.empty())
+            q.source += std::string(", ") + words + " " + plain_name(height) + " m above its point";
+    quantities_.push_back(std::move(q));
+    return {};
+}
+
+Result<void> GamaObservations::take_matrix(const xml_node& matrix, std::size_t first) {
+    const std::size_t n = quantities_.size() - first;
+    const auto covariance = gama_band(xml_, matrix, n, "observations");
+    if (!covariance) return fail(covariance.error());
+    const auto taken = take_covariance(*covariance);
+    if (!taken) return xml_.refused(matrix, taken.error().message);
+    for (std::size_t i = 0; i < n; ++i) {
+        quantities_[first + i].statement = "standard";
+        quantities_[first + i].a = taken->u[static_cast<Eigen::Index>(i)] / per_unit_[first + i];
+    }
+    for (const StatedCorrelation& c : taken->correlations)
+        correlations_.push_back({first + c.first, first + c.second, c.coefficient});
+    return {};
+}
+
+void GamaObservations::propose(const std::string& title, const std::string& source) {
+    if (quantities_.empty()) return;
+    const auto without = std::count_if(quantities_.begin(), quantities_.end(),
+                                       [](const StatedQuantity& q) { return q.statement.empty(); });
+    proposals_.found.push_back(
+        std::to_string(quantities_.size()) + " observations" +
+        (without > 0 ? ", " + std::to_string(without) + " of them without a standard deviation" : "") +
+        (correlations_.empty() ? "" : ", " + std::to_string(correlations_.size()) + " correlations") +
+        "; each is its own result: write the equations of what you measure with them");
+    if (beyond_ > 0)
+        proposals_.leave_out(0, std::to_string(beyond_) + " observations: more than " +
+                                    std::to_string(most_stated_quantities));
+    proposals_.analyses.push_back(
+        analysis_of("observations", "Observations of " + title,
+                    "From " + source + ". Standard deviations as stated for the adjustment.", quantities_,
+                    correlations_));
+}
+
+}  // namespace covaria

@@ -1,0 +1,54 @@
+// Observations of GNU Gama networks: clusters with their standard deviations or a band of their covariance.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/readers/reader.h"
+#include "core/readers/stated_quantities.h"
+#include "core/readers/xml_text.h"
+
+namespace covaria {
+
+/// <cov-mat>: the rows of a band above the diagonal of a symmetric n x n matrix. Error with its place: dim is
+/// not n, an element is no number.
+Result<Eigen::MatrixXd> gama_band(const XmlText& xml, const pugi::xml_node& matrix, std::size_t n,
+                                  const std::string& what);
+
+class GamaObservations {
+public:
+    /// `defaults`: <points-observations>, whose attributes hold for observations without their own.
+    GamaObservations(const XmlText& xml, const pugi::xml_node& defaults, Proposals& proposals)
+        : xml_(xml), defaults_(defaults), proposals_(proposals) {}
+
+    static bool is_cluster(std::string_view name) {
+        return name == "obs" || name == "height-differences" || name == "vectors";
+    }
+    /// Lengths in metres with standard deviations in mm, angles in gon with 0.1 mgon or in degrees
+    /// ("12-34-56.7") with seconds.
+    Result<void> read(const pugi::xml_node& cluster);
+    /// All of them as one analysis, in which each is its own result; nothing where there is none.
+    void propose(const std::string& title, const std::string& source);
+
+private:
+    Result<void> read_observation(const pugi::xml_node& node, const std::string& station);
+    Result<void> read_vector(const pugi::xml_node& node);
+    Result<void> add(const pugi::xml_node& node, const std::string& name, const char* value,
+                     const char* kind);
+    Result<void> take_matrix(const pugi::xml_node& matrix, std::size_t first);
+    Result<std::optional<double>> deviation(const pugi::xml_node& node, const char* kind, double value) const;
+
+    const XmlText& xml_;
+    pugi::xml_node defaults_;
+    Proposals& proposals_;
+    std::vector<StatedQuantity> quantities_;
+    std::vector<double> per_unit_;  ///< of each: units of its standard deviation in the file per its own unit
+    std::vector<StatedCorrelation> correlations_;
+    std::size_t beyond_ = 0;
+};
+
+}  // namespace covaria

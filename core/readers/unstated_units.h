@@ -1,0 +1,17 @@
+// Units that a file does not state: taken as people say, else as usual, and listed.
+#pragma once
+
+#include <string>
+
+#include "core/readers/reader.h"
+
+namespace covaria {
+
+/// The unit that is stated for `key`, else `otherwise`; `proposals` lists it.
+Unit unstated_unit(const ReadChoice& choice, const std::string& key, const std::string& title,
+                   const Unit& otherwise, Proposals& proposals);
+
+/// Error{usage}: a unit is stated for what the file has not, or states itself.
+Result<void> check_stated_units(const ReadChoice& choice, const Proposals& proposals);
+
+}  // namespace covaria
