@@ -29,6 +29,7 @@ public:
     BudgetBlock(const EvaluatedAnalysis& evaluated, std::size_t output, std::size_t most_rows)
         : result_(*evaluated.result),
           most_rows_(most_rows),
+          digits_(evaluated.analysis->style.digits.value_or(2)),
           output_(result_.outputs[output]),
           places_(places_that_count(result_, output)),
           table_("budget-" + evaluated.analysis->id + "-" +
@@ -93,10 +94,11 @@ private:
         const Unit& unit = output_.quantity.unit;
         const double U = unit.interval_from_si(first.expanded_uncertainty);
         const std::string symbol = unit == Unit{} ? "" : "\u00a0" + unit.display();
-        std::string line =
-            output_label(output_.quantity) + " = (" + format_to_match(unit.from_si(first.estimate), U) +
-            " ± " + format_significant(U, 2) + ")" + symbol +
-            ", u_c = " + format_significant(unit.interval_from_si(first.standard_uncertainty), 2) + symbol;
+        std::string line = output_label(output_.quantity) + " = (" +
+                           format_to_match(unit.from_si(first.estimate), U, digits_) + " ± " +
+                           format_significant(U, digits_) + ")" + symbol + ", u_c = " +
+                           format_significant(unit.interval_from_si(first.standard_uncertainty), digits_) +
+                           symbol;
         line +=
             ", effective degrees of freedom " + format_degrees_of_freedom(first.effective_degrees_of_freedom);
         return line + ", k = " + format_decimals(first.coverage_factor, 2) +
@@ -105,6 +107,7 @@ private:
 
     const UncertaintyResult& result_;
     const std::size_t most_rows_;
+    const int digits_;  ///< of uncertainties
     const OutputResult& output_;
     std::vector<BudgetPlace> places_;
     std::vector<std::string> keys_ = {"quantity",
