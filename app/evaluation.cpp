@@ -141,6 +141,7 @@ private:
     Result<void> evaluate_designs(EvaluatedAnalysis& evaluated) {
         const std::string& id = evaluated.analysis->id;
         for (const Design& design : made_->project().find_analysis(id)->designs) {
+            if (!request_.design.empty() && design.id != request_.design) continue;
             Problems problems;
             const auto prepared = prepare_design(made_, id, design.id, problems);
             const std::string what = "design " + id + "/" + design.id;

@@ -18,9 +18,10 @@ struct RunRequest {
     std::optional<std::uint64_t> trials = {};
     bool adaptive = false;
     bool first_order = false;
-    bool studies = true;     ///< evaluate the studies of the analyses too
-    std::string study = {};  ///< only the one with this id; empty = all
-    bool designs = false;    ///< search the designs of the analyses too
+    bool studies = true;      ///< evaluate the studies of the analyses too
+    std::string study = {};   ///< only the one with this id; empty = all
+    bool designs = false;     ///< search the designs of the analyses too
+    std::string design = {};  ///< only the one with this id; empty = all
     std::optional<std::uint64_t> seed = {};
     std::optional<VarianceReduction> variance_reduction = {};
     int threads = 0;

@@ -9,6 +9,7 @@
 #include "core/base/file_names.h"
 #include "core/model/has_layout.h"
 #include "viz/scene/analysis_scene.h"
+#include "viz/scene/design_scene.h"
 #include "viz/scene/study_scene.h"
 #include "viz/vtk/scene_file.h"
 #include "viz/vtk/scene_renderer.h"
@@ -53,6 +54,18 @@ Result<Scene> scene_of_study(const EvaluatedAnalysis& evaluated, const PictureRe
     return fail(ErrorCode::not_found, "the analysis has no study \"" + request.study + "\"");
 }
 
+Result<Scene> scene_of_design(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
+                              const SceneOptions& options) {
+    for (const auto& design : evaluated.designs) {
+        if (design->id != request.design) continue;
+        if (!stands_in_space(*design))
+            return fail(ErrorCode::bad_input, "nothing that design \"" + request.design +
+                                                  "\" has found stands in space: there is no picture of it");
+        return design_scene(*design, options);
+    }
+    return fail(ErrorCode::not_found, "the analysis has no design \"" + request.design + "\"");
+}
+
 // Either takes some 3 GB while a picture is drawn, the whole picture at once in either case.
 constexpr std::int64_t most_fine_pixels = 9'000'000, most_pixels = 36'000'000;
 
@@ -82,6 +95,7 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
     options.magnification = request.magnification;
     options.probability =
         request.probability > 0 ? request.probability : evaluated.analysis->options.coverage_probability;
+    if (!request.design.empty()) return scene_of_design(evaluated, request, options);
     if (!request.study.empty()) return scene_of_study(evaluated, request, options);
     return analysis_scene(*evaluated.analysis, evaluated.result.get(), options);
 }
@@ -97,7 +111,8 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
         return fail(ErrorCode::bad_input,
                     "there is no view \"" + request.view + "\"; there are: " + joined(views));
     const auto format = scene_format_of(file.extension().string());
-    if (request.study.empty() && !has_layout(*evaluated.analysis->model, evaluated.analysis->inputs)) {
+    if (request.study.empty() && request.design.empty() &&
+        !has_layout(*evaluated.analysis->model, evaluated.analysis->inputs)) {
         if (!format) return write_chart(evaluated, request, file);
         return fail(ErrorCode::bad_input, "analysis " + evaluated.analysis->id +
                                               " has no scene, only a chart: write it as PNG (-o FILE.png)");

@@ -16,6 +16,7 @@ struct PictureRequest {
     std::string study = {};     ///< its map instead of the analysis' result
     std::string quantity = {};  ///< of the study, by its title: "u(3D), B"; empty = the first
     bool ellipsoids = false;    ///< at the grid points of the study
+    std::string design = {};    ///< what this design found instead of the analysis' result
     std::string group = {};     ///< empty: the first group of outputs
     std::string view = "iso";
     int width = 1280;

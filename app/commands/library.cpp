@@ -1,33 +1,95 @@
 // covaria library: the assets that can be copied into projects.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <memory>
 
+#include "app/asset_picture.h"
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
+#include "core/kinds/assets.h"
 #include "core/made/library.h"
 
 namespace covaria {
 namespace {
 
-int list_library() {
-    const Library library = load_library();
-    std::string collection;
-    for (const LibraryItem& item : library.items) {
-        if (item.collection != collection) std::printf("%s\n", item.collection.c_str());
-        collection = item.collection;
-        std::printf("  %-24s %s\n", item.asset.name.c_str(), item.asset.notes.c_str());
-    }
-    std::printf("\nOwn collections are project files in %s\n", own_library_folder().c_str());
+int tell_problems(const Library& library) {
     for (const Problem& problem : library.problems.items()) print_message(problem.message);
     return library.problems.has_errors() ? exit_bad_input : exit_success;
+}
+
+int list_library(const std::string& words) {
+    const Library library = load_library();
+    std::string collection;
+    bool any = false;
+    for (const LibraryItem& item : library.items) {
+        if (!has_words(searched_texts(item), words)) continue;
+        if (item.collection != collection) std::printf("%s%s\n", any ? "\n" : "", item.collection.c_str());
+        collection = item.collection;
+        any = true;
+        std::printf("  %-24s %s\n", item.asset.id.c_str(), item.asset.name.c_str());
+    }
+    if (words.empty())
+        std::printf(
+            "\n\"covaria library show ID\" tells the source of its figures.\n"
+            "Own collections are project files in %s\n",
+            own_library_folder().c_str());
+    else if (!any)
+        print_message("nothing in the library has the words \"" + words +
+                      "\"; \"covaria library list\" shows all of it");
+    const int status = tell_problems(library);
+    return any || words.empty() ? status : exit_bad_input;
+}
+
+int show_item(const std::string& id, const std::string& picture) {
+    const Library library = load_library();
+    for (const LibraryItem& item : library.items) {
+        if (item.asset.id != id) continue;
+        const AssetDescriptor* kind = find_asset_kind(item.asset.kind);
+        std::printf("%s (%s%s%s)\n%s\n", item.asset.name.c_str(), item.collection.c_str(), kind ? ": " : "",
+                    kind ? kind->title.c_str() : "", item.asset.notes.c_str());
+        if (picture.empty()) return exit_success;
+        if (const auto written = write_asset_picture(item.asset, picture); !written) {
+            print_error(written.error());
+            return exit_status_of(written.error());
+        }
+        return exit_success;
+    }
+    print_message("there is nothing with the id \"" + id +
+                  "\" in the library; \"covaria library list\" shows the ids");
+    tell_problems(library);
+    return exit_bad_input;
+}
+
+struct LibraryArguments {
+    std::vector<std::string> words;
+    std::string id, picture;
+};
+
+std::string joined_words(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+    return text;
 }
 
 }  // namespace
 
 Command library_command(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("library", "List the instruments and robots of the library");
-    return {command, [](const std::stop_token&) { return list_library(); }};
+    auto arguments = std::make_shared<LibraryArguments>();
+    CLI::App* command =
+        app.add_subcommand("library", "List and search the instruments and robots of the library");
+    command->require_subcommand(0, 1);
+    command->add_subcommand("list", "List everything (as without a subcommand)");
+    CLI::App* search =
+        command->add_subcommand("search", "List what has all the words in name, kind or source");
+    search->add_option("WORD", arguments->words, "words, in any order and case")->required();
+    CLI::App* show = command->add_subcommand("show", "Show where the figures of one come from");
+    show->add_option("ID", arguments->id, "as listed")->required();
+    show->add_option("--picture", arguments->picture, "draw its body as well")->type_name("FILE.png");
+    return {command, [arguments, search, show](const std::stop_token&) {
+                if (show->parsed()) return show_item(arguments->id, arguments->picture);
+                return list_library(search->parsed() ? joined_words(arguments->words) : std::string());
+            }};
 }
 
 }  // namespace covaria

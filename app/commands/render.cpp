@@ -26,6 +26,8 @@ Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
         arguments.request.analyses = {(*opened)->project().analyses.front().id};
     arguments.request.studies = !arguments.picture.study.empty();
     arguments.request.study = arguments.picture.study;
+    arguments.request.designs = !arguments.picture.design.empty();
+    arguments.request.design = arguments.picture.design;
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
     if (auto complete = check_complete(*evaluation); !complete) return complete;
@@ -49,6 +51,11 @@ Command render_command(CLI::App& app) {
     command->add_option("--group", picture.group, "group of outputs to show, e.g. \"pose 7\"")
         ->type_name("NAME");
     command->add_option("--study", picture.study, "the map of the study with this id")->type_name("ID");
+    command
+        ->add_option("--design", picture.design,
+                     "what the design with this id finds: the candidates and the way of the search")
+        ->type_name("ID")
+        ->excludes("--study");
     command
         ->add_option("--quantity", picture.quantity,
                      "of the study, e.g. \"u(3D), B\" or \"U(x), B\"; the first without it")

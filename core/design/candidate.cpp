@@ -38,6 +38,7 @@ double objective_of(DesignObjective objective, const std::vector<double>& expand
         case DesignObjective::root_mean_square:
             return std::sqrt(squares / count);
         case DesignObjective::largest:
+        case DesignObjective::cost:
             break;
     }
     return largest;
@@ -76,9 +77,22 @@ Judged CandidateJudge::result_of(const Candidate& candidate) {
 Judged CandidateJudge::judge_one(const Candidate& candidate, Constraints constraints) {
     auto judged = guarded([&]() -> Judged {
         const auto changed = model_of(candidate);
-        return changed ? judge_model(*changed, constraints) : infeasible(changed.error().message);
+        if (!changed) return infeasible(changed.error().message);
+        Judged of_model = judge_model(*changed, constraints);
+        if (constraints == Constraints::kept && of_model.feasible()) price(candidate, of_model);
+        return of_model;
     });
     return judged ? *std::move(judged) : infeasible(judged.error().message);
+}
+
+/// The objective is the largest ratio until here.
+void CandidateJudge::price(const Candidate& candidate, Judged& judged) const {
+    if (design_.design.objective != DesignObjective::cost || !design_.design.choose) return;
+    if (judged.objective > 1.0) {
+        judged.violation = judged.objective - 1.0;
+        judged.reason = "a target uncertainty is not met";
+    }
+    judged.objective = design_.design.choose->price_of(candidate.rows);
 }
 
 // Values first: their targets are rows of the whole table.

@@ -24,7 +24,8 @@ struct Judged {
     bool cancelled = false;
 
     bool feasible() const { return reason.empty() && !cancelled; }
-    /// What a search compares: infeasible ones are all worse, and by how much they violate.
+    /// What a search compares: infeasible ones are all worse, and by how much they violate. Where the
+    /// objective is the cost, those that do not meet the targets have `expanded` all the same.
     double merit() const { return feasible() ? objective : 1e30 * (1.0 + violation); }
 };
 
@@ -48,6 +49,7 @@ private:
     enum class Constraints { kept, ignored };
     Judged judge_one(const Candidate& candidate, Constraints constraints);
     Judged judge_model(const ChangedModel& changed, Constraints constraints) const;
+    void price(const Candidate& candidate, Judged& judged) const;
 
     const PreparedDesign& design_;
     References references_;

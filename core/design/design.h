@@ -40,7 +40,7 @@ std::shared_ptr<const PreparedDesign> prepare_design(const MadeProject::Pointer&
                                                      const std::string& design_id, Problems& problems);
 
 /// The assets that the analysis uses, and the analysis with this design: everything that influences what it
-/// finds.
+/// finds. The candidates of a file are rows of the table here, as the file has them now.
 Project design_part(const Project& project, const AnalysisEntry& entry, const Design& design);
 /// Whether the same design would be found in two such parts.
 bool same_search(Project a, Project b);

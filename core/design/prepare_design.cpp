@@ -126,7 +126,12 @@ std::optional<Project> part_for(const Project& project, const AnalysisEntry& ent
 }  // namespace
 
 Project design_part(const Project& project, const AnalysisEntry& entry, const Design& design) {
-    Project part = analysis_part(project, entry);
+    std::optional<DesignTable> table;
+    Problems ignored;  // the list of problems has them
+    if (design.choose && !design.choose->candidates.empty())
+        table = find_design_table(project, entry, *design.choose, ignored);
+    const Project extended = table ? with_candidates(project, entry, *table) : project;
+    Project part = analysis_part(extended, *extended.find_analysis(entry.id));
     part.analyses.front().designs = {design};
     return part;
 }

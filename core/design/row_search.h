@@ -1,18 +1,14 @@
-// The search for rows: all choices where they are few, else greedy with exchange (Fedorov 1972).
+// The search for rows: all choices where they are few, else greedy with exchange (Fedorov 1972), iterated
+// from the best with some rows changed at random (Lourenço, Martin, Stützle 2003: iterated local search).
 #pragma once
 
 #include <map>
-#include <optional>
 #include <vector>
 
+#include "core/design/rows.h"
 #include "core/design/search.h"
 
 namespace covaria::detail {
-
-using Rows = std::vector<std::size_t>;  ///< rising
-
-/// Number of choices of k of n; the largest double where there are more.
-double number_of_choices(std::size_t n, std::size_t k);
 
 class RowSearch {
 public:
@@ -29,8 +25,6 @@ public:
     Found improve(const Rows& rows);
     /// The best of each number of rows; `find` looks at some, this at those that differ from `rows` by a few.
     std::vector<DesignCount> curve(const Rows& rows);
-    /// Objective of `rows` without each of its rows.
-    std::vector<std::optional<double>> without_each(const Rows& rows);
 
 private:
     struct Merit {
@@ -42,21 +36,21 @@ private:
     /// The smallest merit, the first of equal ones; the choices are judged first.
     const Rows& best_of(const std::vector<Rows>& choices, const std::string& search);
     Merit merit_of(const Rows& rows) const { return known_.at(rows); }
-    bool is_fixed(std::size_t row) const;
     std::vector<Rows> with_one_more(const Rows& rows) const;
     std::vector<Rows> with_one_less(const Rows& rows) const;
-    std::vector<Rows> with_another(const Rows& rows, std::size_t in_place_of) const;
+    /// With one of the partners in the place of a row.
+    std::vector<Rows> with_another(const Rows& rows, std::size_t in_place_of, const Rows& partners) const;
+    Rows promising(const Rows& rows, const std::string& search);
 
     Rows of_all_choices();
     Rows greedy();
     Rows backward();
-    Rows exchanged(Rows rows, const std::string& search);
-    Rows at_random(std::size_t start) const;
+    enum class Partners { promising, all };
+    Rows exchanged(Rows rows, const std::string& search, Partners which);
 
     SearchBook& book_;
     std::vector<double> values_;
-    std::size_t count_, keep_, least_;
-    Rows fixed_;
+    RowChoice choice_;
     std::map<Rows, Merit> known_;
     std::map<std::size_t, double> best_by_count_;
 };

@@ -1,8 +1,12 @@
 // A design from the present state to the verified best.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "core/base/guarded.h"
+#include "core/design/cost_search.h"
+#include "core/design/design_space.h"
 #include "core/design/layout_constraints.h"
 #include "core/design/reduction_search.h"
 #include "core/design/row_search.h"
@@ -15,6 +19,9 @@ namespace {
 
 using namespace detail;
 
+constexpr double least_gain_of_source = 1e-3;  ///< that is stated
+constexpr std::size_t most_sources = 20;
+
 const char* words_of(DesignObjective objective, bool targets) {
     switch (objective) {
         case DesignObjective::mean:
@@ -23,6 +30,7 @@ const char* words_of(DesignObjective objective, bool targets) {
             return targets ? "root mean square of U/target"
                            : "root mean square of U relative to the present design";
         case DesignObjective::largest:
+        case DesignObjective::cost:
             break;
     }
     return targets ? "largest U/target" : "largest U relative to the present design";
@@ -49,6 +57,8 @@ public:
         judge_present(book, *references);
         if (!design_.design.reductions.empty()) {
             if (auto reduced = reduce(book); !reduced) return fail(reduced.error());
+        } else if (is_priced()) {
+            if (auto chosen = choose_cheapest(book); !chosen) return fail(chosen.error());
         } else {
             search(book);
         }
@@ -119,7 +129,10 @@ private:
             result_.before = objective_of(design_.design.objective, expanded, references);
         const Judged now = book.judges().lend()->judge(chosen_);
         result_.why_not_before = now.reason;
-        if (now.feasible()) result_.before = now.objective;
+        if (!now.expanded.empty()) {
+            result_.why_not_before.clear();
+            result_.before = objective_of(design_.design.objective, now.expanded, references);
+        }
     }
 
     Result<void> reduce(SearchBook& book) {
@@ -135,6 +148,21 @@ private:
         result_.front = found->front;
         for (std::size_t k = 0; k < result_.goals.size(); ++k)
             if (found->prices[k] > 0.0) result_.goals[k].price_of_target = found->prices[k];
+        return {};
+    }
+
+    bool is_priced() const { return design_.table && design_.design.objective == DesignObjective::cost; }
+
+    Result<void> choose_cheapest(SearchBook& book) {
+        if (!has_targets())
+            return fail(ErrorCode::bad_input,
+                        "the cheapest rows need target uncertainties: state requirements");
+        CostSearch::Found found = CostSearch(book, chosen_.values).find();
+        chosen_.rows = std::move(found.rows);
+        result_.found = found.has_result;
+        result_.proved = found.proved;
+        result_.cost = design_.design.choose->price_of(chosen_.rows);
+        result_.front = std::move(found.front);
         return {};
     }
 
@@ -181,12 +209,15 @@ private:
             return;
         }
         const auto judge = book.judges().lend();
-        result_.objective = judge->judge(chosen_).objective;
+        const Judged chosen = judge->judge(chosen_);
+        result_.objective = objective_of(design_.design.objective, chosen.expanded, references);
         const Judged nominal = judge->result_of(chosen_);
         for (std::size_t k = 0; k < references.size(); ++k) result_.goals[k].after = nominal.expanded[k];
-        if (design_.table) state_rows(book);
+        DesignSpace space(*judge, design_, chosen_, control_.stop);
+        if (design_.table) state_rows(book, references, space.places_of_rows());
+        result_.places = space.places(result_.path);
         result_.evaluations = book.notes().evaluations;
-        verify(*judge);
+        verify(*judge, references);
     }
 
     void state_values() {
@@ -204,15 +235,39 @@ private:
         }
     }
 
-    void state_rows(SearchBook& book) {
-        RowSearch rows(book, chosen_.values);
-        const auto without = rows.without_each(chosen_.rows);
+    /// With every row that was kept left out, and with every other one added.
+    std::vector<Candidate> with_one_row_changed() const {
+        std::vector<Candidate> candidates;
+        for (std::size_t row = 0; row < design_.table->rows.rows.size(); ++row) {
+            Candidate changed = chosen_;
+            const auto at = std::lower_bound(changed.rows.begin(), changed.rows.end(), row);
+            if (at != changed.rows.end() && *at == row)
+                changed.rows.erase(at);
+            else
+                changed.rows.insert(at, row);
+            candidates.push_back(std::move(changed));
+        }
+        return candidates;
+    }
+
+    void state_rows(SearchBook& book, const References& references,
+                    const std::vector<std::optional<Eigen::Vector3d>>& places) {
         const auto& fixed = design_.design.choose->fixed;
-        for (std::size_t i = 0; i < chosen_.rows.size(); ++i) {
-            const std::size_t row = chosen_.rows[i];
+        const std::vector<Judged> changed = book.judge_all(with_one_row_changed(), "one row more or less");
+        for (std::size_t row = 0; row < changed.size(); ++row) {
+            const bool kept = std::binary_search(chosen_.rows.begin(), chosen_.rows.end(), row);
+            std::optional<double> other;
+            if (!changed[row].expanded.empty())
+                other = objective_of(design_.design.objective, changed[row].expanded, references);
+            result_.gains.push_back({row, name_of_row(row), kept, {}, places[row]});
+            if (other)
+                result_.gains.back().gain =
+                    kept ? 1.0 - result_.objective / *other : 1.0 - *other / result_.objective;
+            if (!kept) continue;
             result_.rows.push_back({row, name_of_row(row),
                                     std::find(fixed.begin(), fixed.end(), row) != fixed.end(),
-                                    row >= design_.table->present, without[i]});
+                                    row >= design_.table->present, other});
+            if (is_priced()) result_.rows.back().price = design_.design.choose->price_of({row});
         }
     }
 
@@ -226,7 +281,47 @@ private:
         return words;
     }
 
-    void verify(CandidateJudge& judge) {
+    /// By the shares of the variances in the budget. What an asset states goes by its statement; components
+    /// that are typed by themselves are one each.
+    void state_sources(const UncertaintyResult& verified, const InputSet& inputs,
+                       const References& references) {
+        std::set<std::string> of_assets;  // ids
+        for (const UncertaintyComponent& component : inputs.components)
+            if (!component.contributor.empty() && !component.origin.empty()) of_assets.insert(component.id);
+        std::map<std::string, std::vector<double>> shares;  // of the goals
+        std::vector<double> expanded;
+        for (std::size_t k = 0; k < result_.goals.size(); ++k) {
+            expanded.push_back(result_.goals[k].after);
+            const std::size_t j = output_of(verified, result_.goals[k]);
+            if (j == verified.outputs.size() || j >= verified.budget.rows.size()) return;
+            for (const BudgetRow& row : verified.budget.rows[j]) {
+                const BudgetComponent& component = verified.budget.components[row.component];
+                auto& of_origin = shares[of_assets.contains(component.id) ? component.origin : component.id];
+                of_origin.resize(result_.goals.size(), 0.0);
+                of_origin[k] += row.share;
+            }
+        }
+        const double now = objective_of(design_.design.objective, expanded, references);
+        for (const auto& [origin, share] : shares) {
+            std::vector<double> without = expanded;
+            for (std::size_t k = 0; k < without.size(); ++k)
+                without[k] *= std::sqrt(std::max(0.0, 1.0 - share[k]));
+            const double gain = 1.0 - objective_of(design_.design.objective, without, references) / now;
+            if (gain > least_gain_of_source) result_.sources.push_back({origin, gain});
+        }
+        std::stable_sort(result_.sources.begin(), result_.sources.end(),
+                         [](const DesignSource& a, const DesignSource& b) { return a.gain > b.gain; });
+        if (result_.sources.size() > most_sources) result_.sources.resize(most_sources);
+    }
+
+    static std::size_t output_of(const UncertaintyResult& result, const DesignGoal& goal) {
+        const auto found = std::find_if(result.outputs.begin(), result.outputs.end(), [&](const auto& one) {
+            return one.quantity.symbol == goal.output.symbol && one.quantity.group == goal.output.group;
+        });
+        return static_cast<std::size_t>(found - result.outputs.begin());
+    }
+
+    void verify(CandidateJudge& judge, const References& references) {
         EvaluationOptions options = design_.numbers.analysis->options;
         options.method = Method::monte_carlo;
         if (design_.design.trials > 0) options.trials = design_.design.trials;
@@ -242,14 +337,14 @@ private:
         }
         result_.trials = verified->trials;
         result_.failed_trials = verified->failed_trials;
-        for (DesignGoal& goal : result_.goals)
-            for (const OutputResult& output : verified->outputs) {
-                if (output.quantity.symbol != goal.output.symbol ||
-                    output.quantity.group != goal.output.group)
-                    continue;
-                goal.monte_carlo = output.expanded_uncertainty;
-                if (output.first_order.validation) goal.validated = output.first_order.validation->validated;
-            }
+        for (DesignGoal& goal : result_.goals) {
+            const std::size_t j = output_of(*verified, goal);
+            if (j == verified->outputs.size()) continue;
+            const OutputResult& output = verified->outputs[j];
+            goal.monte_carlo = output.expanded_uncertainty;
+            if (output.first_order.validation) goal.validated = output.first_order.validation->validated;
+        }
+        state_sources(*verified, changed->inputs, references);
     }
 
     const PreparedDesign& design_;

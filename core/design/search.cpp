@@ -22,12 +22,12 @@ std::shared_ptr<CandidateJudge> JudgePool::lend() {
             }};
 }
 
-void SearchNotes::add(const Judged& judged, const std::string& search, bool whole) {
+void SearchNotes::add(const Candidate& candidate, const Judged& judged, const std::string& search,
+                      bool whole) {
     ++evaluations;
-    if (!judged.feasible())
-        ++reasons[judged.reason];
-    else if (whole && (steps.empty() || judged.objective < steps.back().objective))
-        steps.push_back({evaluations, search, judged.objective});
+    if (!judged.feasible() && judged.expanded.empty()) ++reasons[judged.reason];
+    if (judged.feasible() && whole && (steps.empty() || judged.objective < steps.back().objective))
+        steps.push_back({evaluations, search, judged.objective, candidate.values});
 }
 
 SearchBook::SearchBook(const PreparedDesign& design, References references, const RunControl& control)
@@ -54,7 +54,8 @@ bool SearchBook::advance(const Judged& judged, bool whole) {
 }
 
 bool SearchBook::is_whole(const Candidate& candidate) const {
-    return !design_.table || candidate.rows.size() == design_.design.choose->keep;
+    return !design_.table || design_.design.objective == DesignObjective::cost ||
+           candidate.rows.size() == design_.design.choose->keep;
 }
 
 std::vector<Judged> SearchBook::judge_all(const std::vector<Candidate>& candidates,
@@ -70,7 +71,7 @@ std::vector<Judged> SearchBook::judge_all(const std::vector<Candidate>& candidat
         };
     };
     work.merge = [&](std::uint64_t unit, Judged& judged) {
-        notes_.add(judged, search, is_whole(candidates[unit]));
+        notes_.add(candidates[unit], judged, search, is_whole(candidates[unit]));
         all.push_back(std::move(judged));
         return true;
     };
@@ -81,7 +82,8 @@ std::vector<Judged> SearchBook::judge_all(const std::vector<Candidate>& candidat
 void SearchBook::merge(const SearchNotes& notes) {
     for (const DesignStep& step : notes.steps)
         if (notes_.steps.empty() || step.objective < notes_.steps.back().objective)
-            notes_.steps.push_back({notes_.evaluations + step.evaluation, step.search, step.objective});
+            notes_.steps.push_back(
+                {notes_.evaluations + step.evaluation, step.search, step.objective, step.values});
     notes_.evaluations += notes.evaluations;
     for (const auto& [reason, count] : notes.reasons) notes_.reasons[reason] += count;
 }

@@ -34,8 +34,8 @@ private:
 
 /// What was evaluated on one thread, for later: merged into the book in order.
 struct SearchNotes {
-    /// `whole`: of as many rows as are to be kept; others are no steps.
-    void add(const Judged& judged, const std::string& search, bool whole);
+    /// `whole`: of as many rows as may be kept; others are no steps.
+    void add(const Candidate& candidate, const Judged& judged, const std::string& search, bool whole);
 
     std::uint64_t evaluations = 0;
     std::map<std::string, std::uint64_t> reasons;

@@ -69,7 +69,7 @@ private:
         if (result_->notes.evaluations >= budget_) throw nlopt::forced_stop();
         const Candidate candidate{values_at(book_.design().numbers.axes, place), rows_};
         Judged judged = judge_->judge(candidate);
-        result_->notes.add(judged, search_, book_.is_whole(candidate));
+        result_->notes.add(candidate, judged, search_, book_.is_whole(candidate));
         if (judged.merit() < result_->merit) {
             result_->merit = judged.merit();
             result_->feasible = judged.feasible();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
 
 #include "core/base/resource_path.h"
 #include "core/kinds/assets.h"
@@ -34,12 +35,37 @@ void read_folder(const fs::path& folder, bool own, Library& library) {
                     library.problems.error(problem.path, file.filename().string() + ": " + problem.message);
             continue;
         }
-        for (const AssetEntry& asset : loaded.project.assets)
-            if (!refers_to_others(asset)) library.items.push_back({asset, loaded.project.title, own});
+        for (const AssetEntry& asset : loaded.project.assets) {
+            if (refers_to_others(asset)) continue;
+            fs::path picture = folder / "pictures" / (asset.id + ".png");
+            if (!fs::exists(picture, ignored)) picture.clear();
+            library.items.push_back({asset, loaded.project.title, own, std::move(picture)});
+        }
     }
 }
 
+std::string lowered(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
 }  // namespace
+
+bool has_words(const std::vector<std::string>& texts, const std::string& words) {
+    std::string all;
+    for (const std::string& text : texts) all += lowered(text) + '\n';
+    std::istringstream wanted(lowered(words));
+    for (std::string word; wanted >> word;)
+        if (all.find(word) == std::string::npos) return false;
+    return true;
+}
+
+std::vector<std::string> searched_texts(const LibraryItem& item) {
+    const AssetDescriptor* kind = find_asset_kind(item.asset.kind);
+    return {item.asset.id, item.asset.name, item.collection, item.asset.notes,
+            kind ? kind->title : std::string()};
+}
 
 fs::path own_library_folder() {
     if (const char* set = std::getenv("COVARIA_LIBRARY_DIR")) return set;

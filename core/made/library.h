@@ -13,9 +13,10 @@
 namespace covaria {
 
 struct LibraryItem {
-    AssetEntry asset;        ///< its notes say where the figures come from
-    std::string collection;  ///< title of its file: "Laser trackers"
-    bool own = false;        ///< from the user's folder
+    AssetEntry asset;                    ///< its notes say where the figures come from
+    std::string collection;              ///< title of its file: "Laser trackers"
+    bool own = false;                    ///< from the user's folder
+    std::filesystem::path picture = {};  ///< beside its file, in pictures/ID.png; empty: there is none
 };
 
 struct Library {
@@ -29,6 +30,11 @@ std::filesystem::path own_library_folder();
 /// Everything shipped with the program and in the user's folder. Assets that refer to other assets are left
 /// out: they cannot be copied alone.
 Library load_library();
+
+/// Whether the words (parted by blanks) all occur in one of the texts, whatever the case of ASCII letters.
+bool has_words(const std::vector<std::string>& texts, const std::string& words);
+/// What a search in the library looks at: name, collection, title of the kind, notes.
+std::vector<std::string> searched_texts(const LibraryItem& item);
 
 /// Writes the asset into the user's collection "My library", in place of one of the same kind and name.
 /// Error: it refers to other assets, or the file cannot be read or written.

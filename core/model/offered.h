@@ -9,13 +9,28 @@
 
 namespace covaria {
 
-/// A member `Offered<SensorSource>` is a field for the id of an asset that is a sensor. Empty where an
-/// optional reference is not given.
+/// A member of this type is a field for the id of an asset; the FieldSpec says what the asset is to offer.
+/// Empty where an optional reference is not given.
+struct Referred {
+    std::string id = {};
+    std::string name = {};                    ///< the asset's; its id if it has none
+    std::shared_ptr<const Asset> asset = {};  ///< null: it could not be made
+};
+
+template <>
+struct Bound<Referred> {
+    static constexpr FieldKind kind = FieldKind::reference;
+    static void read(Referred& member, const SetupValue& value, FieldReading& reading) {
+        member.id = std::get<std::string>(value);
+        const AssetLibrary::Entry* entry = reading.assets.find(member.id);
+        member.name = entry && !entry->name.empty() ? entry->name : member.id;
+        if (entry) member.asset = entry->asset;
+    }
+};
+
+/// A member `Offered<SensorSource>` is a field for the id of an asset that is a sensor.
 template <class C>
-struct Offered {
-    std::string id;
-    std::string name;                    ///< the asset's; its id if it has none
-    std::shared_ptr<const Asset> asset;  ///< keeps `source` alive
+struct Offered : Referred {
     const C* source = nullptr;
     explicit operator bool() const { return source != nullptr; }
     const C& operator*() const { return *source; }
@@ -27,12 +42,9 @@ struct Bound<Offered<C>> {
     static constexpr FieldKind kind = FieldKind::reference;
     static constexpr const char* capability = C::capability;
     static void read(Offered<C>& member, const SetupValue& value, FieldReading& reading) {
-        member.id = std::get<std::string>(value);
-        const AssetLibrary::Entry* entry = reading.assets.find(member.id);
-        member.source = offers<C>(entry);
-        if (!member.source) return reading.problems.error(reading.place, "'" + member.id + "' " + lacking());
-        member.asset = entry->asset;
-        member.name = entry->name.empty() ? member.id : entry->name;
+        Bound<Referred>::read(member, value, reading);
+        member.source = offers<C>(member.asset);
+        if (!member.source) reading.problems.error(reading.place, "'" + member.id + "' " + lacking());
     }
     /// What is said of an asset that does not offer it: C::lacking, where C has words of its own.
     static std::string lacking() {

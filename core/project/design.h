@@ -19,9 +19,11 @@ struct DesignVariable {
 struct DesignChoice {
     std::string asset = {};               ///< id of the asset whose table it is; empty: the analysis itself
     std::string table = {};               ///< "/setup/KEY/rows"
-    std::size_t keep = 0;                 ///< how many rows stay
+    std::size_t keep = 0;                 ///< how many rows stay; at most, where it is about cost
     std::vector<std::size_t> fixed = {};  ///< rows that always stay
     std::string candidates = {};          ///< CSV file beside the project: rows behind those of the table
+    std::vector<double> prices = {};      ///< of each row, or one for all; empty: rows cost nothing
+    double price_of(const std::vector<std::size_t>& rows) const;
     bool operator==(const DesignChoice&) const = default;
 };
 
@@ -41,8 +43,9 @@ struct DesignReduction {
     bool operator==(const DesignReduction&) const = default;
 };
 
-/// What is made of the ratios U/target; the smallest is the best.
-enum class DesignObjective { largest, mean, root_mean_square };
+/// What is made of the ratios U/target; the smallest is the best. Or the price of the rows, with which no
+/// ratio is above 1.
+enum class DesignObjective { largest, mean, root_mean_square, cost };
 
 /// A box along the axes of the world.
 struct DesignBox {

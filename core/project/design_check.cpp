@@ -87,6 +87,11 @@ public:
                   "a design has at most " + std::to_string(most_design_variables) + " variables");
         for (std::size_t i = 0; i < design.variables.size(); ++i) check_variable(design, i);
         if (design.choose) check_choice(*design.choose);
+        if (design.objective == DesignObjective::cost && design.reductions.empty() &&
+            (!design.choose || design.choose->prices.empty() || !design.variables.empty()))
+            error("/objective",
+                  "the cost is that of rows with 'prices': it needs a table to choose from, "
+                  "and no variables");
         for (std::size_t i = 0; i < design.outputs.size(); ++i)
             check_study_output(outputs_, design.outputs[i], path_ + "/outputs/" + std::to_string(i),
                                problems_);
@@ -150,6 +155,13 @@ private:
                 error(below, "row " + std::to_string(choice.fixed[i]) + " is fixed twice");
         }
         if (choice.fixed.size() > choice.keep) error("/choose/fixed", "more rows are fixed than kept");
+        if (choice.prices.size() > 1 && choice.prices.size() != rows)
+            error("/choose/prices", "there is one price for all rows, or one for each of the " +
+                                        std::to_string(rows) + "; there are " +
+                                        std::to_string(choice.prices.size()));
+        for (std::size_t i = 0; i < choice.prices.size(); ++i)
+            if (!(choice.prices[i] >= 0.0) || !std::isfinite(choice.prices[i]))
+                error("/choose/prices/" + std::to_string(i), "a price must not be negative");
     }
 
     void check_box(const DesignBox& box, const std::string& below) {
@@ -191,6 +203,13 @@ private:
 };
 
 }  // namespace
+
+double DesignChoice::price_of(const std::vector<std::size_t>& rows) const {
+    if (prices.empty()) return 0.0;
+    double sum = 0.0;
+    for (const std::size_t row : rows) sum += prices.size() == 1 ? prices.front() : prices[row];
+    return sum;
+}
 
 std::optional<DesignTable> find_design_table(const Project& project, const AnalysisEntry& analysis,
                                              const DesignChoice& choice, Problems& problems) {

@@ -11,10 +11,11 @@ namespace {
 
 using Style = JsonWriter::Style;
 
-constexpr std::array<Word<DesignObjective>, 3> objectives{
+constexpr std::array<Word<DesignObjective>, 4> objectives{
     {{DesignObjective::largest, "largest"},
      {DesignObjective::mean, "mean"},
-     {DesignObjective::root_mean_square, "root-mean-square"}}};
+     {DesignObjective::root_mean_square, "root-mean-square"},
+     {DesignObjective::cost, "cost"}}};
 
 constexpr std::array<Word<PriceLaw>, 3> price_laws{
     {{PriceLaw::inverse, "inverse"}, {PriceLaw::repeats, "repeats"}, {PriceLaw::logarithmic, "logarithmic"}}};
@@ -84,6 +85,7 @@ DesignChoice read_choice(const Json& value, const std::string& path, Problems& p
     if (keep) take_count(*keep, "keep", reader.path_of("keep"), problems, choice.keep);
     read_list(reader, "fixed", choice.fixed, read_row);
     choice.candidates = reader.text("candidates");
+    read_list(reader, "prices", choice.prices, read_number);
     reader.refuse_unknown_keys();
     return choice;
 }
@@ -96,6 +98,7 @@ void write_choice(JsonWriter& out, const DesignChoice& choice) {
     out.integer(choice.keep);
     write_list(out, "fixed", choice.fixed, [](JsonWriter& to, std::size_t row) { to.integer(row); });
     if (!choice.candidates.empty()) out.member("candidates", choice.candidates);
+    write_list(out, "prices", choice.prices, [](JsonWriter& to, double price) { to.finite_number(price); });
     out.end();
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/math/decompositions.h"
 #include "core/math/normal_quantile.h"
@@ -11,6 +12,9 @@
 
 namespace covaria::detail {
 namespace {
+
+/// Of the variance: what is left is too little for a shift between both that is not smooth.
+constexpr double almost_all = 0.999;
 
 double greatest_eigenvalue(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& outputs) {
     const std::vector<Eigen::Index> index(outputs.begin(), outputs.end());
@@ -55,7 +59,11 @@ BatchSummariser::BatchSummariser(const WatchedStatistics& watched, const TrialSo
     : watched_(watched),
       pilot_(pilot),
       rows_(source.rows()),
-      kept_numbers_limit_(kept_bytes / sizeof(double)) {}
+      kept_numbers_limit_(kept_bytes / sizeof(double)),
+      close_linear_(source.outputs(), 0) {
+    for (std::size_t k = 0; source.linear && k < source.linear->size(); ++k)
+        if (pilot.explained[k] > almost_all) close_linear_[(*source.linear)[k].output] = source.outputs() + k;
+}
 
 void BatchSummariser::begin(std::uint64_t first, std::uint64_t last) {
     first_ = first;
@@ -85,27 +93,48 @@ void BatchSummariser::each_block(TrialBlockRunner& runner, Use use) {
     }
 }
 
-double BatchSummariser::tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner,
-                                   std::size_t output, std::uint64_t rank, Side side) {
+/// The smallest values of the row (of its negative for the high side) into `scratch_`: at least `ranks`.
+void BatchSummariser::gather_tail(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t row,
+                                  std::uint64_t ranks, Side side) {
     const double sign = side == Side::low ? 1.0 : -1.0;
-    const OutputPilot& pilot = pilot_.outputs[output];
-    const OutsideValues& outside = statistics.outside[output];
+    const OutputPilot& pilot = pilot_.outputs[row];
+    const OutsideValues& outside = statistics.outside[row];
     const double threshold = sign * (side == Side::low ? pilot.low : pilot.high).threshold;
     const std::uint64_t equal = side == Side::low ? outside.equal_low : outside.equal_high;
     scratch_.clear();
     for (double y : outside.values)
         if (sign * y < threshold) scratch_.push_back(sign * y);
-    if (rank > scratch_.size() && rank <= scratch_.size() + equal) return sign * threshold;
-    if (rank > scratch_.size()) {  // the tail is too short: look at all values of the batch
-        scratch_.clear();
-        each_block(runner, [&](const double* rows, std::size_t valid) {
-            const double* y = rows + output * block_trials;
-            for (std::size_t t = 0; t < valid; ++t) scratch_.push_back(sign * y[t]);
-        });
-    }
+    if (ranks <= scratch_.size()) return;
+    if (ranks <= scratch_.size() + equal) return scratch_.resize(ranks, threshold);
+    scratch_.clear();  // the tail is too short: look at all values of the batch
+    each_block(runner, [&](const double* rows, std::size_t valid) {
+        const double* y = rows + row * block_trials;
+        for (std::size_t t = 0; t < valid; ++t) scratch_.push_back(sign * y[t]);
+    });
+}
+
+double BatchSummariser::tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner,
+                                   std::size_t row, std::uint64_t rank, Side side) {
+    gather_tail(statistics, runner, row, rank, side);
     const auto nth = scratch_.begin() + static_cast<std::ptrdiff_t>(rank - 1);
     std::nth_element(scratch_.begin(), nth, scratch_.end());
-    return sign * *nth;
+    return side == Side::low ? *nth : -*nth;
+}
+
+BatchSummariser::NearRank BatchSummariser::near_rank(const UnitStatistics& statistics,
+                                                     TrialBlockRunner& runner, std::size_t row,
+                                                     std::uint64_t rank, const RankWeights& around,
+                                                     Side side) {
+    const auto size = static_cast<std::ptrdiff_t>(around.weights.size());
+    const auto before = static_cast<std::ptrdiff_t>(around.first - 1);
+    gather_tail(statistics, runner, row, around.first - 1 + around.weights.size(), side);
+    const auto first = scratch_.begin() + before, last = first + size - 1;
+    std::nth_element(scratch_.begin(), last, scratch_.end());
+    std::nth_element(scratch_.begin(), first, last);
+    std::sort(first, last);
+    const double sign = side == Side::low ? 1.0 : -1.0;
+    return {sign * scratch_[rank - 1],
+            sign * std::inner_product(around.weights.begin(), around.weights.end(), first, 0.0)};
 }
 
 double BatchSummariser::ellipsoid_factor(const CoverageRegion& region, const UnitStatistics& statistics,
@@ -162,15 +191,33 @@ std::uint64_t BatchSummariser::rank_of_figures(std::uint64_t count) const {
     return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(moved), 1, count);
 }
 
+/// Made once: batches have as many values and one of two ranks, unless trials are lost.
+const RankWeights& BatchSummariser::weights_for(std::uint64_t rank, std::uint64_t count) {
+    for (const KnownWeights& known : known_weights_)
+        if (known.rank == rank && known.count == count) return known.around;
+    if (known_weights_.size() >= 2) known_weights_.clear();
+    return known_weights_.emplace_back(KnownWeights{rank, count, weights_around(rank, count)}).around;
+}
+
+/// Of an output that its linear part almost is, the end is that of the part and the shift between both, which
+/// is a smooth function of the rank: the neighbours of a rank tell it as well, and better than that rank
+/// alone, at which other trials stand in the output and in the part.
 void BatchSummariser::add_figures(const UnitStatistics& statistics, TrialBlockRunner& runner,
                                   BatchSummary& summary) {
     const Moments& moments = statistics.moments;
     const std::uint64_t rank = rank_of_figures(moments.count());
+    const auto end = [&](std::size_t row, Side side) {
+        if (row >= close_linear_.size() || close_linear_[row] == 0)
+            return tail_value(statistics, runner, row, rank, side);
+        const RankWeights& around = weights_for(rank, moments.count());
+        const NearRank y = near_rank(statistics, runner, row, rank, around, side);
+        const NearRank linear = near_rank(statistics, runner, close_linear_[row], rank, around, side);
+        return linear.value + (y.smoothed - linear.smoothed);
+    };
     for (std::size_t j = 0; j < rows_; ++j) {
         const auto index = static_cast<Eigen::Index>(j);
-        summary.figures.push_back({{moments.mean(index), moments.variance(index),
-                                    tail_value(statistics, runner, j, rank, Side::low),
-                                    tail_value(statistics, runner, j, rank, Side::high)}});
+        summary.figures.push_back(
+            {{moments.mean(index), moments.variance(index), end(j, Side::low), end(j, Side::high)}});
     }
 }
 

@@ -10,6 +10,7 @@
 #include "core/propagation/batch_estimates.h"
 #include "core/propagation/coverage_regions.h"
 #include "core/propagation/first_order.h"
+#include "core/propagation/nearby_ranks.h"
 #include "core/propagation/options.h"
 #include "core/propagation/unit_statistics.h"
 
@@ -71,8 +72,17 @@ private:
     void add_figures(const UnitStatistics& statistics, TrialBlockRunner& runner, BatchSummary& summary);
     template <class Use>
     void each_block(TrialBlockRunner& runner, Use use);
-    double tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t output,
+    double tail_value(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t row,
                       std::uint64_t rank, Side side);
+    void gather_tail(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t row,
+                     std::uint64_t ranks, Side side);
+    struct NearRank {
+        double value = 0.0;     ///< at the rank
+        double smoothed = 0.0;  ///< by the weights of the ranks around it
+    };
+    NearRank near_rank(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t row,
+                       std::uint64_t rank, const RankWeights& around, Side side);
+    const RankWeights& weights_for(std::uint64_t rank, std::uint64_t count);
     std::uint64_t rank_of_figures(std::uint64_t count) const;
     double ellipsoid_factor(const CoverageRegion& region, const UnitStatistics& statistics,
                             TrialBlockRunner& runner);
@@ -86,6 +96,13 @@ private:
     std::vector<double> kept_;             ///< blocks of rows, as in the runner
     std::vector<std::size_t> kept_valid_;  ///< of each block
     std::vector<double> scratch_;
+    /// Of each output whose linear part explains almost all of it: the row of that part; otherwise 0.
+    std::vector<std::size_t> close_linear_;
+    struct KnownWeights {
+        std::uint64_t rank = 0, count = 0;
+        RankWeights around;
+    };
+    std::vector<KnownWeights> known_weights_;
 };
 
 class AdaptiveProcedure {

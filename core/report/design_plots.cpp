@@ -107,7 +107,7 @@ PlotSpecification front_plot(const DesignResult& result) {
     plot.x.title = "largest U / target";
     plot.y.title = "cost";
     PlotSeries line;
-    line.name = "cheapest reductions";
+    line.name = result.rows.empty() ? "cheapest reductions" : "cheapest rows";
     for (const DesignCost& cost : result.front) {
         line.x.push_back(cost.largest_ratio);
         line.y.push_back(cost.cost);
@@ -120,7 +120,7 @@ PlotSpecification front_plot(const DesignResult& result) {
 PlotSpecification path_plot(const DesignResult& result) {
     PlotSpecification plot = plot_of(result, "path", "The way of the search");
     plot.x.title = "evaluations";
-    plot.y.title = capital(result.objective_words);
+    plot.y.title = result.cost ? "Cost" : capital(result.objective_words);
     PlotSeries line;
     line.name = "best so far";
     for (const DesignStep& step : result.path) {
@@ -135,7 +135,7 @@ PlotSpecification path_plot(const DesignResult& result) {
     line.x.push_back(static_cast<double>(result.evaluations));
     line.y.push_back(line.y.back());
     plot.series.push_back(std::move(line));
-    if (result.before && result.why_not_before.empty())
+    if (result.before && result.why_not_before.empty() && !result.cost)
         plot.marks.push_back({"before", *result.before, true, SeriesRole::reference});
     return plot;
 }

@@ -83,9 +83,34 @@ DataTable values_table(const DesignResult& result) {
 DataTable rows_table(const DesignResult& result) {
     DataTable table = table_of("rows", "Rows that are kept",
                                {"row", "name", "fixed", "of the candidates' file", "objective without it"});
-    for (const DesignRow& row : result.rows)
+    if (result.cost) table.columns.push_back({"price", {}, false, 0});
+    for (const DesignRow& row : result.rows) {
         table.rows.push_back({static_cast<double>(row.row), row.name, std::string(yes_or_no(row.fixed)),
                               std::string(yes_or_no(row.added)), number_cell(row.without)});
+        if (result.cost) table.rows.back().push_back(number_cell(row.price));
+    }
+    return table;
+}
+
+DataTable gains_table(const DesignResult& result) {
+    DataTable table = table_of("gains", "Candidates and what they gain",
+                               {"row", "name", "chosen", "gain (%)", "x (mm)", "y (mm)", "z (mm)"});
+    const Unit mm = Unit::of("mm");
+    for (const DesignGain& gain : result.gains) {
+        table.rows.push_back({static_cast<double>(gain.row), gain.name, std::string(yes_or_no(gain.kept)),
+                              gain.gain ? TableCell(100.0 * *gain.gain) : TableCell()});
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            table.rows.back().push_back(gain.place ? TableCell(mm.from_si((*gain.place)[axis]))
+                                                   : TableCell());
+    }
+    return table;
+}
+
+DataTable sources_table(const DesignResult& result) {
+    DataTable table =
+        table_of("sources", "What would be gained without the uncertainty of", {"origin", "gain (%)"});
+    for (const DesignSource& source : result.sources)
+        table.rows.push_back({source.origin, 100.0 * source.gain});
     return table;
 }
 
@@ -222,14 +247,16 @@ void write_values(std::ostringstream& out, const DesignResult& result) {
 
 void write_cost(std::ostringstream& out, const DesignResult& result) {
     if (!result.cost) return;
-    out << "\nThe cheapest reductions cost " << format_significant(*result.cost, 6) << '\n';
+    out << "\nThe cheapest " << (result.rows.empty() ? "reductions" : "rows") << " cost "
+        << format_significant(*result.cost, 6) << '\n';
     for (const DesignGoal& goal : result.goals)
         if (const auto price = price_in(goal.output.unit, goal))
             out << "  the target of U(" << name_of(goal.output) << ") costs " << format_significant(*price, 4)
                 << " for every " << (goal.output.unit == Unit{} ? "unit" : goal.output.unit.text())
                 << " less\n";
     if (result.front.empty()) return;
-    out << "\nCost with other targets, all by the same factor\n";
+    out << (result.rows.empty() ? "\nCost with other targets, all by the same factor\n"
+                                : "\nLargest U/target and cost: the best that was tried\n");
     std::vector<std::vector<std::string>> rows;
     for (const DesignCost& cost : result.front)
         rows.push_back({format_significant(cost.largest_ratio, 4), format_significant(cost.cost, 4)});
@@ -240,13 +267,24 @@ void write_rows(std::ostringstream& out, const DesignResult& result) {
     if (result.rows.empty()) return;
     out << "\nRows kept: " << result.rows.size() << " of " << result.candidates
         << (result.proved ? " (all choices were evaluated: this is the best)" : "") << '\n';
-    std::vector<std::vector<std::string>> rows{{"", "row", "objective without it", ""}};
+    std::vector<std::vector<std::string>> rows{
+        {"", "row", "objective without it", "", result.cost ? "price" : ""}};
     for (const DesignRow& row : result.rows)
         rows.push_back({row.name, std::to_string(row.row),
                         row.without ? format_significant(*row.without, 4) + " (" +
                                           percent(*row.without / result.objective - 1.0) + ")"
                                     : "no result",
-                        row.fixed ? "fixed" : ""});
+                        row.fixed ? "fixed" : "", row.price ? format_significant(*row.price, 4) : ""});
+    write_table(out, rows);
+}
+
+void write_sources(std::ostringstream& out, const DesignResult& result) {
+    constexpr std::size_t most = 8;
+    if (result.sources.empty()) return;
+    out << "\nThe objective would be smaller without the uncertainty of\n";
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t i = 0; i < std::min(most, result.sources.size()); ++i)
+        rows.push_back({result.sources[i].origin, percent(-result.sources[i].gain)});
     write_table(out, rows);
 }
 
@@ -289,17 +327,20 @@ void write_end(std::ostringstream& out, const DesignResult& result) {
 
 std::vector<DataTable> design_tables(const DesignResult& result) {
     std::vector<DataTable> tables{outputs_table(result)};
-    for (DataTable table : {values_table(result), rows_table(result), curve_table(result),
-                            front_table(result), path_table(result), reasons_table(result)})
+    for (DataTable table :
+         {values_table(result), rows_table(result), gains_table(result), sources_table(result),
+          curve_table(result), front_table(result), path_table(result), reasons_table(result)})
         if (!table.rows.empty()) tables.push_back(std::move(table));
     return tables;
 }
 
 std::vector<DataTable> readable_design_tables(const DesignResult& result) {
+    constexpr std::size_t most_readable = 30;
     static const std::set<std::string> counts{"rows", "count"};
     std::vector<DataTable> tables;
     for (const DataTable& table : design_tables(result)) {
         if (table.id == "path") continue;
+        if (table.id == "front" && table.rows.size() > most_readable) continue;  // the chart shows it
         DataTable readable{
             table.id, table.title, {}, std::vector<std::vector<TableCell>>(table.rows.size()), {}};
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -368,6 +409,7 @@ std::string design_text(const DesignResult& result) {
         write_values(out, result);
         write_cost(out, result);
         write_rows(out, result);
+        write_sources(out, result);
         write_curve(out, result);
     }
     write_end(out, result);

@@ -9,7 +9,8 @@
 
 namespace covaria {
 
-/// "outputs", and as far as there are any "values", "rows", "curve", "path", "reasons"; full precision.
+/// "outputs", and as far as there are any "values", "rows", "gains", "sources", "curve", "front", "path",
+/// "reasons"; full precision.
 std::vector<DataTable> design_tables(const DesignResult& result);
 /// Of those what people read of a design: rounded, without the way of the search and without columns that say
 /// nothing.

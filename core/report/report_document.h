@@ -63,6 +63,7 @@ struct PlotBlock {
 struct SceneBlock {
     std::string id, analysis, group, view;
     std::string caption;
+    std::string design = {};  ///< what this design of the analysis found, in place of the result
 };
 
 using ReportBlock = std::variant<HeadingBlock, ParagraphBlock, ListBlock, FactsBlock, EquationBlock,

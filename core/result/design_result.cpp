@@ -14,4 +14,11 @@ bool DesignResult::met() const {
     return found && std::all_of(goals.begin(), goals.end(), [](const auto& goal) { return goal.met(); });
 }
 
+bool stands_in_space(const DesignResult& design) {
+    if (!design.found) return false;
+    return !design.places.tracks.empty() ||
+           std::any_of(design.gains.begin(), design.gains.end(),
+                       [](const DesignGain& gain) { return gain.place.has_value(); });
+}
+
 }  // namespace covaria

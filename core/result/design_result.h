@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/model/output_quantity.h"
+#include "core/result/design_places.h"
 #include "core/text/text.h"
 
 namespace covaria {
@@ -29,6 +30,26 @@ struct DesignRow {
     bool fixed = false;
     bool added = false;               ///< of the CSV file
     std::optional<double> without{};  ///< objective of the design without this row; empty: it has no result
+    std::optional<double> price{};    ///< where it is about cost
+};
+
+/// What a row of the table gains, kept or not, with the others as chosen.
+struct DesignGain {
+    std::size_t row = 0;
+    std::string name;
+    bool kept = false;
+    /// Part by which the objective is smaller with it than without it; empty: one of the two has no result.
+    std::optional<double> gain{};
+    std::optional<Eigen::Vector3d> place{};  ///< m, in W; empty: it stands nowhere in space
+};
+
+/// A certificate, an instrument's statement, readings: components of one origin, by the budget of what was
+/// found.
+struct DesignSource {
+    std::string origin;
+    /// Part by which the objective would be smaller if they had no uncertainty, by first order and with the
+    /// weights of an adjustment as they are.
+    double gain = 0.0;
 };
 
 /// An output that was looked at.
@@ -48,8 +69,9 @@ struct DesignGoal {
 /// An improvement on the way.
 struct DesignStep {
     std::uint64_t evaluation = 0;
-    std::string search;  ///< "greedy", "exchange", "start 3"
-    double objective = 0.0;
+    std::string search;            ///< "greedy", "exchange", "start 3"
+    double objective = 0.0;        ///< or the cost, where it is about cost
+    std::vector<double> values{};  ///< of the variables
 };
 
 /// The best objective that was found with so many rows.
@@ -76,14 +98,16 @@ struct DesignResult {
     bool proved = false;             ///< all choices of rows were evaluated
     std::optional<double> before{};  ///< objective of the present design; empty: it has no result
     std::string why_not_before;      ///< then why
-    double objective = 0.0;
+    double objective = 0.0;          ///< where it is about cost the largest U/target
     std::vector<DesignValue> values;
     std::vector<DesignRow> rows;  ///< those kept, in their order
     std::size_t candidates = 0;
+    std::vector<DesignGain> gains;      ///< of all candidate rows
+    std::vector<DesignSource> sources;  ///< by falling gain
     std::vector<DesignGoal> goals;
     std::vector<DesignCount> curve;
     std::vector<DesignStep> path;
-    std::optional<double> cost{};   ///< of the reductions
+    std::optional<double> cost{};   ///< of the reductions or rows
     std::vector<DesignCost> front;  ///< likewise, by rising ratio
     std::uint64_t evaluations = 0;
     std::vector<DesignReason> reasons;            ///< of evaluations without result, by falling count
@@ -92,9 +116,13 @@ struct DesignResult {
     std::uint64_t seed = 0;
     double coverage_probability = 0.95;
     std::string fingerprint;  ///< of the analysis that was searched from
+    DesignPlaces places;      ///< of what was found; no part of files
 
     /// Found, and every goal with a target meets it.
     bool met() const;
 };
+
+/// It was found, and a candidate or something that its variables move has a place to be shown at.
+bool stands_in_space(const DesignResult& design);
 
 }  // namespace covaria

@@ -34,6 +34,11 @@ struct Further {
     bool several_lines = false;  ///< of a text
 };
 
+/// Three columns alike with these keys as titles; '*' in the help is the axis, x, y or z.
+using AxisKeys = std::array<const char*, 3>;
+inline constexpr AxisKeys along_axes{"x", "y", "z"}, zyx_angles{"alpha", "beta", "gamma"};
+std::array<ColumnSpec, 3> by_axis(const AxisKeys& keys, const std::string& help, const Further& more);
+
 namespace detail {
 
 template <class E>
@@ -179,10 +184,16 @@ public:
             choices));
         return *this;
     }
-    /// A column for each element of a vector or array.
+    /// One element of a vector or array.
+    template <class A>
+    Columns& element(A Row::*member, std::size_t i, ColumnSpec spec) {
+        all_.push_back(detail::element_declaration(member, i, std::move(spec)));
+        return *this;
+    }
+    /// A column for each of them.
     template <class A, std::size_t N>
     Columns& each(A Row::*member, const std::array<ColumnSpec, N>& specs) {
-        for (std::size_t i = 0; i < N; ++i) all_.push_back(detail::element_declaration(member, i, specs[i]));
+        for (std::size_t i = 0; i < N; ++i) element(member, i, specs[i]);
         return *this;
     }
     /// The columns of a struct within the row.
@@ -251,10 +262,7 @@ public:
             choices));
     }
     template <class Row>
-    Fields& table(std::vector<Row> S::*member, std::string key, std::string title, std::string help,
-                  const Columns<Row>& columns, Further more = {}) {
-        FieldSpec spec =
-            detail::spec_of<FieldSpec>(std::move(key), std::move(title), std::move(help), std::move(more));
+    Fields& table(std::vector<Row> S::*member, FieldSpec spec, const Columns<Row>& columns) {
         spec.kind = FieldKind::table;
         spec.columns = columns.specs();
         return append({std::move(spec), member,
@@ -263,10 +271,23 @@ public:
                        },
                        columns});
     }
+    template <class Row>
+    Fields& table(std::vector<Row> S::*member, std::string key, std::string title, std::string help,
+                  const Columns<Row>& columns, Further more = {}) {
+        return table(
+            member,
+            detail::spec_of<FieldSpec>(std::move(key), std::move(title), std::move(help), std::move(more)),
+            columns);
+    }
+    /// One element of an array.
+    template <class A>
+    Fields& element(A S::*member, std::size_t i, FieldSpec spec) {
+        return append(detail::element_declaration(member, i, std::move(spec)));
+    }
     /// A field for each element of an array.
     template <class A, std::size_t N>
     Fields& each(A S::*member, const std::array<FieldSpec, N>& specs) {
-        for (std::size_t i = 0; i < N; ++i) append(detail::element_declaration(member, i, specs[i]));
+        for (std::size_t i = 0; i < N; ++i) element(member, i, specs[i]);
         return *this;
     }
     /// The fields of a struct within the set-up; `fields` has their places.
@@ -305,10 +326,14 @@ public:
         return made;
     }
 
+    template <class M>
+    const std::string& key(M S::*member) const {
+        return all_[detail::index_of(all_, member)].spec.key;
+    }
     /// Places for problems: "/unit", "/points/rows/2", "/points/rows/2/u_y".
     template <class M>
     std::string place(M S::*member) const {
-        return "/" + all_[detail::index_of(all_, member)].spec.key;
+        return "/" + key(member);
     }
     template <class Row>
     std::string place(std::vector<Row> S::*table, std::size_t row) const {

@@ -53,31 +53,13 @@ struct Setup {
     bool operator==(const Setup&) const = default;
 };
 
-/// A set-up together with the schema that gives defaults and units. Valid only while both live. Reading a key
-/// that the schema does not have, or as another kind, is a programming error (terminates with the key's
-/// name).
+/// A set-up together with the schema that gives defaults and units; read by Fields (core/setup/fields.h).
+/// Valid only while both live.
 class SetupReader {
 public:
     SetupReader(const SetupSchema& schema, const Setup& setup) : schema_(&schema), setup_(&setup) {}
     const SetupSchema& schema() const { return *schema_; }
     const Setup& setup() const { return *setup_; }
-
-    bool has(const std::string& key) const;       ///< given, or the schema has a default
-    double number(const std::string& key) const;  ///< SI
-    int integer(const std::string& key) const;
-    bool flag(const std::string& key) const;
-    std::string text(const std::string& key) const;  ///< text, choice (its key) or reference (the asset's id)
-    Eigen::Isometry3d pose(const std::string& key) const;
-    std::array<double, 6> pose_coordinates(const std::string& key) const;  ///< as typed, in SI
-
-    std::size_t rows(const std::string& table) const;
-    bool cell_empty(const std::string& table, std::size_t row, const std::string& column) const;
-    double cell_number(const std::string& table, std::size_t row, const std::string& column) const;  ///< SI
-    std::string cell_text(const std::string& table, std::size_t row, const std::string& column) const;
-    bool cell_flag(const std::string& table, std::size_t row,
-                   const std::string& column) const;  ///< empty: false
-    Eigen::Vector3d cell_vector(const std::string& table, std::size_t row,
-                                const std::string& first_column) const;  ///< three columns on end
 
 private:
     const SetupSchema* schema_;

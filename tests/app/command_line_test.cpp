@@ -35,6 +35,20 @@ TEST(CommandLine, WrongUsageIsStatusTwo) {
     EXPECT_EQ(run_program({"run", stewart, "--trials", "1000", "--adaptive"}).status, 2);
 }
 
+TEST(CommandLine, TheLibraryIsSearchedAndTellsItsSources) {
+    const Outcome found = run_program({"library", "search", "LEICA", "at960"});
+    ASSERT_EQ(found.status, 0) << found.err;
+    EXPECT_NE(found.out.find("leica-at960"), std::string::npos) << found.out;
+    EXPECT_EQ(found.out.find("faro"), std::string::npos) << found.out;
+    const Outcome shown = run_program({"library", "show", "leica-at500"});
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    EXPECT_NE(shown.out.find("ISO 10360-10:2021"), std::string::npos) << shown.out;
+    EXPECT_EQ(run_program({"library", "search", "no-such-thing"}).status, 1);
+    const Outcome unknown = run_program({"library", "show", "no-such-thing"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("covaria library list"), std::string::npos) << unknown.err;
+}
+
 TEST(CommandLine, RunWritesResultsAndTables) {
     const fs::path folder = fresh_folder("run");
     const Outcome run = run_program({"run", stewart, "--trials", "20000", "--out", folder.string()});
@@ -159,6 +173,7 @@ TEST(CommandLine, DesignWritesWhatItFoundAndTakesItOver) {
     ASSERT_EQ(found.status, 0) << found.err;
     EXPECT_NE(found.out.find("Rows kept: 12 of 22"), std::string::npos) << found.out;
     const json design = json::parse(read_text(folder / "design-points-twelve.json"));
+    EXPECT_EQ(design.at("gains").size(), 22u);
     EXPECT_EQ(design.at("format"), "covaria-design");
     EXPECT_EQ(design.at("rows").size(), 12u);
     EXPECT_LT(design.at("best").get<double>(), 1.1);
@@ -217,6 +232,24 @@ TEST(CommandLine, RenderDrawsAPicture) {
     EXPECT_EQ(unknown.status, 1);
     EXPECT_NE(unknown.err.find("pose 13"), std::string::npos)
         << "the message names the groups there are: " << unknown.err;
+}
+
+TEST(CommandLine, RenderDrawsWhatADesignHasFound) {
+    const fs::path folder = fresh_folder("render-design");
+    const std::string ballbars = shipped_project("ballbar-design.covaria").string();
+    const std::string file = (folder / "design.png").string(), plain = (folder / "plain.png").string();
+    const std::vector<std::string> more = {"--trials", "2000", "--width", "640", "--height", "400"};
+    const auto render = [&](std::vector<std::string> words) {
+        words.insert(words.end(), more.begin(), more.end());
+        return run_program(words);
+    };
+    ASSERT_EQ(render({"render", ballbars, "--design", "twelve", "-o", file}).status, 0);
+    ASSERT_EQ(render({"render", ballbars, "-o", plain}).status, 0);
+    EXPECT_EQ(read_text(file).substr(1, 3), "PNG");
+    EXPECT_NE(read_text(file), read_text(plain));
+    const Outcome unknown = render({"render", ballbars, "--design", "thirteen", "-o", file});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("has no design \"thirteen\""), std::string::npos) << unknown.err;
 }
 
 TEST(CommandLine, ReportWritesAllFormatsAndTheirFigures) {

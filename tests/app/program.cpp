@@ -48,13 +48,6 @@ bool is_at_work(pid_t process) {
 
 }  // namespace
 
-fs::path fresh_folder(const std::string& name) {
-    const fs::path folder = fs::path(COVARIA_BINARY_DIR) / "test-files" / name;
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-}
-
 std::string read_text(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;

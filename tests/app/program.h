@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/fresh_folder.h"
+
 struct Outcome {
     int status = -1;  ///< exit status; 128 + n for signal n
     std::string out;
@@ -22,8 +24,7 @@ Outcome run_program(const std::vector<std::string>& arguments, Ending ending = E
 Outcome run_program_with(const std::vector<std::string>& environment,
                          const std::vector<std::string>& arguments, Ending ending = Ending::by_itself);
 
-/// A fresh folder under the build tree, emptied at construction.
-std::filesystem::path fresh_folder(const std::string& name);
+using covaria::test::fresh_folder;
 std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
 /// projects/NAME of the source tree.

@@ -84,9 +84,8 @@ struct OpenWindow {
         QTest::keyClicks(edit, QString::number(0.07 + 1e-5 * i) + QStringLiteral(" mm"));
         const PreparedPointer before = status().result_of;
         bool shown = false;
-        const auto connection = QObject::connect(
-            &window.runner(), &AnalysisRunner::result_changed, &window,
-            [&] {
+        const auto connection =
+            QObject::connect(&window.runner(), &AnalysisRunner::result_changed, &window, [&] {
                 const bool wanted = !trials || (status().result && status().result->trials > 0);
                 shown = shown || (wanted && status().is_of_present() && status().result_of != before);
             });

@@ -2,6 +2,7 @@
 #include "ui/document/document.h"
 
 #include <QFileInfo>
+#include <utility>
 
 #include "core/carried/carried_project.h"
 #include "ui/document/copy_linked_files.h"
@@ -52,12 +53,29 @@ Document::~Document() {
 }
 
 bool Document::apply(const QString& text, const ProjectEdit& edit, const QString& merge_key) {
-    auto after = std::make_shared<Project>(*project_);
+    push_waiting();
+    const ProjectSnapshot before = waiting_ ? waiting_->after : project_;
+    auto after = std::make_shared<Project>(*before);
     edit(*after);
-    if (*after == *project_) return false;
+    if (*after == *before) return false;
+    if (changing_)
+        waiting_ = {text, merge_key, std::move(after)};
+    else
+        push(text, std::move(after), merge_key);
+    return true;
+}
+
+void Document::push(const QString& text, ProjectSnapshot after, const QString& merge_key) {
     undo_stack_.push(
         new ProjectCommand(*this, text, std::move(after), {merge_key, merge_series_, merge_window_}));
-    return true;
+    push_waiting();
+}
+
+/// A step inside another would stand before it in the history.
+void Document::push_waiting() {
+    if (changing_ || !waiting_) return;
+    const Waiting next = *std::exchange(waiting_, std::nullopt);
+    push(next.text, next.after, next.merge_key);
 }
 
 void Document::set_project(ProjectSnapshot project) {
@@ -69,7 +87,11 @@ void Document::set_project(ProjectSnapshot project) {
     }
     project_ = std::move(project);
     maker_.request(project_);
+    const bool inside = std::exchange(changing_, true);
     emit project_changed();
+    changing_ = inside;
+    // Undo and redo do not come by `push`.
+    if (waiting_) QMetaObject::invokeMethod(this, &Document::push_waiting, Qt::QueuedConnection);
 }
 
 /// Problems of a state that is no longer there would stand in the wrong places.
@@ -88,6 +110,7 @@ void Document::collect_problems() {
 void Document::adopt(ProjectSnapshot project, const QString& file, const MadeProject::Pointer& made) {
     open_job_.cancel();
     undo_stack_.clear();
+    waiting_.reset();
     unsaved_ = false;
     report_.clear();
     set_file(file);

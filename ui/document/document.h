@@ -6,6 +6,7 @@
 #include <QUndoStack>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/made/load_project.h"
@@ -32,7 +33,8 @@ public:
 
     /// Copies the project, edits the copy, and if it differs pushes one undo step. Edits with the same
     /// `merge_key` (not empty) that follow each other closely become one step: drags and typing.
-    /// Returns whether the project changed.
+    /// Returns whether the project changed. From a slot of `project_changed` (a field that loses its focus
+    /// with the entry it is of): a step of its own, once the present one is done.
     bool apply(const QString& text, const ProjectEdit& edit, const QString& merge_key = {});
     /// The next edit starts a new undo step whatever its key (end of a drag).
     void end_merging() { ++merge_series_; }
@@ -97,7 +99,16 @@ private:
     void finish_open(const QString& file, const LoadedProject& loaded);
     void collect_problems();
 
+    void push(const QString& text, ProjectSnapshot after, const QString& merge_key);
+    void push_waiting();
+
     ProjectSnapshot project_ = std::make_shared<const Project>();
+    bool changing_ = false;  ///< `project_changed` is being heard
+    struct Waiting {
+        QString text, merge_key;
+        ProjectSnapshot after;
+    };
+    std::optional<Waiting> waiting_;  ///< the step after the present one
     QUndoStack undo_stack_;
     ProjectMaker maker_;
     UnreadTexts unread_;

@@ -102,6 +102,18 @@ std::string add_analysis(Document& document, const std::string& model, const Eva
     return entry.id;
 }
 
+std::string add_from_template(Document& document, const AnalysisTemplate& wanted, QString& why) {
+    Project with = document.project();
+    const Result<std::string> id = add_template(with, wanted);
+    if (!id) {
+        why = to_qt(id.error().message);
+        return {};
+    }
+    document.apply(Document::tr("Add %1").arg(to_qt(wanted.title)),
+                   [&](Project& project) { project = with; });
+    return *id;
+}
+
 std::string duplicate(Document& document, const SetupAddress& address) {
     std::string id;
     document.apply(Document::tr("Duplicate %1").arg(name_of(document.project(), address)),

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/made/analysis_templates.h"
 #include "ui/document/document.h"
 #include "ui/document/setup_address.h"
 
@@ -20,6 +21,9 @@ std::string add_asset(Document& document, const std::string& kind);
 /// A copy of an asset of the library.
 std::string add_copy(Document& document, const AssetEntry& asset);
 std::string add_analysis(Document& document, const std::string& model, const EvaluationOptions& options = {});
+/// The template's analysis with what it needs (core/made/analysis_templates.h). Empty, and a message in
+/// `why`, where it cannot be read.
+std::string add_from_template(Document& document, const AnalysisTemplate& wanted, QString& why);
 /// Id of the copy, which stands right after the original.
 std::string duplicate(Document& document, const SetupAddress& entry);
 /// Of an entry, or the title of the project.

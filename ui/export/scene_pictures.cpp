@@ -1,6 +1,7 @@
 #include "ui/export/scene_pictures.h"
 
 #include "viz/scene/analysis_scene.h"
+#include "viz/scene/design_scene.h"
 #include "viz/vtk/scene_renderer.h"
 
 namespace covaria::ui {
@@ -9,6 +10,14 @@ namespace {
 /// Width of a figure in units of letters' pixels: at the width of the printed text letters come out at 7
 /// points, and the legend still finds room beside the scene.
 constexpr double printed_width = 860.0;
+
+Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const std::string& design,
+                       const SceneOptions& options) {
+    if (design.empty()) return analysis_scene(*evaluated.analysis, evaluated.result.get(), options);
+    for (const auto& one : evaluated.designs)
+        if (one->id == design) return design_scene(*one, options);
+    return fail(ErrorCode::not_found, "the report has no design \"" + design + "\"");
+}
 
 }  // namespace
 
@@ -27,7 +36,7 @@ QImage ScenePictures::render(const SceneBlock& block, QSize size) {
         SceneOptions options;
         options.group = block.group;
         options.probability = evaluated.result->coverage_probability;
-        auto scene = analysis_scene(*evaluated.analysis, evaluated.result.get(), options);
+        auto scene = scene_of(evaluated, block.design, options);
         if (!scene) {
             problem_ = scene.error().message;
             return {};

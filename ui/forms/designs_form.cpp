@@ -3,10 +3,12 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <charconv>
 
+#include "core/project/options_json.h"
 #include "ui/document/setup_address.h"
 #include "ui/theme/strings.h"
 
@@ -75,6 +77,8 @@ void DesignsForm::build_body() {
     column->addWidget(add, 0, Qt::AlignLeft);
     connect(add, &QPushButton::clicked, this, &DesignsForm::add_variable);
     build_choice(*column);
+    build_reductions(*column);
+    build_space(*column);
     build_search(*column);
     layout()->addWidget(body_);
 }
@@ -93,6 +97,7 @@ void DesignsForm::build_goal(QVBoxLayout& column) {
     objective_->addItem(tr("Largest ratio"), int(DesignObjective::largest));
     objective_->addItem(tr("Mean of the ratios"), int(DesignObjective::mean));
     objective_->addItem(tr("Root mean square of the ratios"), int(DesignObjective::root_mean_square));
+    objective_->addItem(tr("Cost of the rows, with all targets met"), int(DesignObjective::cost));
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Smallest"), objective_);
     column.addLayout(form);
@@ -139,6 +144,7 @@ void DesignsForm::build_choice(QVBoxLayout& column) {
     form->addRow(tr("Keep"), keep_);
     form->addRow(tr("Candidates"), candidates_);
     form->addRow(tr("Stay"), fixed_);
+    form->addRow(tr("Prices"), build_prices());
     column.addWidget(group);
     connect(table_, &QComboBox::activated, this, [this](int row) {
         std::optional<DesignChoice> choice;
@@ -181,16 +187,6 @@ QuantityEdit* DesignsForm::whole_number(const char* name, const QString& title, 
 
 void DesignsForm::build_search(QVBoxLayout& column) {
     auto* form = new QFormLayout;
-    least_distance_ = new QuantityEdit;
-    least_distance_->setObjectName(QStringLiteral("design_least_distance"));
-    least_distance_->setAccessibleName(tr("Least distance"));
-    least_distance_->set_unit(Unit::of("mm"));
-    least_distance_->set_help(tr("Between instruments, and of them from all other points"));
-    form->addRow(tr("Least distance"), least_distance_);
-    connect(least_distance_, &QuantityEdit::quantity_edited, this,
-            [this](const std::optional<Quantity>& quantity) {
-                change([&](Design& d) { d.least_distance = quantity; }, QStringLiteral("least_distance"));
-            });
     const auto add = [&](const char* name, const QString& title, double least, auto member) {
         using Member = std::remove_reference_t<decltype(std::declval<Design&>().*member)>;
         QuantityEdit* edit = whole_number(name, title, least, [member](Design& d, double value) {
@@ -201,11 +197,83 @@ void DesignsForm::build_search(QVBoxLayout& column) {
     };
     add("design_starts", tr("Starts"), 1.0, &Design::starts);
     add("design_most_evaluations", tr("Evaluations at most"), 1.0, &Design::most_evaluations);
+    form->addRow(tr("Seed"), build_seed());
     column.addLayout(form);
-    further_ = new QLabel;
-    further_->setWordWrap(true);
-    further_->setEnabled(false);
-    column.addWidget(further_);
+}
+
+void DesignsForm::build_space(QVBoxLayout& column) {
+    auto* form = new QFormLayout;
+    least_distance_ = new QuantityEdit;
+    least_distance_->setObjectName(QStringLiteral("design_least_distance"));
+    least_distance_->setAccessibleName(tr("Least distance"));
+    least_distance_->set_unit(Unit::of("mm"));
+    least_distance_->set_help(tr("Between instruments, and of them from all other points"));
+    form->addRow(tr("Least distance"), least_distance_);
+    column.addLayout(form);
+    connect(least_distance_, &QuantityEdit::quantity_edited, this,
+            [this](const std::optional<Quantity>& quantity) {
+                change([&](Design& d) { d.least_distance = quantity; }, QStringLiteral("least_distance"));
+            });
+    keep_out_ = new DesignBoxList(tr("Keep out of"), QStringLiteral("keep_out"),
+                                  tr("No instrument stands in this box"));
+    hidden_by_ = new DesignBoxList(tr("Lines of sight are hidden by"), QStringLiteral("hidden_by"),
+                                   tr("No line of sight passes this box"));
+    for (auto [list, member] : {std::pair{keep_out_, &Design::keep_out}, {hidden_by_, &Design::hidden_by}}) {
+        column.addWidget(list);
+        connect(list, &DesignBoxList::edited, this,
+                [this, member = member](const DesignBoxList::Edit& edit, const QString& field) {
+                    change([&](Design& d) { edit(d.*member); }, field);
+                });
+    }
+}
+
+void DesignsForm::build_reductions(QVBoxLayout& column) {
+    reductions_ = new DesignReductionList([this] { return targets(); });
+    column.addWidget(reductions_);
+    connect(reductions_, &DesignReductionList::edited, this,
+            [this](const DesignReductionList::Edit& edit, const QString& field) {
+                change([&](Design& d) { edit(d.reductions); }, field);
+            });
+}
+
+/// "120; 80; 95": with the decimal sign of the locale, one for all rows or one for each.
+QLineEdit* DesignsForm::build_prices() {
+    prices_ = new QLineEdit;
+    prices_->setObjectName(QStringLiteral("design_prices"));
+    prices_->setAccessibleName(tr("Prices of the rows"));
+    prices_->setPlaceholderText(tr("one for all rows, or one for each: 120; 80; 95"));
+    prices_->setToolTip(
+        tr("What the rows cost, separated by semicolons; needed where the cost is to be small"));
+    connect(prices_, &QLineEdit::editingFinished, this, [this] {
+        std::vector<double> prices;
+        for (const QString& text : prices_->text().split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
+            bool read = false;
+            prices.push_back(QLocale().toDouble(text.trimmed(), &read));
+            if (!read) prices.back() = text.trimmed().toDouble(&read);
+            if (read) continue;
+            return prices_->setToolTip(tr("'%1' is no number; separate prices by semicolons").arg(text));
+        }
+        change(
+            [&prices](Design& d) {
+                if (d.choose) d.choose->prices = prices;
+            },
+            QStringLiteral("prices"));
+    });
+    return prices_;
+}
+
+QLineEdit* DesignsForm::build_seed() {
+    seed_ = new QLineEdit;
+    seed_->setObjectName(QStringLiteral("design_seed"));
+    seed_->setAccessibleName(tr("Seed"));
+    seed_->setToolTip(tr("Of the random starts: a whole number from 0 to 18446744073709551615"));
+    connect(seed_, &QLineEdit::editingFinished, this, [this] {
+        if (const auto seed = seed_from(to_std(seed_->text().trimmed())))
+            change([seed](Design& d) { d.seed = *seed; }, QStringLiteral("seed"));
+        else if (const Design* shown = design())
+            seed_->setText(QString::number(shown->seed));
+    });
+    return seed_;
 }
 
 const Design* DesignsForm::design() const {
@@ -255,31 +323,35 @@ void DesignsForm::refresh() {
         edit->set_place(document_.unread(), place("/" + to_std(edit->objectName())));
         edit->set_quantity(Quantity{value_of_design(*shown), {}});
     }
-    QStringList further;
-    if (!shown->keep_out.empty())
-        further << tr("%n box(es) to keep out of", nullptr, int(shown->keep_out.size()));
-    if (!shown->hidden_by.empty())
-        further << tr("%n box(es) that hide", nullptr, int(shown->hidden_by.size()));
-    if (!shown->reductions.empty())
-        further << tr("%n reduction(s) with a price", nullptr, int(shown->reductions.size()));
-    further_->setText(further.isEmpty()
-                          ? QString()
-                          : tr("From the project file: %1.").arg(further.join(QStringLiteral(", "))));
-    further_->setVisible(!further.isEmpty());
+    keep_out_->show_boxes(shown->keep_out, document_.unread(), place("/keepOut"));
+    hidden_by_->show_boxes(shown->hidden_by, document_.unread(), place("/hiddenBy"));
+    refresh_reductions(*shown);
+    if (!seed_->hasFocus()) seed_->setText(QString::number(shown->seed));
     refresh_problems();
+}
+
+std::vector<StudyTargetChoice> DesignsForm::targets() const {
+    if (!entry()) return {};
+    auto choices = study_targets(document_.project(), *entry(), prepared() ? &prepared()->inputs : nullptr);
+    std::erase_if(choices, [](const StudyTargetChoice& choice) { return choice.target.whole; });
+    return choices;
+}
+
+QString DesignsForm::title_of(const StudyAxis& number) const {
+    const auto target =
+        find_study_target(document_.project(), *entry(), prepared() ? &prepared()->inputs : nullptr, number);
+    return target ? to_qt(to_unicode(target->title)) : QString();
+}
+
+void DesignsForm::refresh_reductions(const Design& shown) {
+    std::vector<QString> titles;
+    for (const DesignReduction& reduction : shown.reductions) titles.push_back(title_of(reduction.number));
+    reductions_->show_reductions(shown.reductions, titles, document_.unread(), place("/reductions"));
 }
 
 void DesignsForm::add_variable_edit() {
     const std::size_t number = variable_edits_.size();
-    auto* edit = new StudyAxisEdit(
-        [this]() -> std::vector<StudyTargetChoice> {
-            if (!entry()) return {};
-            auto choices =
-                study_targets(document_.project(), *entry(), prepared() ? &prepared()->inputs : nullptr);
-            std::erase_if(choices, [](const StudyTargetChoice& choice) { return choice.target.whole; });
-            return choices;
-        },
-        StudyAxisEdit::Use::variable, number);
+    auto* edit = new StudyAxisEdit([this] { return targets(); }, StudyAxisEdit::Use::variable, number);
     variables_->addWidget(edit);
     variable_edits_.push_back(edit);
     connect(edit, &StudyAxisEdit::edited, this,
@@ -354,13 +426,17 @@ void DesignsForm::refresh_choice(const Design& shown) {
             offer.choice.table == shown.choose->table)
             table_->setCurrentIndex(table_->count() - 1);
     }
-    for (QWidget* each :
-         {static_cast<QWidget*>(keep_), static_cast<QWidget*>(candidates_), static_cast<QWidget*>(fixed_)})
+    for (QWidget* each : std::initializer_list<QWidget*>{keep_, candidates_, fixed_, prices_})
         each->setEnabled(shown.choose.has_value());
     fixed_->clear();
     keep_->set_place(document_.unread(), place("/choose/keep"));
     keep_->set_quantity(Quantity{shown.choose ? double(shown.choose->keep) : 1.0, {}});
     candidates_->setText(shown.choose ? to_qt(shown.choose->candidates) : QString());
+    QStringList prices;
+    if (shown.choose)
+        for (const double price : shown.choose->prices)
+            prices << QLocale().toString(price, 'g', QLocale::FloatingPointShortest);
+    if (!prices_->hasFocus()) prices_->setText(prices.join(QStringLiteral("; ")));
     Problems ignored;  // the list of problems has them
     const auto table = shown.choose ? find_design_table(document_.project(), *entry(), *shown.choose, ignored)
                                     : std::optional<DesignTable>();

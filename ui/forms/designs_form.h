@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -13,6 +12,8 @@
 #include "core/project/design_check.h"
 #include "ui/document/inquiry_edits.h"
 #include "ui/document/selection.h"
+#include "ui/forms/design_box_list.h"
+#include "ui/forms/design_reduction_list.h"
 #include "ui/forms/inquiry_head.h"
 #include "ui/forms/output_ticks.h"
 #include "ui/forms/study_axis_edit.h"
@@ -33,12 +34,19 @@ private:
     void build_body();
     void build_goal(QVBoxLayout& column);
     void build_choice(QVBoxLayout& column);
+    void build_space(QVBoxLayout& column);
+    void build_reductions(QVBoxLayout& column);
     void build_search(QVBoxLayout& column);
+    QLineEdit* build_prices();
+    QLineEdit* build_seed();
+    std::vector<StudyTargetChoice> targets() const;
+    QString title_of(const StudyAxis& number) const;
     QuantityEdit* whole_number(const char* name, const QString& title, double least,
                                std::function<void(Design&, double)> set);
     void refresh();
     void refresh_variables(const Design& shown);
     void refresh_choice(const Design& shown);
+    void refresh_reductions(const Design& shown);
     void refresh_problems();
     void add_variable_edit();
     void add_variable();
@@ -67,7 +75,9 @@ private:
     QLineEdit* candidates_ = nullptr;
     QListWidget* fixed_ = nullptr;
     QuantityEdit* least_distance_ = nullptr;
-    QLabel* further_ = nullptr;
+    QLineEdit *prices_ = nullptr, *seed_ = nullptr;
+    DesignBoxList *keep_out_ = nullptr, *hidden_by_ = nullptr;
+    DesignReductionList* reductions_ = nullptr;
     std::vector<std::pair<QuantityEdit*, std::function<double(const Design&)>>> numbers_;
     std::vector<DesignTableOffer> offers_;
 };

@@ -1,6 +1,7 @@
 // Rows of label and editor; sections and rows hide where their fields are not used.
 #include "ui/forms/setup_form.h"
 
+#include "ui/document/missing_fields.h"
 #include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
 
@@ -120,7 +121,8 @@ void SetupForm::refresh_problems() {
         QStringList messages;
         std::vector<std::string> places;
         for (const Problem& problem : document_.problems().items())
-            if (problem.path == path || problem.path.starts_with(path + '/')) {
+            if ((problem.path == path || problem.path.starts_with(path + '/')) &&
+                !is_missing(document_.project(), document_.problems(), problem)) {
                 messages << to_qt(problem.message);
                 places.push_back(problem.path.substr(path.size()));
             }

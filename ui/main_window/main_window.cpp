@@ -25,6 +25,7 @@
 #include "ui/pages/budget_page.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
+#include "ui/pages/library_browser.h"
 #include "ui/pages/message_panes.h"
 #include "ui/pages/project_pane.h"
 #include "ui/pages/properties_pane.h"
@@ -198,6 +199,8 @@ void MainWindow::make_file_menu() {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
     menu->addAction(files_.new_action);
     menu->addMenu(files_.make_examples_menu(this));
+    menu->addAction(icon(QStringLiteral("layers")), tr("&Library and Examples …"),
+                    QKeySequence(Qt::CTRL | Qt::Key_L), this, &MainWindow::show_library);
     menu->addAction(files_.open_action);
     menu->addMenu(files_.make_recent_menu(this));
     menu->addSeparator();
@@ -254,6 +257,8 @@ void MainWindow::make_help_menu() {
 void MainWindow::connect_panes() {
     connect(start_, &StartPage::new_wanted, &files_, &FileActions::new_project);
     connect(start_, &StartPage::open_wanted, &files_, &FileActions::open);
+    connect(start_, &StartPage::library_wanted, this, &MainWindow::show_library);
+    connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
     connect(start_, &StartPage::file_wanted, &files_, &FileActions::open_file);
     connect(start_, &StartPage::example_wanted, &files_, &FileActions::open_example);
     connect(&files_, &FileActions::recent_changed, start_,
@@ -281,6 +286,7 @@ void MainWindow::connect_panes() {
     connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
     connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
     connect(problems_, &ProblemsPane::place_wanted, this, &MainWindow::go_to);
+    connect(results_, &ResultsPane::place_wanted, this, &MainWindow::go_to);
     connect(&selection_, &Selection::analysis_changed, this, [this](const QString& id) {
         runner_.set_focus(id);
         scene_->show_analysis(id);
@@ -301,8 +307,9 @@ void MainWindow::connect_panes() {
                           {to_qt(item.name), item.source, p_W, step});
             });
     connect(&scene_->view(), &SceneView::drag_finished, &document_, &Document::end_merging);
-    connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_study_in_scene);
-    connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_study_in_scene);
+    connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_tab_in_scene);
+    connect(&results_->design_tab(), &DesignTab::shown_changed, this, &MainWindow::show_tab_in_scene);
+    connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_tab_in_scene);
     connect(&results_->study_tab(), &StudyTab::edit_wanted, this, [this] {
         selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
         docks_[1]->show();
@@ -327,8 +334,38 @@ void MainWindow::connect_panes() {
     for (QAction* action : project_actions_) action->setEnabled(false);
 }
 
-/// While the study's tab is on top, the scene shows its map.
-void MainWindow::show_study_in_scene() {
+LibraryBrowser& MainWindow::library() {
+    if (!library_) {
+        library_ = new LibraryBrowser(this);
+        connect_library();
+    }
+    return *library_;
+}
+
+void MainWindow::show_library() {
+    library().fill();
+    library_->show();
+    library_->raise();
+    library_->search().setFocus();
+}
+
+void MainWindow::connect_library() {
+    const auto with_project = [this] {
+        if (!has_project_) files_.new_project();
+    };
+    connect(library_, &LibraryBrowser::example_wanted, &files_, &FileActions::open_example);
+    connect(library_, &LibraryBrowser::template_wanted, this, [=, this](const AnalysisTemplate& wanted) {
+        with_project();
+        project_->add_from_template(wanted);
+    });
+    connect(library_, &LibraryBrowser::asset_wanted, this, [=, this](const AssetEntry& asset) {
+        with_project();
+        project_->add_copy(asset);
+    });
+}
+
+/// While the tab of a study or design is on top, the scene shows its map.
+void MainWindow::show_tab_in_scene() {
     const StudyTab& tab = results_->study_tab();
     const bool on_top = results_->tabs().currentWidget() == &tab;
     StudySceneOptions wanted;
@@ -339,6 +376,11 @@ void MainWindow::show_study_in_scene() {
         wanted.slice = tab.view().slice;
     }
     scene_->show_study(on_top ? tab.study() : nullptr, wanted);
+    const DesignTab& designs = results_->design_tab();
+    const bool design_on_top = results_->tabs().currentWidget() == &designs;
+    const bool in_space = design_on_top && designs.result() && stands_in_space(*designs.result());
+    scene_->show_design(in_space ? designs.result() : nullptr,
+                        designs.is_current() ? QString() : tr("out of date"));
 }
 
 void MainWindow::show_preferences() {

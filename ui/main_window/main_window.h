@@ -20,6 +20,7 @@ namespace covaria::ui {
 class BudgetPage;
 class ExportActions;
 class ImportActions;
+class LibraryBrowser;
 class LogPane;
 class ProblemsPane;
 class ProjectPane;
@@ -52,6 +53,8 @@ public:
     PreferenceStore& preferences() { return preferences_; }
     void show_preferences();
     ImportActions& imports() { return *imports_; }
+    /// Made when it is first asked for.
+    LibraryBrowser& library();
 
 protected:
     bool event(QEvent* event) override;
@@ -75,9 +78,11 @@ private:
     void make_view_menu();
     void make_help_menu();
     void connect_panes();
-    void show_study_in_scene();
     void show_running_design(const QString& analysis, const QString& id);
+    void show_tab_in_scene();
     void show_project();
+    void show_library();
+    void connect_library();
     void hold_runs();
     void go_to(const QString& path);
     void update_title();
@@ -100,6 +105,7 @@ private:
     LogPane* log_ = nullptr;
     ExportActions* exports_ = nullptr;
     ImportActions* imports_ = nullptr;
+    LibraryBrowser* library_ = nullptr;
     RunActions* run_ = nullptr;
     ThemeSwitch* theme_ = nullptr;
     QMenu* add_ = nullptr;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
@@ -98,6 +99,8 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
             return to_qt(problem.path);
         case severity_role:
             return static_cast<int>(problem.severity);
+        case incomplete_role:
+            return is_to_give(problem);
         case Qt::ToolTipRole:
             return to_qt(problem.message);
         case Qt::DisplayRole:
@@ -105,12 +108,18 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
         default:
             return {};
     }
+    if (index.column() == severity_column && is_to_give(problem)) return tr("To give");
     if (index.column() == severity_column)
         return problem.severity == Severity::error ? tr("Error") : tr("Warning");
     if (index.column() == message_column) return to_qt(problem.message);
     if (problem.file.empty()) return place_words(document_.project(), problem.path);
     const QString line = problem.line > 0 ? tr(", line %1").arg(problem.line) : QString();
     return to_qt(problem.file) + line + (problem.path.empty() ? QString() : ": " + to_qt(problem.path));
+}
+
+bool ProblemsModel::is_to_give(const Problem& problem) const {
+    return problem.severity == Severity::error &&
+           is_missing(document_.project(), document_.problems(), problem);
 }
 
 QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -26,6 +26,8 @@ public:
     static QString place_words(const Project& project, const std::string& path);
 
 private:
+    bool is_to_give(const Problem& problem) const;
+
     Document& document_;
     std::vector<Problem> problems_;
 };

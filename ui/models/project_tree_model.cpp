@@ -3,10 +3,12 @@
 #include "ui/models/project_tree_model.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
 #include "core/project/stated_requirements.h"
+#include "ui/document/missing_fields.h"
 #include "ui/document/project_edits.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
@@ -31,9 +33,17 @@ std::array<ProjectTreeModel::Ids, ProjectTreeModel::category_count> ProjectTreeM
 }
 
 void ProjectTreeModel::refresh() {
-    const auto next = read();
-    for (int category = 0; category < category_count; ++category)
-        refresh_category(category, next[static_cast<std::size_t>(category)]);
+    // A view that hears of a removed row leaves it, which ends what is being typed, which changes the
+    // project: that is followed when this change has been.
+    changed_again_ = true;
+    if (refreshing_) return;
+    refreshing_ = true;
+    while (std::exchange(changed_again_, false)) {
+        const auto next = read();
+        for (int category = 0; category < category_count; ++category)
+            refresh_category(category, next[static_cast<std::size_t>(category)]);
+    }
+    refreshing_ = false;
     emit dataChanged(index_of(project_row), index_of(project_row).siblingAtColumn(state_column));
 }
 
@@ -127,6 +137,8 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const {
             return problems_of(at);
         case worst_role:
             return static_cast<int>(worst_of(at));
+        case incomplete_role:
+            return is_incomplete(at);
         default:
             break;
     }
@@ -174,7 +186,9 @@ QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int r
     const AssetDescriptor* kind = find_asset_kind(asset.kind);
     if (role == Qt::DisplayRole || role == Qt::EditRole) {
         if (column == name_column) return to_qt(asset.name);
-        return problems.isEmpty() ? QString() : tr("has problems");
+        return problems.isEmpty()                             ? QString()
+               : is_incomplete({SetupOwner::asset, asset.id}) ? tr("incomplete")
+                                                              : tr("has problems");
     }
     if (role != Qt::ToolTipRole) return {};
     return to_qt(asset.name) + QLatin1Char('\n') +
@@ -197,7 +211,7 @@ QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int colu
     if (role == Qt::DisplayRole || role == Qt::EditRole)
         return column == name_column ? to_qt(analysis.name) : words(status.state);
     if (role != Qt::ToolTipRole) return {};
-    if (status.state == RunState::failed) return status.message;
+    if (status.state == RunState::failed || status.state == RunState::incomplete) return status.message;
     const ModelDescriptor* model = find_model(analysis.model);
     const QString problems = problems_of({SetupOwner::analysis, analysis.id});
     const QString verdict = verdict_words(analysis, status);
@@ -211,6 +225,11 @@ Severity ProjectTreeModel::worst_of(const SetupAddress& address) const {
     for (const Problem& problem : found_in(address))
         if (problem.severity == Severity::error) return Severity::error;
     return Severity::warning;
+}
+
+bool ProjectTreeModel::is_incomplete(const SetupAddress& address) const {
+    const Project& project = document_.project();
+    return lack_of(project, document_.problems(), entry_path(project, address)) == Lack::fields;
 }
 
 std::vector<Problem> ProjectTreeModel::found_in(const SetupAddress& address) const {
@@ -257,6 +276,8 @@ QString ProjectTreeModel::words(RunState state) {
             return tr("up to date");
         case RunState::failed:
             return tr("failed");
+        case RunState::incomplete:
+            return tr("incomplete");
         default:
             return tr("out of date");
     }

@@ -54,10 +54,12 @@ private:
     std::vector<Problem> found_in(const SetupAddress& address) const;
     QString problems_of(const SetupAddress& address) const;
     Severity worst_of(const SetupAddress& address) const;
+    bool is_incomplete(const SetupAddress& address) const;
 
     Document& document_;
     AnalysisRunner& runner_;
     std::array<Ids, category_count> ids_;
+    bool refreshing_ = false, changed_again_ = false;
 };
 
 }  // namespace covaria::ui

@@ -8,17 +8,18 @@ namespace covaria::ui {
 enum Role : int {
     sort_role = Qt::UserRole + 1,  ///< the number or text to sort by
     path_role,                     ///< JSON pointer into the project
-    id_role,        ///< of the asset or analysis; symbol of the quantity; head of a column without its unit
-    state_role,     ///< int of RunState
-    category_role,  ///< of the project tree
-    problem_role,   ///< what is wrong with the item, in words; empty when nothing is
-    severity_role,  ///< int of Severity
-    worst_role,     ///< int of Severity: of the problems that problem_role says
-    choices_role,   ///< QStringList of what the cell may be set to
-    group_role,     ///< of an output or input quantity ("pose 7")
-    exact_role,     ///< double: the number of the cell with full precision; invalid: it has none
-    verdict_role,   ///< how many requirements of an analysis are not met, in words; empty: none
-    index_role,     ///< of an output among the result's outputs
+    id_role,          ///< of the asset or analysis; symbol of the quantity; head of a column without its unit
+    state_role,       ///< int of RunState
+    category_role,    ///< of the project tree
+    problem_role,     ///< what is wrong with the item, in words; empty when nothing is
+    severity_role,    ///< int of Severity
+    worst_role,       ///< int of Severity: of the problems that problem_role says
+    incomplete_role,  ///< bool: nothing is wrong with it, but something that must be given is not
+    choices_role,     ///< QStringList of what the cell may be set to
+    group_role,       ///< of an output or input quantity ("pose 7")
+    exact_role,       ///< double: the number of the cell with full precision; invalid: it has none
+    verdict_role,     ///< how many requirements of an analysis are not met, in words; empty: none
+    index_role,       ///< of an output among the result's outputs
 };
 
 }  // namespace covaria::ui

@@ -32,6 +32,7 @@ DesignTab::DesignTab(Document& document, AnalysisRunner& runner, Selection& sele
             });
     connect(&runner_.designs(), &DesignRunner::progress_changed, this,
             [this](const QString&, const RunProgress& progress) { show_progress(progress); });
+    connect(&candidates_, &FileWatch::changed, &runner_.designs(), &DesignRunner::recheck);
     connect(&document_, &Document::project_changed, this, &DesignTab::refresh);
     connect(&selection_, &Selection::design_changed, this, &DesignTab::refresh);
     connect(&selection_, &Selection::analysis_changed, this, &DesignTab::refresh);
@@ -107,8 +108,17 @@ void DesignTab::refresh_list() {
     edit_->setText(list_->count() > 0 ? tr("Edit …") : tr("Add Design …"));
 }
 
+void DesignTab::watch_candidates() {
+    QString file;
+    const Design* design = design_of_project();
+    if (design && design->choose && !design->choose->candidates.empty())
+        file = to_qt((document_.project().directory / design->choose->candidates).string());
+    if (file != candidates_.file()) candidates_.watch(file);
+}
+
 void DesignTab::refresh() {
     refresh_list();
+    watch_candidates();
     const DesignStatus now = status();
     const DesignPointer result = design_of_project() ? now.result : nullptr;
     const bool other = result != shown_ || now.is_current() != current_;
@@ -120,7 +130,9 @@ void DesignTab::refresh() {
     take_over_->setEnabled(current_ && shown_ && shown_->found);
     state_->setText(state_words());
     state_->setToolTip(state_->text());
-    if (other) show_result();
+    if (!other) return;
+    show_result();
+    emit shown_changed();
 }
 
 void DesignTab::show_result() {
@@ -153,7 +165,9 @@ QString DesignTab::state_words() const {
     const DesignResult& result = *now.result;
     QString words = tr("Nothing that was tried has a result.");
     if (result.found && result.cost)
-        words = tr("The cheapest reductions cost %1").arg(localized(format_significant(*result.cost, 4)));
+        words =
+            (result.rows.empty() ? tr("The cheapest reductions cost %1") : tr("The cheapest rows cost %1"))
+                .arg(localized(format_significant(*result.cost, 4)));
     else if (result.found)
         words = to_qt(result.objective_words) + QStringLiteral(" ") +
                 localized(format_significant(result.objective, 4)) +

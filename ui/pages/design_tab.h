@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QWidget>
 
+#include "ui/document/file_watch.h"
 #include "ui/document/inquiry_edits.h"
 #include "ui/document/selection.h"
 #include "ui/run/analysis_runner.h"
@@ -22,8 +23,13 @@ public:
 
     EvaluationView& view() { return *view_; }
     QString state_words() const;
+    /// What is shown; null before it was searched.
+    const DesignPointer& result() const { return shown_; }
+    bool is_current() const { return current_; }
 
 signals:
+    /// Another result is shown, or it has become out of date.
+    void shown_changed();
     /// The user wants to change the designs of the analysis.
     void edit_wanted();
 
@@ -31,6 +37,7 @@ private:
     void make_head();
     void refresh();
     void refresh_list();
+    void watch_candidates();
     void show_result();
     void show_progress(const RunProgress& progress);
     void take_over_design();
@@ -42,6 +49,7 @@ private:
     Selection& selection_;
     DesignPointer shown_;
     bool current_ = false;
+    FileWatch candidates_;  ///< the file of further rows
     QWidget* head_ = nullptr;
     QComboBox* list_ = nullptr;
     QPushButton *run_ = nullptr, *stop_ = nullptr, *edit_ = nullptr, *take_over_ = nullptr;

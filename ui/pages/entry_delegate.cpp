@@ -21,6 +21,7 @@ QString category_icon(int category) {
 QString icon_of(const QModelIndex& index) {
     if (const QVariant severity = index.data(severity_role); severity.isValid()) {
         if (index.column() != 0) return {};
+        if (index.data(incomplete_role).toBool()) return QStringLiteral("state-incomplete");
         return severity.toInt() == static_cast<int>(Severity::error) ? QStringLiteral("error")
                                                                      : QStringLiteral("warning");
     }
@@ -28,6 +29,7 @@ QString icon_of(const QModelIndex& index) {
         const QVariant category = index.data(category_role);
         return category.isValid() ? category_icon(category.toInt()) : QString();
     }
+    if (index.data(incomplete_role).toBool()) return QStringLiteral("state-incomplete");
     if (!index.data(problem_role).toString().isEmpty())
         return index.data(worst_role).toInt() == static_cast<int>(Severity::error)
                    ? QStringLiteral("error")
@@ -47,6 +49,8 @@ QString state_icon(RunState state) {
             return QStringLiteral("state-up-to-date");
         case RunState::failed:
             return QStringLiteral("state-failed");
+        case RunState::incomplete:
+            return QStringLiteral("state-incomplete");
         case RunState::out_of_date:
             break;
     }

@@ -17,6 +17,18 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+/// A budget is typed into an empty sheet; what stood there would have to be deleted first.
+bool is_typed_as_budget(const std::string& model) {
+    const ModelDescriptor* descriptor = find_model(model);
+    if (!descriptor) return false;
+    const std::vector<FieldSpec>& fields = descriptor->schema.fields();
+    return std::any_of(fields.begin(), fields.end(),
+                       [](const FieldSpec& field) { return field.states_quantities; });
+}
+
+}  // namespace
 
 ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& selection,
                          const PreferenceStore& preferences, QWidget* parent)
@@ -68,6 +80,8 @@ QMenu* ProjectPane::make_add_menu(QWidget* parent) {
     for (const AssetDescriptor& asset : asset_registry())
         menu->addAction(to_qt(asset.title), this, [this, kind = asset.kind] { add_asset(kind); });
     menu->addSeparator();
+    menu->addAction(icon(QStringLiteral("layers")), tr("&Library and Templates …"), this,
+                    &ProjectPane::library_wanted);
     menu->addMenu(new LibraryMenu(document_, selection_, menu));
     return menu;
 }
@@ -77,8 +91,22 @@ void ProjectPane::add_asset(const std::string& kind) {
 }
 
 void ProjectPane::add_analysis(const std::string& model) {
+    if (!is_typed_as_budget(model))
+        if (const AnalysisTemplate* prepared = template_of(model)) return add_from_template(*prepared);
     selection_.select_entry(
         {SetupOwner::analysis, covaria::ui::add_analysis(document_, model, preferences_.new_analysis())});
+}
+
+void ProjectPane::add_from_template(const AnalysisTemplate& wanted) {
+    QString why;
+    const std::string id = covaria::ui::add_from_template(document_, wanted, why);
+    if (id.empty()) return emit message(tr("The analysis was not added: %1").arg(why));
+    selection_.select_entry({SetupOwner::analysis, id});
+}
+
+void ProjectPane::add_copy(const AssetEntry& asset) {
+    selection_.select_entry({SetupOwner::asset, covaria::ui::add_copy(document_, asset)});
+    emit message(tr("“%1” is in the project now").arg(to_qt(asset.name)));
 }
 
 void ProjectPane::duplicate_selected() {

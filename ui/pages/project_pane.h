@@ -4,6 +4,7 @@
 #include <QTreeView>
 #include <functional>
 
+#include "core/made/analysis_templates.h"
 #include "ui/document/selection.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/theme/preferences.h"
@@ -29,7 +30,11 @@ public:
     QMenu* make_add_menu(QWidget* parent);
 
     void add_asset(const std::string& kind);
+    /// Of the model's first template, so that it has results at once; empty where there is none, and where a
+    /// budget is typed.
     void add_analysis(const std::string& model);
+    void add_from_template(const AnalysisTemplate& wanted);
+    void add_copy(const AssetEntry& asset);
     void duplicate_selected();
     void delete_selected();
     /// Copies an asset into the user's library.
@@ -39,6 +44,7 @@ public:
     int wanted_width() const;
 
 signals:
+    void library_wanted();
     /// Something to be told in passing.
     void message(const QString& text);
 

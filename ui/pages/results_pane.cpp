@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QSplitter>
@@ -19,6 +20,8 @@
 #include "core/text/symbol.h"
 #include "ui/charts/chart_view.h"
 #include "ui/pages/all_results_tab.h"
+#include "ui/document/missing_fields.h"
+#include "ui/document/setup_address.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
@@ -103,6 +106,12 @@ void ResultsPane::make_head() {
     digits_->setPrefix(tr("digits of U: "));
     digits_->setAccessibleName(tr("Significant digits of uncertainties"));
     digits_->setToolTip(tr("Significant digits of uncertainties; estimates are rounded to match"));
+    next_ = new QPushButton;
+    next_->setObjectName(QStringLiteral("next_step"));
+    next_->setAccessibleName(tr("Next step"));
+    next_->hide();
+    connect(next_, &QPushButton::clicked, this, [this] { emit place_wanted(next_place_); });
+    row->addWidget(next_);
     row->addWidget(state_, 1);
     row->addWidget(output_);
     row->addWidget(units_);
@@ -227,6 +236,7 @@ void ResultsPane::connect_selection() {
         if (!(document_.project().results.style == shown_style_)) take_preferences();
         take_requirements();
     });
+    connect(&document_, &Document::problems_changed, this, &ResultsPane::show_next_step);
     connect(&selection_, &Selection::group_changed, this, &ResultsPane::show_group);
     connect(&selection_, &Selection::output_changed, this, &ResultsPane::show_output);
 }
@@ -235,6 +245,7 @@ QString ResultsPane::state_words() const {
     if (selection_.analysis().isEmpty()) return tr("Select an analysis to see its results.");
     const AnalysisStatus& status = runner_.status(selection_.analysis());
     if (status.state == RunState::failed) return tr("Failed: %1").arg(status.message);
+    if (status.state == RunState::incomplete) return tr("Not complete yet: nothing is wrong.");
     if (!status.result)
         return status.prepared ? tr("Not evaluated yet: press F5.") : tr("The analysis has problems.");
     QString words = result_words(status);
@@ -259,11 +270,27 @@ void ResultsPane::take_result() {
     for (SortableTable* table : {results_, budget_, correlation_}) table->set_remark(said);
     state_->setText(state_words());
     state_->setToolTip(state_->text());
+    show_next_step();
     units_->set_result(result_);
     result_model_.set_group(to_std(shown_group()));
     take_requirements();
     refresh_outputs();
     show_group(selection_.group());
+}
+
+void ResultsPane::show_next_step() {
+    const QString& id = selection_.analysis();
+    std::optional<MissingField> missing;
+    if (!id.isEmpty() && runner_.status(id).state == RunState::incomplete) {
+        const Project& project = document_.project();
+        missing = next_missing(project, document_.problems(),
+                               entry_path(project, {SetupOwner::analysis, to_std(id)}));
+    }
+    next_->setVisible(missing.has_value());
+    if (!missing) return;
+    next_place_ = to_qt(missing->path);
+    next_->setText(tr("Next: %1").arg(to_qt(missing->title)));
+    next_->setToolTip(tr("Goes to the field that must be given next"));
 }
 
 void ResultsPane::take_preferences() {

@@ -17,6 +17,7 @@
 class QCheckBox;
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QSpinBox;
 
 namespace covaria {
@@ -60,7 +61,15 @@ public:
     CompareTab& compare_tab() { return *compare_; }
     AllResultsTab& all_results_tab() { return *all_; }
 
+    /// The one next step of an analysis that is not complete.
+    QPushButton& next_step() { return *next_; }
+
+signals:
+    /// A JSON pointer into the project.
+    void place_wanted(const QString& path);
+
 private:
+    void show_next_step();
     void make_head();
     QWidget* make_filter();
     QWidget* make_results_tab();
@@ -97,6 +106,8 @@ private:
 
     QWidget* head_ = nullptr;
     QLabel* state_ = nullptr;
+    QPushButton* next_ = nullptr;
+    QString next_place_;
     UnitButton* units_ = nullptr;
     TypesetComboBox* output_ = nullptr;
     QSpinBox* digits_ = nullptr;

@@ -147,6 +147,9 @@ QWidget* StartPage::make_actions() {
     connect(open, &QPushButton::clicked, this, &StartPage::open_wanted);
     column->addWidget(new_project);
     column->addWidget(open);
+    auto* library = action_button(QStringLiteral("layers"), tr("Library and Examples …"));
+    connect(library, &QPushButton::clicked, this, &StartPage::library_wanted);
+    column->addWidget(library);
     column->addSpacing(20);
     column->addWidget(heading(tr("Recent")));
     recent_ = new QVBoxLayout;

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/result/result_names.h"
+#include "ui/document/missing_fields.h"
+#include "ui/document/setup_address.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -123,7 +125,10 @@ void AnalysisRunner::update_entry(const std::string& id, const MadeAnalysis& mad
     compare(entry);
     if (!made.prepared) {
         stop(to_qt(id));
-        set_state(id, RunState::failed, first_error(made.problems, {}));
+        const Project& project = this->made()->project();
+        const std::string path = entry_path(project, {SetupOwner::analysis, id});
+        const bool unfinished = lack_of(project, this->made()->problems(), path) == Lack::fields;
+        set_state(id, unfinished ? RunState::incomplete : RunState::failed, first_error(made.problems, {}));
         return;
     }
     if (entry.is_of_present() && entry.result_of != entry.prepared) {

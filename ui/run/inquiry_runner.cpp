@@ -44,6 +44,10 @@ void InquiryRunner::take_made() {
     runs_.begin();  // those that waited for this state
 }
 
+void InquiryRunner::recheck() {
+    if (maker_.made()) take_made();
+}
+
 void InquiryRunner::take_none(const ProjectSnapshot&, const Error& error) {
     while (!runs_.waiting().empty()) {
         const RunKey key = runs_.waiting().front();
@@ -101,9 +105,10 @@ void InquiryRunner::stop_all() {
 RunQueue::Run InquiryRunner::begin_run(const RunKey& key) {
     if (maker_.is_making() || !maker_.made()) return {};  // the state to run is still to come
     return [this, key, made = maker_.made()](const RunControl& control) -> JobQueue::Delivery {
+        const auto of = part_of(made->project(), key);  // with files as they are before they are read
         auto ran = guarded([&] { return kind_.run(made, key, control); });
-        const auto finished = std::make_shared<const Finished>(Finished{
-            ran ? *std::move(ran) : InquiryKind::Outcome(fail(ran.error())), part_of(made->project(), key)});
+        const auto finished = std::make_shared<const Finished>(
+            Finished{ran ? *std::move(ran) : InquiryKind::Outcome(fail(ran.error())), of});
         return [this, key, finished] { deliver(key, finished); };
     };
 }

@@ -54,6 +54,8 @@ public:
 
     void run(const QString& analysis, const QString& id);
     void stop_all();
+    /// A file that an inquiry reads has changed: what is current is found out anew.
+    void recheck();
     bool is_busy() const { return runs_.is_busy(); }
     /// Waits until nothing runs, with an event loop of its own. False after `milliseconds`.
     bool wait_until_idle(int milliseconds);

@@ -39,7 +39,8 @@ public:
     void push(const RunKey& key);
     void begin();  ///< what waits
     /// A change has come: what waits begins at once after a rest, and while changes follow each other closely
-    /// (typing, dragging) when they have ceased for a moment: the law of propagation has the processor to itself.
+    /// (typing, dragging) when they have ceased for a moment: the law of propagation has the processor to
+    /// itself.
     void settle();
     bool waits(const RunKey& key) const;
     /// Those that wait.

@@ -10,7 +10,13 @@
 
 namespace covaria::ui {
 
-enum class RunState { out_of_date, running, up_to_date, failed };
+enum class RunState {
+    out_of_date,
+    running,
+    up_to_date,
+    failed,
+    incomplete,  ///< nothing is wrong, but something that must be given is not given yet
+};
 
 /// How far the shown result has come.
 enum class ResultStage {
@@ -33,7 +39,7 @@ RunProgress progress_after(const Progress& progress, double seconds);
 
 struct AnalysisStatus {
     RunState state = RunState::out_of_date;
-    QString message = {};  ///< of a failure
+    QString message = {};  ///< of a failure, or what is not given yet
     ResultStage stage = ResultStage::none;
     ResultPointer result = {};       ///< the newest there is; may be out of date
     PreparedPointer result_of = {};  ///< the analysis it was computed from

@@ -133,7 +133,7 @@ void ScenePanel::make_layers_menu() {
         {Layer::vectors, tr("Vectors")}, {Layer::ellipsoids, tr("Ellipsoids")},
         {Layer::clouds, tr("Clouds")},   {Layer::wall_histograms, tr("Histograms on the Walls")},
         {Layer::labels, tr("Labels")},   {Layer::axes, tr("Axes")},
-        {Layer::legend, tr("Legend")},   {Layer::map, tr("Map of the Study")}};
+        {Layer::legend, tr("Legend")},   {Layer::map, tr("Map of a Study or Design")}};
     auto* button = new QToolButton(this);
     auto* menu = new QMenu(button);
     for (const auto& [layer, text] : layers) {
@@ -175,6 +175,7 @@ void ScenePanel::start_over() {
     magnification_->setCurrentIndex(0);
     probability_->setCurrentIndex(usual_probability);
     study_.reset();
+    design_.reset();
     source_asset_.clear();
     source_.clear();
     picked_->hide();
@@ -190,6 +191,13 @@ void ScenePanel::show_study(std::shared_ptr<const StudyResult> study, const Stud
     if (!study && !study_) return;
     study_ = std::move(study);
     study_options_ = wanted;
+    refresh();
+}
+
+void ScenePanel::show_design(std::shared_ptr<const DesignResult> design, const QString& remark) {
+    if (design == design_ && remark == design_remark_) return;
+    design_ = std::move(design);
+    design_remark_ = remark;
     refresh();
 }
 
@@ -251,18 +259,12 @@ void ScenePanel::build_scene() {
         equations_of_ = analysis_;
         return equations_->show_equations(to_qt(status.prepared->name), std::move(equations));
     }
-    const ResultPointer result = status.is_of_present() ? status.result : nullptr;
     ++building_;
     const quint64 number = ++number_;
     jobs_.push(
-        [this, number, prepared = status.prepared, result, wanted = options(), study = study_,
-         of_study = study_options_, said = to_std(reservation(status))]() -> JobQueue::Delivery {
+        [this, number, prepared = status.prepared, build = scene_to_build(status)]() -> JobQueue::Delivery {
             if (number != number_) return [this] { --building_; };  // a newer scene is wanted already
-            auto scene =
-                std::make_shared<Result<Scene>>(study ? study_scene(*prepared, *study, of_study, wanted)
-                                                      : analysis_scene(*prepared, result.get(), wanted));
-            // Pictures are copied and saved: each says itself when it does not show the result.
-            if (*scene && !study && result && !said.empty()) (*scene)->caption += "; " + said;
+            auto scene = std::make_shared<Result<Scene>>(build());
             return [this, number, scene, groups = groups_of_sources(*prepared)] {
                 groups_ = groups;
                 take_scene(number, scene);
@@ -271,6 +273,29 @@ void ScenePanel::build_scene() {
         [this, number](const Error& error) {
             take_scene(number, std::make_shared<Result<Scene>>(fail(error)));
         });
+}
+
+/// Pictures are copied and saved: each says itself when it does not show the result.
+std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& status) const {
+    const auto remarked = [](Scene scene, const std::string& remark) {
+        if (!remark.empty()) scene.caption += "; " + remark;
+        return scene;
+    };
+    if (design_)
+        return [=, design = design_, wanted = options(), remark = to_std(design_remark_)]() -> Result<Scene> {
+            return remarked(design_scene(*design, wanted), remark);
+        };
+    const auto prepared = status.prepared;
+    if (study_)
+        return [prepared, study = study_, of_study = study_options_, wanted = options()]() -> Result<Scene> {
+            return study_scene(*prepared, *study, of_study, wanted);
+        };
+    const ResultPointer result = status.is_of_present() ? status.result : nullptr;
+    return [=, wanted = options(), said = to_std(reservation(status))]() -> Result<Scene> {
+        auto scene = analysis_scene(*prepared, result.get(), wanted);
+        if (!scene || !result) return scene;
+        return remarked(*std::move(scene), said);
+    };
 }
 
 /// The scene with its tools; else the equations.

@@ -12,6 +12,7 @@
 #include "ui/scene_view/equations_view.h"
 #include "ui/scene_view/scene_view.h"
 #include "viz/scene/build_scene.h"
+#include "viz/scene/design_scene.h"
 #include "viz/scene/study_scene.h"
 
 class QAction;
@@ -39,6 +40,8 @@ public:
     void start_over();
     /// The map of a study in place of the analysis' result; null: the result again.
     void show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted);
+    /// Likewise what a design has found; `remark` is written below the picture.
+    void show_design(std::shared_ptr<const DesignResult> design, const QString& remark);
 
     /// Marks the item that comes from a field (JSON pointer relative to the set-up) of an asset (empty: of
     /// the analysis), or none.
@@ -65,6 +68,7 @@ private:
     void make_layers_menu();
     void refresh();
     void build_scene();
+    std::function<Result<Scene>()> scene_to_build(const AnalysisStatus& status) const;
     void show_in_space(bool in_space);
     void refresh_groups();
     void take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene);
@@ -80,6 +84,8 @@ private:
     QString equations_of_;  ///< the analysis whose equations are shown
     std::shared_ptr<const StudyResult> study_;
     StudySceneOptions study_options_;
+    std::shared_ptr<const DesignResult> design_;
+    QString design_remark_;
     std::string source_asset_, source_;          ///< the selected set-up field
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;

@@ -69,8 +69,8 @@ void add_labels(SceneBuild& build) {
     }
 }
 
-void add_axes(SceneBuild& build) {
-    Scene& scene = build.scene;
+void add_axes(Scene& scene) {
+    scene.axes.reset();
     if (!(scene.size > 0)) return;
     scene.unit = unit_for(scene.size);
     scene.scale_bar = true;
@@ -89,6 +89,16 @@ void add_axes(SceneBuild& build) {
         axes.ticks[k] = ticks_between(axes.low[i], axes.high[i], own, scene.unit);
     }
     scene.axes = std::move(axes);
+}
+
+std::vector<AxisTick> colour_ticks(double low, double high) {
+    std::vector<AxisTick> ticks;
+    const double step = round_number_below((high - low) / 4.0);
+    if (!(step > 0)) return ticks;
+    const int decimals = decimals_of_step(step);
+    for (double at = std::ceil(low / step - 1e-9) * step; at <= high + 1e-9 * step; at += step)
+        ticks.push_back({at, grouped_number(at, decimals)});
+    return ticks;
 }
 
 void add_legend(SceneBuild& build) {

@@ -37,8 +37,10 @@ void add_uncertainties(SceneBuild& build);
 /// Histograms of one cloud on the walls of its bounding box.
 void add_wall_histograms(SceneBuild& build);
 void add_labels(SceneBuild& build);
-/// Axes around everything, unit of length, scale bar.
-void add_axes(SceneBuild& build);
+/// Axes around everything, in place of those there were; unit of length, scale bar.
+void add_axes(Scene& scene);
+/// Of a colour bar, at round numbers.
+std::vector<AxisTick> colour_ticks(double low, double high);
 void add_legend(SceneBuild& build);
 
 /// Outline moved outwards by `distance` with round corners; outlines that are not convex stay as they are.

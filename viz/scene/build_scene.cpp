@@ -44,7 +44,7 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     if (source.map) scene.map = *source.map;
     detail::add_wall_histograms(build);
     if (options.labels) detail::add_labels(build);
-    detail::add_axes(build);
+    detail::add_axes(scene);
     detail::add_legend(build);
     return scene;
 }

@@ -1,6 +1,7 @@
 // Canonical text of a scene.
 #include "viz/scene/dump_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -40,8 +41,8 @@ const char* text_of(PointKind kind) {
 }
 
 const char* text_of(LinkKind kind) {
-    static constexpr const char* names[] = {"leg",        "robot_link", "bar", "joint_axis",
-                                            "sight_line", "dimension",  "edge"};
+    static constexpr const char* names[] = {"leg",        "robot_link", "bar",           "joint_axis",
+                                            "sight_line", "dimension",  "field_of_view", "edge"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -134,6 +135,9 @@ void put_map(std::ostream& out, const SceneMap& map) {
     out << "colour bar:";
     for (const AxisTick& tick : map.ticks) out << " " << tick.text;
     out << "\n";
+    if (const auto marked = std::count(map.marked.begin(), map.marked.end(), true); marked > 0)
+        out << "marked " << marked << "\n";
+    if (!map.ways.empty()) out << "ways " << map.ways.size() << " radius " << mm(map.way_radius) << "\n";
     if (map.levels.empty()) return;
     out << "iso-surfaces of " << map.grid[0] << " x " << map.grid[1] << " x " << map.grid[2] << ":";
     for (const double level : map.levels) out << " " << level;

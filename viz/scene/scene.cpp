@@ -58,7 +58,8 @@ bool SceneMap::operator==(const SceneMap& other) const {
     const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
     return title == other.title && positions == other.positions && shown == other.shown &&
            radius == other.radius && low == other.low && high == other.high && ticks == other.ticks &&
-           grid == other.grid && levels == other.levels &&
+           grid == other.grid && levels == other.levels && marked == other.marked && ways == other.ways &&
+           way_radius == other.way_radius &&
            std::equal(values.begin(), values.end(), other.values.begin(), other.values.end(), same);
 }
 

@@ -174,8 +174,8 @@ struct LengthUnit {
     bool operator==(const LengthUnit&) const = default;
 };
 
-/// Points of space coloured by a number: a map of a study. Positions and values are in the order of its grid;
-/// a value that is not finite is left out.
+/// Points of space coloured by a number: a map of a study, the candidates of a design. Positions and values
+/// are in the order of its grid; a value that is not finite is left out.
 struct SceneMap {
     std::string title = {};                       ///< of the colour bar: "u(3D), B (mm)"
     std::vector<Eigen::Vector3d> positions = {};  ///< m
@@ -186,6 +186,9 @@ struct SceneMap {
     std::vector<AxisTick> ticks = {};             ///< of the colour bar, in the same unit
     std::array<std::size_t, 3> grid = {};  ///< sizes of a grid in space, the last fastest; 0: no surfaces
     std::vector<double> levels = {};       ///< of iso-surfaces
+    std::vector<bool> marked = {};         ///< drawn larger, with a ring; empty: none
+    std::vector<std::array<std::size_t, 2>> ways = {};  ///< from a point to another, coloured as that one
+    double way_radius = 0.0;                            ///< m
     bool operator==(const SceneMap& other) const;
 };
 

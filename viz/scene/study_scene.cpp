@@ -8,6 +8,7 @@
 
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
+#include "viz/scene/build_parts.h"
 #include "viz/scene/point_uncertainty.h"
 
 namespace covaria {
@@ -50,16 +51,6 @@ bool fills_volume(const StudyResult& study, const SceneMap& map) {
     return extents[2] > 1e-6 * extents[0];
 }
 
-std::vector<AxisTick> colour_ticks(double low, double high) {
-    std::vector<AxisTick> ticks;
-    const double step = round_number_below((high - low) / 4.0);
-    if (!(step > 0)) return ticks;
-    const int decimals = decimals_of_step(step);
-    for (double at = std::ceil(low / step - 1e-9) * step; at <= high + 1e-9 * step; at += step)
-        ticks.push_back({at, grouped_number(at, decimals)});
-    return ticks;
-}
-
 SceneMap map_of(const StudyResult& study, const StudyQuantity& quantity, std::size_t triple,
                 const StudySceneOptions& wanted) {
     SceneMap map;
@@ -79,7 +70,7 @@ SceneMap map_of(const StudyResult& study, const StudyQuantity& quantity, std::si
         map.high = std::max(map.high, map.values.back());
     }
     if (!(map.high > map.low)) map.high = map.low + std::max(1e-12, 1e-3 * std::abs(map.low));
-    map.ticks = colour_ticks(map.low, map.high);
+    map.ticks = detail::colour_ticks(map.low, map.high);
     const SceneBounds box = bounds_of_points(map);
     const double across = (box.high - box.low).norm();
     const double per_side = std::cbrt(static_cast<double>(std::max<std::size_t>(8, map.values.size())));

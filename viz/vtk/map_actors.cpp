@@ -1,4 +1,4 @@
-// Actors of a map: spheres in colours, and iso-surfaces of a grid in space.
+// Actors of a map: spheres in colours, ways between them, and iso-surfaces of a grid in space.
 #include <vtkCellArray.h>
 #include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
@@ -14,8 +14,10 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "viz/vtk/layer_actors.h"
+#include "viz/vtk/shapes.h"
 
 namespace covaria::detail {
 namespace {
@@ -30,13 +32,18 @@ Colour colour_at(const SceneMap& map, double value) {
     return magnitude_colour(map.high > map.low ? (value - map.low) / (map.high - map.low) : 0.5);
 }
 
+bool is_marked(const SceneMap& map, std::size_t i) {
+    return i < map.marked.size() && map.marked[i];
+}
+
+/// Those that are not marked.
 vtkSmartPointer<vtkPolyData> coloured_points(const SceneMap& map, const Eigen::Vector3d& origin) {
     vtkNew<vtkPoints> points;
     vtkNew<vtkUnsignedCharArray> colours;
     colours->SetNumberOfComponents(3);
     colours->SetName("colours");
     for (std::size_t i = 0; i < map.positions.size(); ++i) {
-        if (!is_known(map, i) || !map.shown[i]) continue;
+        if (!is_known(map, i) || !map.shown[i] || is_marked(map, i)) continue;
         const Eigen::Vector3d p = map.positions[i] - origin;
         points->InsertNextPoint(p.x(), p.y(), p.z());
         const Colour colour = colour_at(map, map.values[i]);
@@ -135,13 +142,44 @@ void add_surfaces(const SceneMap& map, const Eigen::Vector3d& origin, std::vecto
     }
 }
 
+/// Marked points in their rings, and the ways.
+void add_marks(const SceneMap& map, const Eigen::Vector3d& origin, ScenePalette palette,
+               std::vector<LayerActor>& actors) {
+    constexpr double marked_size = 1.6, ring_size = 1.5;  // of what is within
+    constexpr int ring_steps = 36;
+    Shapes solids(origin), rings(origin);
+    for (const auto& [from, to] : map.ways)
+        if (is_known(map, from) && is_known(map, to))
+            solids.cylinder(map.positions[from], map.positions[to], map.way_radius,
+                            colour_at(map, map.values[to]));
+    for (std::size_t i = 0; i < map.positions.size(); ++i) {
+        if (!is_known(map, i) || !map.shown[i] || !is_marked(map, i)) continue;
+        const Eigen::Vector3d& centre = map.positions[i];
+        const double radius = marked_size * map.radius;
+        solids.sphere(centre, radius, colour_at(map, map.values[i]));
+        for (int plane = 0; plane < 3; ++plane) {
+            std::vector<Eigen::Vector3d> ring;
+            for (int k = 0; k <= ring_steps; ++k) {
+                const double t = 2.0 * std::numbers::pi * k / ring_steps;
+                ring.push_back(centre + ring_size * radius *
+                                            (std::cos(t) * Eigen::Vector3d::Unit(plane) +
+                                             std::sin(t) * Eigen::Vector3d::Unit((plane + 1) % 3)));
+            }
+            rings.line(ring, colour_of(Role::text, palette));
+        }
+    }
+    if (auto actor = solids.solid_actor()) actors.push_back({actor});
+    if (auto actor = rings.line_actor()) actors.push_back({actor, 1.1});
+}
+
 }  // namespace
 
-std::vector<LayerActor> map_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette) {
+std::vector<LayerActor> map_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette) {
     std::vector<LayerActor> actors;
     if (!scene.map || scene.map->positions.empty()) return actors;
     actors.push_back(points_actor(*scene.map, origin));
     add_surfaces(*scene.map, origin, actors);
+    add_marks(*scene.map, origin, palette, actors);
     return actors;
 }
 

@@ -16,15 +16,7 @@ const std::vector<ChoiceOf<int>> axes{{0, "x", "x"}, {1, "y", "y"}, {2, "z", "z"
 const char* const axis_help = "Axis of the flange about which the robot turns.";
 
 std::array<ColumnSpec, 3> coordinates() {
-    std::array<ColumnSpec, 3> columns;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::string key(1, axis_letters[i]);
-        columns[i] = {.key = key,
-                      .title = key,
-                      .unit = mm,
-                      .help = "Coordinate " + key + " in the frame of the ballbars."};
-    }
-    return columns;
+    return by_axis(along_axes, "Coordinate * in the frame of the ballbars.", {.unit = mm});
 }
 
 void add_measurement(Fields<StatedTcp>& fields) {

@@ -15,10 +15,8 @@ namespace covaria::equation_model {
 
 namespace {
 
-const std::string table = "quantities";
-
-std::string row_path(std::size_t row, const std::string& column) {
-    return "/" + table + "/rows/" + std::to_string(row) + "/" + column;
+std::string place_of(std::size_t row) {
+    return equation_fields().place(&StatedEquations::components, row);
 }
 
 bool is_symbol(const std::string& text) {
@@ -41,11 +39,11 @@ struct Draft {
 
 class QuantityReader {
 public:
-    QuantityReader(const SetupReader& reader, const AssetLibrary& assets, Problems& problems)
-        : reader_(reader), assets_(assets), problems_(problems), observations_(reader) {}
+    QuantityReader(const StatedEquations& stated, Problems& problems)
+        : stated_(stated), problems_(problems), observations_(stated.observations) {}
 
     StatedQuantities run() {
-        for (std::size_t row = 0; row < reader_.rows(table); ++row) read(row);
+        for (std::size_t row = 0; row < stated_.components.size(); ++row) read(row);
         for (Draft& draft : drafts_) finish(draft);
         check_observations();
         correlate();
@@ -53,39 +51,32 @@ public:
     }
 
 private:
-    bool empty(std::size_t row, const std::string& column) const {
-        return reader_.cell_empty(table, row, column);
-    }
-    std::string text(std::size_t row, const std::string& column) const {
-        return empty(row, column) ? "" : reader_.cell_text(table, row, column);
-    }
-    std::optional<double> number(std::size_t row, const std::string& column) const {
-        if (empty(row, column)) return std::nullopt;
-        return reader_.cell_number(table, row, column);
-    }
-    void refuse(std::size_t row, const std::string& column, const std::string& message) {
-        problems_.error(row_path(row, column), "'" + text(row, "symbol") + "': " + message);
+    const StatedComponent& at(std::size_t row) const { return stated_.components[row]; }
+    template <class M>
+    void refuse(std::size_t row, M StatedComponent::*column, const std::string& message) {
+        problems_.error(equation_fields().place(&StatedEquations::components, row, column),
+                        "'" + at(row).symbol + "': " + message);
     }
 
     void read(std::size_t row) {
-        const std::string symbol = plain_symbol(text(row, "symbol"));
+        const std::string symbol = plain_symbol(at(row).symbol);
         if (!is_symbol(symbol) || equation::is_reserved(symbol))
             return refuse(
-                row, "symbol",
+                row, &StatedComponent::symbol,
                 is_symbol(symbol)
                     ? "the name is one of a function or a word of the equations; choose "
                       "another"
                     : "a symbol is made of letters, Greek ones too, digits and '_', a letter first");
-        const Result<Unit> unit = Unit::parse(empty(row, "unit") ? "1" : text(row, "unit"));
-        if (!unit) return refuse(row, "unit", unit.error().message);
+        const Result<Unit> unit = Unit::parse(at(row).unit);
+        if (!unit) return refuse(row, &StatedComponent::unit, unit.error().message);
         const auto known = index_.find(symbol);
         if (known == index_.end()) return first_row(row, symbol, *unit);
         Draft& draft = drafts_[known->second];
-        if (!empty(row, "value"))
-            return refuse(row, "value",
+        if (at(row).value)
+            return refuse(row, &StatedComponent::value,
                           "only the first row of a symbol has a value; further rows add components");
         if (unit->dimension() != draft.unit.dimension())
-            return refuse(row, "unit",
+            return refuse(row, &StatedComponent::unit,
                           "the component is in " + unit->text() + ", the quantity in " + draft.unit.text());
         component(draft, row, *unit);
     }
@@ -96,22 +87,23 @@ private:
         draft.unit = unit;
         draft.first_row = row;
         draft.quantity.symbol = symbol;
-        draft.quantity.name = empty(row, "name") ? symbol : text(row, "name");
+        draft.quantity.name = at(row).name.empty() ? symbol : at(row).name;
         draft.quantity.unit = unit;
-        draft.quantity.source = "/" + table + "/rows/" + std::to_string(row);
-        if (const auto value = number(row, "value")) draft.estimate = unit.to_si(*value);
+        draft.quantity.source = place_of(row);
+        if (at(row).value) draft.estimate = unit.to_si(*at(row).value);
         component(draft, row, unit);
     }
 
     void component(Draft& draft, std::size_t row, const Unit& unit) {
-        const std::string kind = text(row, "statement");
+        const std::string& kind = at(row).statement;
         const bool first = row == draft.first_row;
         if (kind.empty() || kind == "constant") {
-            if (!first) refuse(row, "statement", "a further row states a component of uncertainty");
+            if (!first)
+                refuse(row, &StatedComponent::statement, "a further row states a component of uncertainty");
             return;
         }
         UncertaintyComponent made;
-        made.name = first || empty(row, "name") ? draft.quantity.name : text(row, "name");
+        made.name = first || at(row).name.empty() ? draft.quantity.name : at(row).name;
         made.unit = unit.interval();
         if (kind == "instrument") return reading(draft, row);
         const bool done = kind == "observations" || kind == "pooled" ? observed(draft, row, kind, made)
@@ -121,25 +113,28 @@ private:
 
     void add(Draft& draft, std::size_t row, UncertaintyComponent component) {
         component.id = draft.quantity.symbol + "." + std::to_string(++draft.components);
-        if (!empty(row, "source")) component.origin = text(row, "source");
-        component.source = "/" + table + "/rows/" + std::to_string(row);
+        if (!at(row).source.empty()) component.origin = at(row).source;
+        component.source = place_of(row);
         draft.quantity.shares.push_back({result_.inputs.add(std::move(component)), 1.0});
     }
 
     bool stated(Draft& draft, std::size_t row, const Unit& unit, UncertaintyComponent& made) {
-        const std::string kind_key = text(row, "statement");
+        const std::string& kind_key = at(row).statement;
         const StatementKind& kind = *find_statement(kind_key);
         const bool absolute = kind_key == "limits";
-        const auto figure = [&](const char* column, bool has_unit) -> std::optional<double> {
-            const auto value = number(row, column);
+        const auto figure = [&](const std::optional<double>& value, bool has_unit) -> std::optional<double> {
             if (!value || !has_unit) return value;
             return absolute ? unit.to_si(*value) : unit.interval_to_si(*value);
         };
-        Statement statement{kind_key,          figure("a", kind.a_has_unit), figure("b", kind.b_has_unit),
-                            number(row, "nu"), number(row, "r_u"),           draft.estimate};
+        const Statement statement{kind_key,
+                                  figure(at(row).a, kind.a_has_unit),
+                                  figure(at(row).b, kind.b_has_unit),
+                                  at(row).nu,
+                                  at(row).r_u,
+                                  draft.estimate};
         const auto component = stated_component(statement);
         if (!component) {
-            refuse(row, "statement", component.error().message);
+            refuse(row, &StatedComponent::statement, component.error().message);
             return false;
         }
         if (component->estimate) draft.estimate = component->estimate;
@@ -152,9 +147,9 @@ private:
     bool observed(Draft& draft, std::size_t row, const std::string& kind, UncertaintyComponent& made) {
         const std::string& symbol = draft.quantity.symbol;
         const auto mean =
-            kind == "pooled" ? observations_.pooled(symbol, number(row, "a")) : observations_.mean_of(symbol);
+            kind == "pooled" ? observations_.pooled(symbol, at(row).a) : observations_.mean_of(symbol);
         if (!mean) {
-            refuse(row, "statement", mean.error().message);
+            refuse(row, &StatedComponent::statement, mean.error().message);
             return false;
         }
         const double u = draft.unit.interval_to_si(mean->u);
@@ -163,7 +158,7 @@ private:
         made.type = EvaluationType::type_a;
         made.degrees_of_freedom = mean->degrees_of_freedom;
         made.distribution = Distribution::normal(u);
-        made.normal_draws = reader_.text("type_a") == "normal";
+        made.normal_draws = stated_.normal_means;
         made.origin = kind == "pooled" ? "pooled standard deviation"
                                        : "mean of " + std::to_string(mean->count) + " observations";
         if (kind == "observations") draft.observed = result_.inputs.components.size();
@@ -172,45 +167,48 @@ private:
 
     /// The instrument's own deviation and those that all its readings share.
     void reading(Draft& draft, std::size_t row) {
-        const AssetLibrary::Entry* entry = assets_.find(text(row, "instrument"));
-        if (!entry) return refuse(row, "instrument", "the instrument of the project is missing");
-        if (!draft.estimate) return refuse(row, "value", "the reading of an instrument needs a value");
+        const Referred& instrument = at(row).instrument;
+        if (!instrument.asset)
+            return refuse(row, &StatedComponent::instrument, "the instrument of the project is missing");
+        if (!draft.estimate)
+            return refuse(row, &StatedComponent::value, "the reading of an instrument needs a value");
         if (draft.unit.dimension() != Unit::of("m").dimension())
-            return refuse(row, "unit", "an instrument reads distances here; the unit must be one of length");
+            return refuse(row, &StatedComponent::unit,
+                          "an instrument reads distances here; the unit must be one of length");
         const double distance = *draft.estimate;
-        if (const SensorSource* sensor = offers<SensorSource>(entry->asset)) {
+        if (const SensorSource* sensor = offers<SensorSource>(instrument.asset)) {
             if (!sensor->reads(Observable::distance))
-                return refuse(row, "instrument", entry->name + " reads no distances");
+                return refuse(row, &StatedComponent::instrument, instrument.name + " reads no distances");
             const Eigen::Vector3d target(distance, 0.0, 0.0);
-            own_reading(draft, row, *entry, sensor->reading(Observable::distance, target));
+            own_reading(draft, row, sensor->reading(Observable::distance, target));
             for (const SystematicDeviation& s : sensor->systematic())
                 share(draft, row, s.component, s.effect(Observable::distance, target));
-        } else if (const BallbarSource* bars = offers<BallbarSource>(entry->asset)) {
-            own_reading(draft, row, *entry, bars->reading(0, distance));
+        } else if (const BallbarSource* bars = offers<BallbarSource>(instrument.asset)) {
+            own_reading(draft, row, bars->reading(0, distance));
             for (const SharedLengthDeviation& s : bars->shared())
                 if (s.is_scale || s.bar == 0) share(draft, row, s.component, s.is_scale ? distance : 1.0);
         }
     }
 
-    void own_reading(Draft& draft, std::size_t row, const AssetLibrary::Entry& entry,
-                     UncertaintyComponent own) {
-        own.origin = entry.name + " (" + own.origin + ")";
-        own.contributor = text(row, "instrument");
-        own.contributor_name = entry.name;
+    static void credit(UncertaintyComponent& component, const Referred& instrument) {
+        component.origin = instrument.name + " (" + component.origin + ")";
+        component.contributor = instrument.id;
+        component.contributor_name = instrument.name;
+    }
+
+    void own_reading(Draft& draft, std::size_t row, UncertaintyComponent own) {
+        credit(own, at(row).instrument);
         add(draft, row, std::move(own));
     }
 
     void share(Draft& draft, std::size_t row, const UncertaintyComponent& component, double factor) {
         if (factor == 0.0) return;
-        const std::string id = text(row, "instrument") + "." + component.id;
+        const std::string id = at(row).instrument.id + "." + component.id;
         const auto [known, is_new] = shared_.try_emplace(id, result_.inputs.components.size());
         if (is_new) {
-            const std::string& name = assets_.find(text(row, "instrument"))->name;
             UncertaintyComponent made = component;
             made.id = made.identity = id;
-            made.origin = name + " (" + component.origin + ")";
-            made.contributor = text(row, "instrument");
-            made.contributor_name = name;
+            credit(made, at(row).instrument);
             result_.inputs.add(std::move(made));
         }
         draft.quantity.shares.push_back({known->second, factor});
@@ -218,7 +216,8 @@ private:
 
     void finish(Draft& draft) {
         if (!draft.estimate)
-            return refuse(draft.first_row, "value", "the value is missing, and no statement gives it");
+            return refuse(draft.first_row, &StatedComponent::value,
+                          "the value is missing, and no statement gives it");
         draft.quantity.offset = *draft.estimate;
         result_.inputs.quantities.push_back(draft.quantity);
         result_.symbols.push_back({draft.quantity.symbol, draft.unit});
@@ -228,7 +227,7 @@ private:
     void check_observations() {
         for (const std::string& quantity : observations_.quantities())
             if (!index_.contains(quantity))
-                problems_.error("/observations",
+                problems_.error(equation_fields().place(&StatedEquations::observations),
                                 "'" + quantity + "' has observations and no row in the table of quantities");
     }
 
@@ -259,8 +258,7 @@ private:
             }
     }
 
-    const SetupReader& reader_;
-    const AssetLibrary& assets_;
+    const StatedEquations& stated_;
     Problems& problems_;
     Observations observations_;
     std::vector<Draft> drafts_;
@@ -271,8 +269,8 @@ private:
 
 }  // namespace
 
-StatedQuantities read_quantities(const SetupReader& reader, const AssetLibrary& assets, Problems& problems) {
-    return QuantityReader(reader, assets, problems).run();
+StatedQuantities read_quantities(const StatedEquations& stated, Problems& problems) {
+    return QuantityReader(stated, problems).run();
 }
 
 }  // namespace covaria::equation_model

@@ -218,7 +218,7 @@ ModelDescriptor measurement_equation_model() {
     d.notes = equation_notes();
     d.help_page = "equation.md";
     d.example = "gum/h1-end-gauge.covaria";
-    d.schema = equation_model::equation_schema();
+    d.schema = equation_model::equation_fields().schema();
     d.create = create_equation_model;
     d.completed = equation_model::with_rows_for_names;
     return d;

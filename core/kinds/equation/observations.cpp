@@ -7,15 +7,11 @@
 
 namespace covaria::equation_model {
 
-Observations::Observations(const SetupReader& reader) {
-    for (std::size_t row = 0; row < reader.rows("observations"); ++row) {
-        const std::string name = reader.cell_empty("observations", row, "series")
-                                     ? ""
-                                     : reader.cell_text("observations", row, "series");
-        Series& series = of_[plain_symbol(reader.cell_text("observations", row, "quantity"))][name];
-        series.values.push_back(reader.cell_number("observations", row, "value"));
-        if (!reader.cell_empty("observations", row, "number"))
-            series.numbers.push_back(static_cast<int>(reader.cell_number("observations", row, "number")));
+Observations::Observations(const std::vector<Observation>& rows) {
+    for (const Observation& row : rows) {
+        Series& series = of_[plain_symbol(row.quantity)][row.series];
+        series.values.push_back(row.value);
+        if (row.number) series.numbers.push_back(*row.number);
     }
     for (auto& [quantity, all] : of_)
         for (auto& [name, series] : all)

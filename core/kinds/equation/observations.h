@@ -7,15 +7,14 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/kinds/equation/setup.h"
 #include "core/quantity/type_a.h"
-#include "core/setup/setup_schema.h"
 
 namespace covaria::equation_model {
 
 class Observations {
 public:
-    /// Reads the table; values stay as typed, in the unit of their quantity.
-    explicit Observations(const SetupReader& reader);
+    explicit Observations(const std::vector<Observation>& rows);
 
     bool has(const std::string& quantity) const { return of_.contains(quantity); }
     std::vector<std::string> quantities() const;

@@ -8,62 +8,27 @@ namespace covaria::equation_model {
 
 namespace {
 
-FieldSpec equations_field() {
-    return {
-        .key = "equations",
-        .title = "Equations",
-        .kind = FieldKind::text,
-        .help =
-            "One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. "
-            "'solve y = 1: y^2 = x' finds y in every trial, from its starting value. '#' starts a comment.",
-        .default_value = std::string("y = x_1 + x_2"),
-        .section = "Equations",
-        .several_lines = true};
-}
+using Stated = StatedEquations;
+const Further maybe{.optional = true};
 
-FieldSpec outputs_table() {
-    FieldSpec table{
-        .key = "outputs",
-        .title = "Results",
-        .kind = FieldKind::table,
-        .help =
-            "What is reported, and in which unit. Without rows: every name that an equation defines "
-            "and no other one uses, in SI units.",
-        .optional = true,
-        .section = "Equations"};
-    table.columns = {{.key = "symbol",
-                      .title = "symbol",
-                      .kind = FieldKind::text,
-                      .help = "Name that an equation defines."},
-                     {.key = "name",
-                      .title = "name",
-                      .kind = FieldKind::text,
-                      .optional = true,
-                      .help = "What it is, for tables and reports."},
-                     {.key = "unit",
-                      .title = "unit",
-                      .kind = FieldKind::text,
-                      .optional = true,
-                      .help = "Unit of the result; empty: the SI unit that follows from the equations."},
-                     {.key = "role",
-                      .title = "role",
-                      .kind = FieldKind::choice,
-                      .optional = true,
-                      .choices = {{"measurand", "measurand"}, {"intermediate", "intermediate"}},
-                      .help = "Measurands have coverage regions together; empty: measurand."},
-                     {.key = "group",
-                      .title = "group",
-                      .kind = FieldKind::text,
-                      .optional = true,
-                      .help = "Results of one group have a joint coverage region."}};
-    return table;
+Columns<StatedOutput> output_columns() {
+    using Row = StatedOutput;
+    return Columns<Row>()
+        .add(&Row::symbol, "symbol", "symbol", "Name that an equation defines.")
+        .add(&Row::name, "name", "name", "What it is, for tables and reports.", maybe)
+        .add(&Row::unit, "unit", "unit",
+             "Unit of the result; empty: the SI unit that follows from the equations.", maybe)
+        .choice(&Row::role, "role", "role", "Measurands have coverage regions together; empty: measurand.",
+                {{OutputRole::measurand, "measurand", "measurand"},
+                 {OutputRole::intermediate, "intermediate", "intermediate"}},
+                maybe)
+        .add(&Row::group, "group", "group", "Results of one group have a joint coverage region.", maybe);
 }
 
 ColumnSpec statement_column() {
     ColumnSpec column{
         .key = "statement",
         .title = "stated as",
-        .kind = FieldKind::choice,
         .optional = true,
         .choices = {{"constant", "constant"}},
         .help =
@@ -79,113 +44,93 @@ ColumnSpec statement_column() {
     return column;
 }
 
-std::vector<ColumnSpec> figure_columns() {
-    return {{.key = "a",
-             .title = "a",
-             .optional = true,
-             .help = "First figure of the statement, in the row's unit."},
-            {.key = "b", .title = "b", .optional = true, .help = "Second figure of the statement."},
-            {.key = "nu",
-             .title = "nu",
-             .range = {.low = 0.0, .low_open = true},
-             .optional = true,
-             .help = "Degrees of freedom; empty: infinite, or those of the observations."},
-            {.key = "r_u",
-             .title = "r_u",
-             .unit = Unit::of("%"),
-             .range = {.low = 0.0},
-             .optional = true,
-             .help = "Relative uncertainty of u instead of degrees of freedom (JCGM 100 G.3)."},
-            {.key = "source",
-             .title = "source",
-             .kind = FieldKind::text,
-             .optional = true,
-             .help = "Where the figure comes from: certificate, data sheet, handbook."},
-            {.key = "instrument",
-             .title = "instrument",
-             .kind = FieldKind::reference,
-             .optional = true,
-             .help = "Instrument of the project that reads the quantity, a distance.",
-             .capabilities = {SensorSource::capability, BallbarSource::capability}}};
+void add_figures(Columns<StatedComponent>& columns) {
+    using Row = StatedComponent;
+    columns.add(&Row::a, "a", "a", "First figure of the statement, in the row's unit.", maybe)
+        .add(&Row::b, "b", "b", "Second figure of the statement.", maybe)
+        .add(&Row::nu, "nu", "nu", "Degrees of freedom; empty: infinite, or those of the observations.",
+             {.range = {.low = 0.0, .low_open = true}, .optional = true})
+        .add(&Row::r_u, "r_u", "r_u",
+             "Relative uncertainty of u instead of degrees of freedom (JCGM 100 G.3).",
+             {.unit = Unit::of("%"), .range = {.low = 0.0}, .optional = true})
+        .add(&Row::source, "source", "source",
+             "Where the figure comes from: certificate, data sheet, handbook.", maybe)
+        .add(&Row::instrument, {.key = "instrument",
+                                .title = "instrument",
+                                .optional = true,
+                                .help = "Instrument of the project that reads the quantity, a distance.",
+                                .capabilities = {SensorSource::capability, BallbarSource::capability}});
 }
 
-FieldSpec quantities_table() {
-    FieldSpec table{
-        .key = "quantities",
-        .title = "Quantities",
-        .kind = FieldKind::table,
-        .help =
-            "One row for each component of uncertainty. The first row of a symbol has its value and "
-            "unit; further rows of the same symbol add components and have no value.",
-        .optional = true,
-        .section = "Quantities",
-        .states_quantities = true};
-    table.columns = {
-        {.key = "symbol",
-         .title = "symbol",
-         .kind = FieldKind::text,
-         .help = "Name that the equations use: x_1, alpha_s."},
-        {.key = "name",
-         .title = "name",
-         .kind = FieldKind::text,
-         .optional = true,
-         .help = "What it is, or what the component is."},
-        {.key = "value",
-         .title = "value",
-         .optional = true,
-         .help = "Estimate, in the row's unit; empty where observations or limits give it."},
-        {.key = "unit",
-         .title = "unit",
-         .kind = FieldKind::text,
-         .optional = true,
-         .help = "Unit of value, a and b; empty: 1. A difference of temperatures is given in K."},
-        statement_column()};
-    for (ColumnSpec& column : figure_columns()) table.columns.push_back(std::move(column));
-    return table;
+Columns<StatedComponent> component_columns() {
+    using Row = StatedComponent;
+    Columns<Row> columns;
+    columns.add(&Row::symbol, "symbol", "symbol", "Name that the equations use: x_1, alpha_s.")
+        .add(&Row::name, "name", "name", "What it is, or what the component is.", maybe)
+        .add(&Row::value, "value", "value",
+             "Estimate, in the row's unit; empty where observations or limits give it.", maybe)
+        .add(&Row::unit, "unit", "unit",
+             "Unit of value, a and b; empty: 1. A difference of temperatures is given in K.", maybe)
+        .add(&Row::statement, statement_column());
+    add_figures(columns);
+    return columns;
 }
 
-FieldSpec observations_table() {
-    FieldSpec table{
-        .key = "observations",
-        .title = "Observations",
-        .kind = FieldKind::table,
-        .help =
-            "Repeated observations for Type A evaluations, typed, pasted or from a CSV file. "
-            "Observations of several quantities with the same numbers were made together: their means "
-            "are then correlated (JCGM 100 5.2.3).",
-        .optional = true,
-        .section = "Quantities"};
-    table.columns = {
-        {.key = "quantity", .title = "quantity", .kind = FieldKind::text, .help = "Symbol of the quantity."},
-        {.key = "number",
-         .title = "number",
-         .kind = FieldKind::integer,
-         .optional = true,
-         .help = "Number of the simultaneous observation; empty: the quantity was observed by itself."},
-        {.key = "series",
-         .title = "series",
-         .kind = FieldKind::text,
-         .optional = true,
-         .help = "Name of an earlier series of the same procedure, for a pooled standard deviation."},
-        {.key = "value", .title = "value", .help = "Observed value, in the unit of the quantity."}};
-    return table;
+Columns<Observation> observation_columns() {
+    using Row = Observation;
+    return Columns<Row>()
+        .add(&Row::quantity, "quantity", "quantity", "Symbol of the quantity.")
+        .add(&Row::number, "number", "number",
+             "Number of the simultaneous observation; empty: the quantity was observed by itself.", maybe)
+        .add(&Row::series, "series", "series",
+             "Name of an earlier series of the same procedure, for a pooled standard deviation.", maybe)
+        .add(&Row::value, "value", "value", "Observed value, in the unit of the quantity.");
+}
+
+void add_equations(Fields<Stated>& fields) {
+    fields.section("Equations")
+        .add(&Stated::text, "equations", "Equations",
+             "One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. "
+             "'solve y = 1: y^2 = x' finds y in every trial, from its starting value. '#' starts a comment.",
+             {.default_value = std::string("y = x_1 + x_2"), .several_lines = true})
+        .table(&Stated::outputs, "outputs", "Results",
+               "What is reported, and in which unit. Without rows: every name that an equation defines "
+               "and no other one uses, in SI units.",
+               output_columns(), maybe);
+}
+
+void add_quantities(Fields<Stated>& fields) {
+    fields.section("Quantities")
+        .table(&Stated::components,
+               {.key = "quantities",
+                .title = "Quantities",
+                .help = "One row for each component of uncertainty. The first row of a symbol has its value "
+                        "and "
+                        "unit; further rows of the same symbol add components and have no value.",
+                .optional = true,
+                .states_quantities = true},
+               component_columns())
+        .table(&Stated::observations, "observations", "Observations",
+               "Repeated observations for Type A evaluations, typed, pasted or from a CSV file. "
+               "Observations of several quantities with the same numbers were made together: their means "
+               "are then correlated (JCGM 100 5.2.3).",
+               observation_columns(), maybe)
+        .choice(&Stated::normal_means, "type_a", "Means of observations",
+                "Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of "
+                "the observations (JCGM 101 6.4.9), or normal.",
+                {{false, "student-t", "Student t"}, {true, "normal", "normal"}}, false);
 }
 
 }  // namespace
 
-SetupSchema equation_schema() {
-    FieldSpec type_a{
-        .key = "type_a",
-        .title = "Means of observations",
-        .kind = FieldKind::choice,
-        .help =
-            "Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of "
-            "the observations (JCGM 101 6.4.9), or normal.",
-        .default_value = std::string("student-t"),
-        .choices = {{"student-t", "Student t"}, {"normal", "normal"}},
-        .section = "Quantities"};
-    return SetupSchema(
-        {equations_field(), outputs_table(), quantities_table(), observations_table(), type_a});
+const Fields<StatedEquations>& equation_fields() {
+    static const auto fields = [] {
+        Fields<Stated> made;
+        add_equations(made);
+        add_quantities(made);
+        return made;
+    }();
+    return fields;
 }
 
 }  // namespace covaria::equation_model

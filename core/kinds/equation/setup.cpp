@@ -30,16 +30,15 @@ std::vector<equation::Definition> last_definitions(const equation::ParsedText& p
 
 class SetupBuilder {
 public:
-    SetupBuilder(const SetupReader& reader, Problems& problems) : reader_(reader), problems_(problems) {}
+    SetupBuilder(const StatedEquations& stated, Problems& problems) : stated_(stated), problems_(problems) {}
 
-    std::optional<EquationSetup> build(const AssetLibrary& assets) {
+    std::optional<EquationSetup> build() {
         EquationSetup setup;
         equation::TextProblems found;
-        const std::string text = reader_.has("equations") ? reader_.text("equations") : "";
-        setup.parsed = equation::parse(text, found);
+        setup.parsed = equation::parse(stated_.text, found);
         if (found.empty() && setup.parsed.statements.empty())
             found.push_back({{}, "there is no equation: write one, y = x_1 + x_2"});
-        StatedQuantities stated = read_quantities(reader_, assets, problems_);
+        StatedQuantities stated = read_quantities(stated_, problems_);
         check_names(setup.parsed, stated);
         const auto wanted = wanted_outputs(setup.parsed, setup.outputs);
         if (found.empty() && !problems_.has_errors()) {
@@ -60,7 +59,8 @@ private:
         for (const equation::SymbolUse& use : equation::free_symbols(parsed)) used.insert(use.name);
         for (std::size_t i = 0; i < stated.symbols.size(); ++i) {
             const std::string& name = stated.symbols[i].name;
-            const std::string path = "/quantities/rows/" + std::to_string(stated.rows[i]) + "/symbol";
+            const std::string path = equation_fields().place(&StatedEquations::components, stated.rows[i],
+                                                             &StatedComponent::symbol);
             if (parsed.find(name))
                 problems_.error(path,
                                 "'" + name + "' is defined by an equation: it cannot be a quantity too");
@@ -72,8 +72,8 @@ private:
     std::vector<equation::WantedOutput> wanted_outputs(const equation::ParsedText& parsed,
                                                        std::vector<OutputQuantity>& outputs) {
         std::vector<equation::WantedOutput> wanted;
-        for (std::size_t row = 0; row < reader_.rows("outputs"); ++row) add_row(parsed, row, wanted, outputs);
-        if (reader_.rows("outputs") > 0) return wanted;
+        for (std::size_t row = 0; row < stated_.outputs.size(); ++row) add_row(parsed, row, wanted, outputs);
+        if (!stated_.outputs.empty()) return wanted;
         for (const equation::Definition& d : last_definitions(parsed)) {
             wanted.push_back({d.name, std::nullopt});
             outputs.push_back({.symbol = d.name, .name = d.name});
@@ -81,41 +81,37 @@ private:
         return wanted;
     }
 
-    std::string cell(std::size_t row, const std::string& column) const {
-        return reader_.cell_empty("outputs", row, column) ? "" : reader_.cell_text("outputs", row, column);
-    }
-
     void add_row(const equation::ParsedText& parsed, std::size_t row,
                  std::vector<equation::WantedOutput>& wanted, std::vector<OutputQuantity>& outputs) {
-        const std::string path = "/outputs/rows/" + std::to_string(row);
-        const std::string symbol = plain_symbol(cell(row, "symbol"));
+        const StatedOutput& stated = stated_.outputs[row];
+        const std::string path =
+            equation_fields().place(&StatedEquations::outputs, row, &StatedOutput::symbol);
+        const std::string symbol = plain_symbol(stated.symbol);
         if (!parsed.find(symbol) && !parsed.statements.empty()) {
             std::vector<std::string> names;
             for (const equation::Statement& s : parsed.statements)
                 for (const equation::Definition& d : s.defined) names.push_back(d.name);
-            problems_.error(path + "/symbol",
-                            "no equation defines '" + symbol + "'" + did_you_mean(symbol, names));
+            problems_.error(path, "no equation defines '" + symbol + "'" + did_you_mean(symbol, names));
         }
         if (std::any_of(wanted.begin(), wanted.end(), [&](const auto& w) { return w.name == symbol; }))
-            problems_.error(path + "/symbol", "'" + symbol + "' is listed twice");
+            problems_.error(path, "'" + symbol + "' is listed twice");
         equation::WantedOutput output{symbol, std::nullopt};
-        if (const std::string unit = cell(row, "unit"); !unit.empty()) {
-            const Result<Unit> parsed_unit = Unit::parse(unit);
-            if (parsed_unit)
-                output.unit = *parsed_unit;
+        if (!stated.unit.empty()) {
+            const Result<Unit> unit = Unit::parse(stated.unit);
+            if (unit)
+                output.unit = *unit;
             else
-                problems_.error(path + "/unit", parsed_unit.error().message);
+                problems_.error(equation_fields().place(&StatedEquations::outputs, row, &StatedOutput::unit),
+                                unit.error().message);
         }
         wanted.push_back(output);
-        const std::string name = cell(row, "name");
-        outputs.push_back(
-            {.symbol = symbol,
-             .name = name.empty() ? symbol : name,
-             .group = cell(row, "group"),
-             .role = cell(row, "role") == "intermediate" ? OutputRole::intermediate : OutputRole::measurand});
+        outputs.push_back({.symbol = symbol,
+                           .name = stated.name.empty() ? symbol : stated.name,
+                           .group = stated.group,
+                           .role = stated.role});
     }
 
-    const SetupReader& reader_;
+    const StatedEquations& stated_;
     Problems& problems_;
 };
 
@@ -136,8 +132,8 @@ bool has_symbol(const SetupTable& table, const std::string& symbol) {
 
 std::string path_of(const equation::Place& place) {
     const std::size_t end = place.column + std::max<std::size_t>(place.length, 1) - 1;
-    return "/equations/" + std::to_string(place.line - 1) + "/" + std::to_string(place.column) + "-" +
-           std::to_string(end);
+    return equation_fields().place(&StatedEquations::text) + "/" + std::to_string(place.line - 1) + "/" +
+           std::to_string(place.column) + "-" + std::to_string(end);
 }
 
 void report(const equation::TextProblems& found, Problems& problems) {
@@ -147,14 +143,17 @@ void report(const equation::TextProblems& found, Problems& problems) {
 
 std::optional<EquationSetup> read_equation_setup(const SetupReader& reader, const AssetLibrary& assets,
                                                  Problems& problems) {
-    return SetupBuilder(reader, problems).build(assets);
+    const StatedEquations stated = equation_fields().read(reader, assets, problems);
+    return SetupBuilder(stated, problems).build();
 }
 
 Setup with_rows_for_names(const Setup& setup) {
-    const SetupSchema schema = equation_schema();
-    const SetupReader reader(schema, setup);
+    const auto& fields = equation_fields();
+    const SetupSchema schema = fields.schema();
     equation::TextProblems ignored;
-    const equation::ParsedText parsed = equation::parse(reader.text("equations"), ignored);
+    const auto* text =
+        std::get_if<std::string>(&value_of(*schema.find(fields.key(&StatedEquations::text)), setup));
+    const equation::ParsedText parsed = equation::parse(text ? *text : "", ignored);
     Setup completed = setup;
     const auto add_row = [&](const std::string& key, const std::string& symbol) {
         const FieldSpec& field = *schema.find(key);
@@ -166,8 +165,10 @@ Setup with_rows_for_names(const Setup& setup) {
         table.rows.push_back(std::move(row));
         completed.values[key] = std::move(table);
     };
-    for (const equation::SymbolUse& use : equation::free_symbols(parsed)) add_row("quantities", use.name);
-    for (const equation::Definition& d : last_definitions(parsed)) add_row("outputs", d.name);
+    for (const equation::SymbolUse& use : equation::free_symbols(parsed))
+        add_row(fields.key(&StatedEquations::components), use.name);
+    for (const equation::Definition& d : last_definitions(parsed))
+        add_row(fields.key(&StatedEquations::outputs), d.name);
     std::erase_if(completed.values,
                   [](const auto& entry) { return std::holds_alternative<std::monostate>(entry.second); });
     return completed;

@@ -6,14 +6,46 @@
 #include <vector>
 
 #include "core/equation/program.h"
-#include "core/model/asset.h"
+#include "core/model/offered.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
-#include "core/setup/setup_schema.h"
+#include "core/setup/fields.h"
 
 namespace covaria::equation_model {
 
-SetupSchema equation_schema();
+struct StatedOutput {
+    std::string symbol, name, unit;
+    OutputRole role = OutputRole::measurand;
+    std::string group;
+};
+
+/// A row of the quantities: figures are as typed, in the row's unit.
+struct StatedComponent {
+    std::string symbol, name;
+    std::optional<double> value;
+    std::string unit = "1";
+    std::string statement;
+    std::optional<double> a, b, nu, r_u;
+    std::string source;
+    Referred instrument;
+};
+
+struct Observation {
+    std::string quantity;
+    std::optional<int> number;  ///< of the simultaneous observation
+    std::string series;
+    double value = 0.0;  ///< as typed, in the unit of the quantity
+};
+
+/// The set-up as typed.
+struct StatedEquations {
+    std::string text;
+    std::vector<StatedOutput> outputs;
+    std::vector<StatedComponent> components;
+    std::vector<Observation> observations;
+    bool normal_means = false;  ///< of observations, instead of Student t
+};
+const Fields<StatedEquations>& equation_fields();
 
 struct EquationSetup {
     equation::ParsedText parsed;
@@ -35,7 +67,7 @@ struct StatedQuantities {
     std::vector<equation::KnownSymbol> symbols;  ///< of the same quantities
     std::vector<std::size_t> rows;               ///< of the table, where each is first named
 };
-StatedQuantities read_quantities(const SetupReader& reader, const AssetLibrary& assets, Problems& problems);
+StatedQuantities read_quantities(const StatedEquations& stated, Problems& problems);
 
 /// "/equations/1/14-16": line and columns, from 0 and 1.
 std::string path_of(const equation::Place& place);

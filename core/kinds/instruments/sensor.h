@@ -61,6 +61,7 @@ struct FieldOfView {
 class SensorSource : public Capability {
 public:
     static constexpr const char* capability = "sensor";
+    static constexpr const char* lacking = "is no sensor";
     virtual std::string glyph() const = 0;  ///< see LayoutBody::glyph
     virtual bool reads(Observable observable) const = 0;
     virtual const Station& station() const = 0;

@@ -4,6 +4,7 @@
 #include "core/kinds/instruments/linear_reading.h"
 #include "core/kinds/instruments/sensor.h"
 #include "core/kinds/network/adjustment.h"
+#include "core/kinds/network/setup.h"
 #include "core/kinds/points/point_uncertainty.h"
 #include "core/quantity/input_quantity.h"
 
@@ -11,11 +12,7 @@ namespace covaria {
 
 namespace {
 
-struct Member {
-    std::string id, name;
-    std::shared_ptr<const Asset> asset;
-    const SensorSource& sensor() const { return *offers<SensorSource>(asset); }
-};
+using Member = network::Sensor;
 
 std::string word_of(Observable observable) {
     static constexpr const char* words[] = {"distance", "azimuth", "elevation"};
@@ -77,7 +74,7 @@ private:
 
     void add_sight(std::size_t m, std::size_t point) {
         const Member& member = members_[m];
-        const SensorSource& sensor = member.sensor();
+        const SensorSource& sensor = *member;
         const LinearReading s = linear_reading(sensor.station(), points_[point]);
         if (!sensor.sees(s.v)) return;
         const Eigen::Matrix3Xd effects = shared_effects(sensor, s);
@@ -96,7 +93,7 @@ private:
     void add_shared(std::size_t m) {
         const Member& member = members_[m];
         Eigen::Index k = -1;
-        for (UncertaintyComponent& component : shared_components(member.sensor())) {
+        for (UncertaintyComponent& component : shared_components(*member)) {
             ++k;
             if (!(component.distribution.standard_uncertainty() > 0.0)) continue;
             Eigen::MatrixXd& F = readings_.shared;
@@ -151,9 +148,9 @@ public:
         const std::vector<Eigen::Vector3d> points{p};
         std::string seeing;
         for (const Member& member : members_) {
-            const Eigen::Vector3d v = member.sensor().station().X_WS().inverse() * p;
+            const Eigen::Vector3d v = member->station().X_WS().inverse() * p;
             if (v.norm() == 0.0) return "it is at the place of " + member.name;
-            if (member.sensor().sees(v)) seeing += (seeing.empty() ? "" : ", ") + member.name;
+            if (member->sees(v)) seeing += (seeing.empty() ? "" : ", ") + member.name;
         }
         if (seeing.empty()) return "no sensor of the network sees it";
         if (localises(ReadingCollector(members_, points).collect().to_points)) return {};
@@ -164,8 +161,8 @@ public:
     std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d& p) const override {
         std::vector<Eigen::Vector3d> stations;
         for (const Member& member : members_) {
-            const Eigen::Isometry3d X_WS = member.sensor().station().X_WS();
-            if (member.sensor().sees(X_WS.inverse() * p)) stations.push_back(X_WS.translation());
+            const Eigen::Isometry3d X_WS = member->station().X_WS();
+            if (member->sees(X_WS.inverse() * p)) stations.push_back(X_WS.translation());
         }
         return stations;
     }
@@ -183,8 +180,8 @@ public:
         for (const Member& member : members_) {
             std::string reads;
             for (Observable o : observables)
-                if (member.sensor().reads(o)) reads += (reads.empty() ? "" : ", ") + word_of(o);
-            const auto& at = member.sensor().station().coordinates;
+                if (member->reads(o)) reads += (reads.empty() ? "" : ", ") + word_of(o);
+            const auto& at = member->station().coordinates;
             table.rows.push_back({member.name, reads, at[0], at[1], at[2]});
         }
         return {table};
@@ -219,49 +216,30 @@ private:
     bool with_stations_;
 };
 
-SetupSchema network_asset_schema() {
-    FieldSpec sensors{.key = "sensors",
-                      .title = "Sensors",
-                      .kind = FieldKind::table,
-                      .help =
-                          "The instruments of the network, each an instrument of the project that stands "
-                          "somewhere.",
-                      .min_rows = 1,
-                      .section = "Network"};
-    sensors.columns = {{.key = "sensor",
-                        .title = "sensor",
-                        .kind = FieldKind::reference,
-                        .help = "An instrument of the project.",
-                        .capabilities = {SensorSource::capability}}};
-    return SetupSchema(
-        {sensors,
-         {.key = "weights",
-          .title = "Weights",
-          .kind = FieldKind::choice,
-          .help = "What the weights of the readings account for. With the stations, all points of one "
-                  "analysis are estimated together.",
-          .default_value = std::string("with-stations"),
-          .choices = {{"with-stations", "readings and stations, all points at once"},
-                      {"observations", "readings alone, each point by itself"}},
-          .section = "Network"}});
+struct StatedSource {
+    network::SensorList sensors;
+    bool with_stations = true;
+};
+
+const Fields<StatedSource>& source_fields() {
+    static const auto fields =
+        Fields<StatedSource>()
+            .section("Network")
+            .part(&StatedSource::sensors, network::sensor_list_fields())
+            .choice(&StatedSource::with_stations, "weights", "Weights",
+                    "What the weights of the readings account for. With the stations, all points of one "
+                    "analysis are estimated together.",
+                    {{true, "with-stations", "readings and stations, all points at once"},
+                     {false, "observations", "readings alone, each point by itself"}},
+                    true);
+    return fields;
 }
 
 std::unique_ptr<Asset> create_network(const SetupReader& setup, const AssetLibrary& assets,
                                       Problems& problems) {
-    std::vector<Member> members;
-    for (std::size_t row = 0; row < setup.rows("sensors"); ++row) {
-        const std::string id = setup.cell_text("sensors", row, "sensor");
-        const std::string path = "/sensors/rows/" + std::to_string(row);
-        const AssetLibrary::Entry* entry = assets.find(id);
-        if (!offers<SensorSource>(entry)) {
-            problems.error(path, "'" + id + "' is no sensor");
-            continue;
-        }
-        for (const Member& member : members)
-            if (member.id == id) problems.error(path, "the sensor " + member.name + " is listed twice");
-        members.push_back({id, entry->name.empty() ? id : entry->name, entry->asset});
-    }
-    return std::make_unique<SensorNetwork>(std::move(members), setup.text("weights") == "with-stations");
+    const StatedSource stated = source_fields().read(setup, assets, problems);
+    return std::make_unique<SensorNetwork>(network::sensors_of(stated.sensors, problems),
+                                           stated.with_stations);
 }
 
 }  // namespace
@@ -286,7 +264,7 @@ AssetDescriptor sensor_network_kind() {
         "instruments is moved or located anew between them.",
         "A sensor contributes to a point that is in its range and field of view, and no others."};
     d.capabilities = {PointUncertaintySource::capability};
-    d.schema = network_asset_schema();
+    d.schema = source_fields().schema();
     d.create = create_network;
     return d;
 }

@@ -40,13 +40,13 @@ private:
         const std::string again = set_up == 0 ? "" : "_" + std::to_string(set_up + 1);
         const std::size_t first = inputs_.components.size();
         for (std::size_t i = 0; i < 6; ++i) {
-            UncertaintyComponent component = sensor.source().station_components()[i];
+            UncertaintyComponent component = sensor->station_components()[i];
             InputQuantity quantity;
             quantity.symbol = std::string(symbols[i]) + "_" + sensor_label(s) + again;
             quantity.name = sensor.name + ", " + component.name +
                             (set_up == 0 ? "" : ", set-up " + std::to_string(set_up + 1));
             quantity.unit = component.unit;
-            quantity.offset = sensor.source().station().coordinates[i];
+            quantity.offset = sensor->station().coordinates[i];
             quantity.group = sensor.name;
             component.id = sensor.id + "." + component.id + again;
             component.origin = sensor.name + " (" + component.origin + ")";
@@ -56,7 +56,7 @@ private:
             quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
             inputs_.quantities.push_back(std::move(quantity));
         }
-        for (const StationCorrelation& c : sensor.source().station_correlations())
+        for (const StationCorrelation& c : sensor->station_correlations())
             inputs_.correlations.push_back({first + c.first, first + c.second, c.coefficient});
     }
 
@@ -72,7 +72,7 @@ private:
         for (std::size_t o = 0; o < 3; ++o) {
             if (!sight.has[o]) continue;
             const bool across = sight.overhead && observables[o] == Observable::azimuth;
-            UncertaintyComponent component = sensor.source().reading(observables[o], reading.v);
+            UncertaintyComponent component = sensor->reading(observables[o], reading.v);
             InputQuantity quantity;
             quantity.symbol = std::string(across ? across_symbol : symbols[o]) + "_" + suffix + again;
             quantity.name = sensor.name + " to " + target.name + ", " +
@@ -117,7 +117,7 @@ private:
 
     void add_systematic(const Sensor& sensor, Observable o, const LinearReading& reading,
                         InputQuantity& quantity) {
-        for (const SystematicDeviation& deviation : sensor.source().systematic()) {
+        for (const SystematicDeviation& deviation : sensor->systematic()) {
             const double factor = reading.effect_of(deviation, o);
             if (factor == 0.0) continue;
             const std::string id = sensor.id + "." + deviation.component.id;

@@ -14,7 +14,7 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
     std::vector<Eigen::Vector3d> stations;
     for (std::size_t s = 0; s < setup.sensors.size(); ++s) {
         const Sensor& sensor = setup.sensors[s];
-        Station station = sensor.source().station();
+        Station station = sensor->station();
         const std::size_t first = setup.station_input(0, s);
         for (std::size_t i = 0; i < 6; ++i) station.coordinates[i] = x[first + i];
         const Eigen::Isometry3d X = station.X_WS();
@@ -23,7 +23,7 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
         layout.bodies.push_back({.name = sensor.name,
                                  .kind = BodyKind::instrument,
                                  .X_WB = X,
-                                 .glyph = sensor.source().glyph(),
+                                 .glyph = sensor->glyph(),
                                  .source = source});
         layout.points.push_back({.name = sensor.name,
                                  .kind = PointKind::station,
@@ -39,11 +39,12 @@ Layout network_layout(const NetworkSetup& setup, std::span<const double> x) {
     for (const Target& target : setup.targets) sight_lines += target.sights.size();
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         const Target& target = setup.targets[t];
-        layout.points.push_back({.name = target.name,
-                                 .kind = PointKind::target,
-                                 .p_W = target.nominal,
-                                 .source = {"/targets/rows/" + std::to_string(t), !setup.measured},
-                                 .outputs = {{3 * t, 3 * t + 1, 3 * t + 2}}});
+        layout.points.push_back(
+            {.name = target.name,
+             .kind = PointKind::target,
+             .p_W = target.nominal,
+             .source = {network_fields().place(&StatedNetwork::targets, t), !setup.measured},
+             .outputs = {{3 * t, 3 * t + 1, 3 * t + 2}}});
         for (const Sight& sight : target.sights)
             layout.links.push_back({.name = setup.sensors[sight.sensor].name + " – " + target.name,
                                     .kind = LinkKind::sight_line,

@@ -95,7 +95,7 @@ void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Proble
     const bool found = network::all_targets<double>(setup, Inputs<double>(x.data()), out) && out.finite();
     if (!found)
         return problems.error(
-            "/readings",
+            network::network_fields().place(&network::StatedNetwork::readings),
             "the readings do not lead to a position of every target: the estimation does not "
             "converge from the nominal coordinates; look for exchanged or mistyped readings");
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
@@ -104,7 +104,7 @@ void locate_targets(network::NetworkSetup& setup, const InputSet& inputs, Proble
         for (const network::Sight& sight : target.sights) {
             if (!sight.has[1] || !sight.has[2]) continue;
             const network::Sensor& sensor = setup.sensors[sight.sensor];
-            const Eigen::Vector3d v = sensor.source().station().X_WS().inverse() * target.nominal;
+            const Eigen::Vector3d v = sensor->station().X_WS().inverse() * target.nominal;
             const network::ReadDirections<double> e(sight.reading[1], sight.reading[2]);
             if (e.r.dot(v) < 0.0)
                 problems.error(sight.source[1], sensor.name + " looks away from target " + target.name +
@@ -191,7 +191,7 @@ ModelDescriptor points_from_sensors_model() {
     d.help_page = "points-from-sensors.md";
     d.example = "lsm-network.covaria";
     d.capabilities = {"point-uncertainty"};
-    d.schema = network::network_schema();
+    d.schema = network::network_fields().schema();
     d.create = create_network_model;
     return d;
 }

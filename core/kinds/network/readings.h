@@ -17,7 +17,7 @@ template <class Real, class In>
 Place<Real> place_of(const NetworkSetup& setup, const In& x, std::size_t set_up, std::size_t sensor) {
     const std::size_t first = setup.station_input(set_up, sensor);
     const auto angles = Vector3<Real>(Real(x[first + 3]), Real(x[first + 4]), Real(x[first + 5]));
-    return {station_rotation<Real>(setup.sensors[sensor].source().station().angles, angles),
+    return {station_rotation<Real>(setup.sensors[sensor]->station().angles, angles),
             Vector3<Real>(Real(x[first]), Real(x[first + 1]), Real(x[first + 2]))};
 }
 

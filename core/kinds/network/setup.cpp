@@ -15,22 +15,28 @@ namespace {
 
 constexpr double least_sine = 1e-6;
 
+using Stated = StatedNetwork;
+
+template <class Row>
+std::string place(std::vector<Row> Stated::*table, std::size_t row) {
+    return network_fields().place(table, row);
+}
+
 class SetupReading {
 public:
-    SetupReading(const SetupReader& setup, const AssetLibrary& assets, Problems& problems)
-        : setup_(setup), assets_(assets), problems_(problems) {}
+    SetupReading(const Stated& stated, Problems& problems) : stated_(stated), problems_(problems) {}
 
     std::optional<NetworkSetup> read() {
-        read_choices();
-        read_sensors();
-        read_targets();
-        read_distances();
-        read_angles();
-        read_frames();
-        read_scale_bars();
+        take_choices();
+        take_sensors();
+        take_targets();
+        take_distances();
+        take_angles();
+        take_frames();
+        take_scale_bars();
         if (problems_.has_errors()) return {};
         if (network_.measured)
-            read_readings();
+            take_readings();
         else
             predict_readings();
         for (Target& target : network_.targets) finish(target);
@@ -39,49 +45,31 @@ public:
     }
 
 private:
-    static std::string row_path(const char* table, std::size_t row) {
-        return std::string("/") + table + "/rows/" + std::to_string(row);
-    }
-
-    void read_choices() {
-        const std::string estimator = setup_.text("estimator");
-        network_.estimator = estimator == "linear"         ? Estimator::linear
-                             : estimator == "linear-start" ? Estimator::linear_start
-                                                           : Estimator::nonlinear;
+    void take_choices() {
+        network_.estimator = stated_.estimator;
         network_.weights =
-            network_.estimator == Estimator::nonlinear && setup_.text("weights") == "with-stations"
-                ? Weights::with_stations
-                : Weights::observations_only;
-        network_.measured = setup_.text("evaluation") == "a-posteriori";
+            stated_.estimator == Estimator::nonlinear ? stated_.weights : Weights::observations_only;
+        network_.measured = stated_.measured;
     }
 
-    void read_sensors() {
-        if (setup_.rows("sensors") > most_sensors)
-            return problems_.error("/sensors", "a network has at most " + std::to_string(most_sensors) +
-                                                   " sensors; divide it into several analyses");
-        for (std::size_t row = 0; row < setup_.rows("sensors"); ++row) {
-            const std::string id = setup_.cell_text("sensors", row, "sensor");
-            const AssetLibrary::Entry* entry = assets_.find(id);
-            if (!offers<SensorSource>(entry))
-                problems_.error(row_path("sensors", row), "'" + id + "' is no sensor");
-            else if (!sensor_index_.try_emplace(id, network_.sensors.size()).second)
-                problems_.error(row_path("sensors", row), "the sensor " + entry->name + " is listed twice");
-            else
-                network_.sensors.push_back({id, entry->name.empty() ? id : entry->name, entry->asset});
-        }
+    void take_sensors() {
+        if (stated_.sensors.rows.size() > most_sensors)
+            return problems_.error(sensor_list_fields().place(&SensorList::rows),
+                                   "a network has at most " + std::to_string(most_sensors) +
+                                       " sensors; divide it into several analyses");
+        network_.sensors = sensors_of(stated_.sensors, problems_);
+        for (std::size_t s = 0; s < network_.sensors.size(); ++s)
+            sensor_index_.emplace(network_.sensors[s].id, s);
     }
 
-    void read_targets() {
+    void take_targets() {
         std::size_t set_up = 0;
-        for (std::size_t row = 0; row < setup_.rows("targets"); ++row) {
-            Target target;
-            target.name = setup_.cell_text("targets", row, "name");
-            target.nominal = setup_.cell_vector("targets", row, "x");
-            if (row > 0 && setup_.cell_flag("targets", row, "new_set_up")) ++set_up;
-            target.set_up = set_up;
-            if (!target_index_.try_emplace(target.name, row).second)
-                problems_.error(row_path("targets", row), "two targets are called " + target.name);
-            network_.targets.push_back(std::move(target));
+        for (std::size_t row = 0; row < stated_.targets.size(); ++row) {
+            const Stated::Target& stated = stated_.targets[row];
+            if (row > 0 && stated.new_set_up) ++set_up;
+            if (!target_index_.try_emplace(stated.name, row).second)
+                problems_.error(place(&Stated::targets, row), "two targets are called " + stated.name);
+            network_.targets.push_back({.name = stated.name, .nominal = stated.nominal, .set_up = set_up});
         }
         for (std::size_t t = 0; t < network_.targets.size(); ++t) {
             if (network_.set_ups.size() <= network_.targets[t].set_up)
@@ -98,50 +86,45 @@ private:
         return 0;
     }
 
-    void read_distances() {
-        for (std::size_t row = 0; row < setup_.rows("distances"); ++row) {
-            const std::string path = row_path("distances", row);
-            const std::size_t from = target_called(setup_.cell_text("distances", row, "from"), path);
-            const std::size_t to = target_called(setup_.cell_text("distances", row, "to"), path);
-            const auto p = [&](std::size_t i) { return network_.targets[i].nominal; };
-            if (!problems_.has_errors() && (from == to || (p(from) - p(to)).norm() == 0.0))
+    void take_distances() {
+        for (std::size_t row = 0; row < stated_.distances.size(); ++row) {
+            const std::string path = place(&Stated::distances, row);
+            const std::size_t from = target_called(stated_.distances[row].from, path);
+            const std::size_t to = target_called(stated_.distances[row].to, path);
+            if (!problems_.has_errors() && (from == to || (nominal(from) - nominal(to)).norm() == 0.0))
                 problems_.error(path, "a distance needs two targets at different places");
             network_.distances.push_back({from, to});
         }
     }
 
-    void read_scale_bars() {
-        for (std::size_t row = 0; row < setup_.rows("scale_bars"); ++row) {
-            ScaleBar bar;
-            bar.source = row_path("scale_bars", row);
-            const std::string from = setup_.cell_text("scale_bars", row, "from"),
-                              to = setup_.cell_text("scale_bars", row, "to");
-            bar.from = target_called(from, bar.source);
-            bar.to = target_called(to, bar.source);
-            bar.name = "scale bar " + from + " – " + to;
-            bar.u = setup_.cell_number("scale_bars", row, "u");
-            if (!setup_.cell_empty("scale_bars", row, "distribution"))
-                bar.distribution = setup_.cell_text("scale_bars", row, "distribution");
-            bar.constrains = setup_.cell_text("scale_bars", row, "role") == "constraint";
-            if (!problems_.has_errors()) take_length(bar, row);
+    void take_scale_bars() {
+        for (std::size_t row = 0; row < stated_.bars.size(); ++row) {
+            const Stated::Bar& stated = stated_.bars[row];
+            ScaleBar bar{.u = stated.u,
+                         .distribution = stated.distribution,
+                         .constrains = stated.constrains,
+                         .name = "scale bar " + stated.from + " – " + stated.to,
+                         .source = place(&Stated::bars, row)};
+            bar.from = target_called(stated.from, bar.source);
+            bar.to = target_called(stated.to, bar.source);
+            if (!problems_.has_errors()) take_length(bar, stated.length);
             if (bar.constrains) check_constraint(bar);
             network_.bars.push_back(std::move(bar));
         }
     }
 
-    void take_length(ScaleBar& bar, std::size_t row) {
+    void take_length(ScaleBar& bar, const std::optional<double>& length) {
         const double nominal_length = (nominal(bar.to) - nominal(bar.from)).norm();
         bar.length = nominal_length;
         if (nominal_length == 0.0)
             return problems_.error(bar.source, "a calibrated length needs two targets at different places");
-        if (setup_.cell_empty("scale_bars", row, "length")) {
+        if (!length) {
             if (network_.measured) problems_.error(bar.source, "the calibrated length is missing");
             return;
         }
-        const double length = setup_.cell_number("scale_bars", row, "length");
         if (network_.measured)
-            bar.length = length;
-        else if (std::abs(length - nominal_length) > std::max(5.0 * bar.u, 1e-3 * length))
+            bar.length = *length;
+        else if (std::abs(*length - nominal_length) > std::max(5.0 * bar.u, 1e-3 * *length))
             problems_.warning(bar.source, "the nominal targets of the " + bar.name +
                                               " are at another distance than its calibrated length; the "
                                               "design takes their distance");
@@ -160,13 +143,11 @@ private:
 
     const Eigen::Vector3d& nominal(std::size_t target) const { return network_.targets[target].nominal; }
 
-    void read_angles() {
-        for (std::size_t row = 0; row < setup_.rows("angles"); ++row) {
-            const std::string path = row_path("angles", row);
-            const auto target = [&](const char* column) {
-                return target_called(setup_.cell_text("angles", row, column), path);
-            };
-            const Angle angle{target("from"), target("at"), target("to")};
+    void take_angles() {
+        for (std::size_t row = 0; row < stated_.angles.size(); ++row) {
+            const std::string path = place(&Stated::angles, row);
+            const auto& [from, at, to] = stated_.angles[row];
+            const Angle angle{target_called(from, path), target_called(at, path), target_called(to, path)};
             if (problems_.has_errors()) continue;
             const double sine = sine_of_corner(nominal(angle.at), nominal(angle.from), nominal(angle.to));
             if (!(sine > least_sine))
@@ -177,15 +158,13 @@ private:
         }
     }
 
-    void read_frames() {
+    void take_frames() {
         std::set<std::string> names;
-        for (std::size_t row = 0; row < setup_.rows("frames"); ++row) {
-            const std::string path = row_path("frames", row);
-            const auto target = [&](const char* column) {
-                return target_called(setup_.cell_text("frames", row, column), path);
-            };
-            TargetFrame frame{setup_.cell_text("frames", row, "name"),
-                              {target("origin"), target("on_x"), target("in_xy")}};
+        for (std::size_t row = 0; row < stated_.frames.size(); ++row) {
+            const std::string path = place(&Stated::frames, row);
+            const auto& [name, origin, on_x, in_xy] = stated_.frames[row];
+            TargetFrame frame{
+                name, {target_called(origin, path), target_called(on_x, path), target_called(in_xy, path)}};
             if (!names.insert(frame.name).second || target_index_.count(frame.name) > 0)
                 problems_.error(path, "the name " + frame.name + " is taken by another frame or a target");
             if (problems_.has_errors()) continue;
@@ -201,24 +180,26 @@ private:
     }
 
     void predict_readings() {
-        for (std::size_t t = 0; t < network_.targets.size(); ++t)
+        for (std::size_t t = 0; t < network_.targets.size(); ++t) {
+            const std::string path = place(&Stated::targets, t);
             for (std::size_t s = 0; s < network_.sensors.size(); ++s) {
-                const SensorSource& source = network_.sensors[s].source();
+                const SensorSource& source = *network_.sensors[s];
                 if (!sees(s, t)) continue;
                 Sight sight;
                 sight.sensor = s;
                 for (std::size_t i = 0; i < 3; ++i) {
                     sight.has[i] = source.reads(observables[i]);
-                    sight.source[i] = row_path("targets", t);
+                    sight.source[i] = path;
                 }
                 sight.reading = readings_of(source.station(), network_.targets[t].nominal);
                 network_.targets[t].sights.push_back(sight);
             }
+        }
         warn_of_unseen();
     }
 
     bool sees(std::size_t s, std::size_t t) {
-        const SensorSource& source = network_.sensors[s].source();
+        const SensorSource& source = *network_.sensors[s];
         if (source.sees(source.station().X_WS().inverse() * network_.targets[t].nominal)) return true;
         unseen_.push_back({s, t});
         return false;
@@ -231,39 +212,39 @@ private:
         for (const auto& [s, t] : unseen_) {
             ++counts[s];
             if (unseen_.size() <= most_single)
-                problems_.warning(row_path("targets", t), network_.sensors[s].name + " does not see target " +
-                                                              network_.targets[t].name +
-                                                              ": it is out of its range or field of view");
+                problems_.warning(place(&Stated::targets, t),
+                                  network_.sensors[s].name + " does not see target " +
+                                      network_.targets[t].name + ": it is out of its range or field of view");
         }
         if (unseen_.size() <= most_single) return;
         for (const auto& [s, count] : counts)
-            problems_.warning("/targets", network_.sensors[s].name + " does not see " +
-                                              std::to_string(count) + " of the " +
-                                              std::to_string(network_.targets.size()) +
-                                              " targets: they are out of its range or field of view");
+            problems_.warning(network_fields().place(&Stated::targets),
+                              network_.sensors[s].name + " does not see " + std::to_string(count) +
+                                  " of the " + std::to_string(network_.targets.size()) +
+                                  " targets: they are out of its range or field of view");
     }
 
-    void read_readings() {
-        static const char* const columns[] = {"distance", "azimuth", "elevation"};
-        for (std::size_t row = 0; row < setup_.rows("readings"); ++row) {
-            const std::string path = row_path("readings", row);
-            const std::size_t target = target_called(setup_.cell_text("readings", row, "target"), path);
-            const std::string id = setup_.cell_text("readings", row, "sensor");
-            const auto sensor = sensor_index_.find(id);
+    void take_readings() {
+        for (std::size_t row = 0; row < stated_.readings.size(); ++row) {
+            const Stated::Reading& stated = stated_.readings[row];
+            const std::string path = place(&Stated::readings, row);
+            const std::size_t target = target_called(stated.target, path);
+            const auto sensor = sensor_index_.find(stated.sensor.id);
             if (sensor == sensor_index_.end()) {
-                problems_.error(path, "the sensor " + id + " is not listed in the network");
+                problems_.error(path, "the sensor " + stated.sensor.id + " is not listed in the network");
                 continue;
             }
             Sight sight;
             sight.sensor = sensor->second;
             for (std::size_t i = 0; i < 3; ++i) {
-                sight.has[i] = !setup_.cell_empty("readings", row, columns[i]);
-                if (sight.has[i]) sight.reading[i] = setup_.cell_number("readings", row, columns[i]);
+                sight.has[i] = stated.values[i].has_value();
+                sight.reading[i] = stated.values[i].value_or(0.0);
                 sight.source[i] = path;
-                if (sight.has[i] && !network_.sensors[sight.sensor].source().reads(observables[i]))
-                    problems_.error(path + "/" + columns[i], network_.sensors[sight.sensor].name +
-                                                                 " reads no " + columns[i] +
-                                                                 " according to its description");
+                if (!sight.has[i] || stated.sensor->reads(observables[i])) continue;
+                const auto& columns = network_fields().columns(&Stated::readings);
+                const std::string& column = columns.key(&Stated::Reading::values, i);
+                problems_.error(path + "/" + column,
+                                stated.sensor.name + " reads no " + column + " according to its description");
             }
             if (network_.targets[target].sights.size() >= most_sensors)
                 problems_.error(path, "more than " + std::to_string(most_sensors) + " rows for target " +
@@ -276,13 +257,13 @@ private:
         bool located = false;
         for (Sight& sight : target.sights) {
             const Sensor& sensor = network_.sensors[sight.sensor];
-            const Eigen::Vector3d v = sensor.source().station().X_WS().inverse() * target.nominal;
+            const Eigen::Vector3d v = sensor->station().X_WS().inverse() * target.nominal;
             if (v.norm() == 0.0) {
                 problems_.error(sight.source[0],
                                 "target " + target.name + " is at the place of " + sensor.name);
                 continue;
             }
-            if (sensor.source().glyph() == "camera" && v.x() <= 0.0)
+            if (sensor->glyph() == "camera" && v.x() <= 0.0)
                 problems_.error(sight.source[0],
                                 "target " + target.name + " is behind the camera " + sensor.name);
             const LinearReading reading = sensitivity_of(network_, sight, target.nominal);
@@ -295,14 +276,13 @@ private:
     }
 
     void take_uncertainty(Target& target, Sight& sight, std::size_t i, const LinearReading& reading) {
-        const SensorSource& source = network_.sensors[sight.sensor].source();
+        const SensorSource& source = *network_.sensors[sight.sensor];
         const Observable o = observables[i];
         sight.u[i] = source.reading(o, reading.v).distribution.standard_uncertainty() * reading.scale(o);
         ++target.rows;
     }
 
-    const SetupReader& setup_;
-    const AssetLibrary& assets_;
+    const Stated& stated_;
     Problems& problems_;
     NetworkSetup network_;
     std::map<std::string, std::size_t> sensor_index_, target_index_;
@@ -310,6 +290,21 @@ private:
 };
 
 }  // namespace
+
+std::vector<Sensor> sensors_of(const SensorList& list, Problems& problems) {
+    std::vector<Sensor> sensors;
+    std::set<std::string> ids;
+    for (std::size_t row = 0; row < list.rows.size(); ++row) {
+        const Sensor& sensor = list.rows[row].sensor;
+        if (!sensor) continue;
+        if (ids.insert(sensor.id).second)
+            sensors.push_back(sensor);
+        else
+            problems.error(sensor_list_fields().place(&SensorList::rows, row),
+                           "the sensor " + sensor.name + " is listed twice");
+    }
+    return sensors;
+}
 
 Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame) {
     const auto p = [&](std::size_t i) { return setup.targets[frame.targets[i]].nominal; };
@@ -320,8 +315,7 @@ Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame) 
 }
 
 LinearReading sensitivity_of(const NetworkSetup& setup, const Sight& sight, const Eigen::Vector3d& p) {
-    return linear_reading(setup.sensors[sight.sensor].source().station(), p,
-                          sight.has[1] ? sight.reading[1] : 0.0);
+    return linear_reading(setup.sensors[sight.sensor]->station(), p, sight.has[1] ? sight.reading[1] : 0.0);
 }
 
 std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d& p) {
@@ -331,7 +325,8 @@ std::array<double, 3> readings_of(const Station& station, const Eigen::Vector3d&
 
 std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const AssetLibrary& assets,
                                                Problems& problems) {
-    return SetupReading(setup, assets, problems).read();
+    const Stated stated = network_fields().read(setup, assets, problems);
+    return SetupReading(stated, problems).read();
 }
 
 }  // namespace covaria::network

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/kinds/instruments/linear_reading.h"
 #include "core/kinds/instruments/sensor.h"
-#include "core/model/asset.h"
+#include "core/model/offered.h"
 #include "core/quantity/input_quantity.h"
-#include "core/setup/setup_schema.h"
+#include "core/setup/fields.h"
 
 namespace covaria::network {
 
@@ -32,11 +31,59 @@ enum class Weights {
     observations_only  ///< of the readings, as in the paper
 };
 
-struct Sensor {
-    std::string id, name;
-    std::shared_ptr<const Asset> asset;
-    const SensorSource& source() const { return *offers<SensorSource>(asset); }
+using Sensor = Offered<SensorSource>;
+
+/// The table of the sensors, of the model and of the asset.
+struct SensorList {
+    struct Row {
+        Sensor sensor;
+    };
+    std::vector<Row> rows;
 };
+const Fields<SensorList>& sensor_list_fields();
+/// Those that are sensors, in their order; an error where one is listed twice.
+std::vector<Sensor> sensors_of(const SensorList& list, Problems& problems);
+
+/// The set-up as typed, SI.
+struct StatedNetwork {
+    struct Target {
+        std::string name;
+        Eigen::Vector3d nominal = Eigen::Vector3d::Zero();
+        bool new_set_up = false;
+    };
+    struct Distance {
+        std::string from, to;
+    };
+    struct Angle {
+        std::string from, at, to;
+    };
+    struct Frame {
+        std::string name, origin, on_x, in_xy;
+    };
+    struct Bar {
+        std::string from, to;
+        std::optional<double> length;
+        double u = 0.0;
+        bool constrains = false;
+        std::string distribution;
+    };
+    struct Reading {
+        std::string target;
+        Sensor sensor;
+        std::array<std::optional<double>, 3> values;  ///< by Observable
+    };
+    SensorList sensors;
+    std::vector<Target> targets;
+    std::vector<Distance> distances;
+    std::vector<Angle> angles;
+    std::vector<Frame> frames;
+    std::vector<Bar> bars;
+    bool measured = false;
+    std::vector<Reading> readings;
+    Estimator estimator = Estimator::nonlinear;
+    Weights weights = Weights::with_stations;
+};
+const Fields<StatedNetwork>& network_fields();
 
 /// What one sensor reads of one target.
 struct Sight {
@@ -55,7 +102,7 @@ struct Target {
     std::string name;
     Eigen::Vector3d nominal = Eigen::Vector3d::Zero();
     std::size_t set_up = 0;  ///< which set-up of the sensors it is measured from
-    std::vector<Sight> sights;
+    std::vector<Sight> sights = {};
     std::size_t rows = 0;  ///< readings
     bool has_linear_start = false;
     bool divided = false;  ///< from the others of its set-up, which are too many to be weighed together
@@ -150,8 +197,6 @@ struct NetworkSetup {
 
 /// X_WF of a frame on targets at their nominal coordinates.
 Eigen::Isometry3d frame_of(const NetworkSetup& setup, const TargetFrame& frame);
-
-SetupSchema network_schema();
 
 /// Empty if `problems` got an error.
 std::optional<NetworkSetup> read_network_setup(const SetupReader& setup, const AssetLibrary& assets,

@@ -123,7 +123,7 @@ private:
     Eigen::VectorXd systematic(Eigen::VectorXd shared) const {
         Eigen::Index column = 0;
         for (const Sensor& sensor : setup_.sensors) {
-            column += static_cast<Eigen::Index>(sensor.source().systematic().size());
+            column += static_cast<Eigen::Index>(sensor->systematic().size());
             shared.segment<6>(column).setZero();
             column += 6;
         }
@@ -136,11 +136,11 @@ private:
 };
 
 double residual_of(const Sensor& sensor, const Sight& sight, std::size_t i, const Eigen::Vector3d& p) {
-    const std::array<double, 3> computed = readings_of(sensor.source().station(), p);
+    const std::array<double, 3> computed = readings_of(sensor->station(), p);
     const double difference = sight.reading[i] - computed[i];
     if (i != 1) return difference;
     if (!sight.overhead) return std::remainder(difference, 2.0 * std::numbers::pi);
-    const Eigen::Vector3d v = sensor.source().station().X_WS().inverse() * p;
+    const Eigen::Vector3d v = sensor->station().X_WS().inverse() * p;
     return std::sin(sight.reading[1]) * v.x() - std::cos(sight.reading[1]) * v.y();
 }
 
@@ -178,7 +178,7 @@ public:
 private:
     struct Worst {
         double w = 0.0;
-        std::string source = "/readings", name;
+        std::string source = network_fields().place(&StatedNetwork::readings), name;
     };
 
     void add(const JointSetUp& joint) {

@@ -33,7 +33,7 @@ double spread_off_a_plane(const NetworkSetup& setup, const Target& target) {
     Eigen::MatrixXd positions(3, static_cast<Eigen::Index>(target.sights.size()));
     for (std::size_t i = 0; i < target.sights.size(); ++i)
         positions.col(static_cast<Eigen::Index>(i)) =
-            setup.sensors[target.sights[i].sensor].source().station().X_WS().translation();
+            setup.sensors[target.sights[i].sensor]->station().X_WS().translation();
     positions.colwise() -= positions.rowwise().mean().eval();
     const Eigen::VectorXd values = singular_values(positions).singularValues();
     return values.size() < 3 || values[0] == 0.0 ? 0.0 : values[2] / values[0];
@@ -73,8 +73,7 @@ private:
         for (const Sight& sight : target.sights)
             nearest = std::min(
                 nearest,
-                (setup_.sensors[sight.sensor].source().station().X_WS().translation() - target.nominal)
-                    .norm());
+                (setup_.sensors[sight.sensor]->station().X_WS().translation() - target.nominal).norm());
         if (u > 0.01 * nearest)
             problems_.warning(path, "target " + target.name + " is hardly localised: in one direction u is " +
                                         format_short(u) + " m at a distance of " + format_short(nearest) +
@@ -123,10 +122,11 @@ void divide_large_set_ups(NetworkSetup& setup, Problems& problems) {
                            "a calibrated length cannot be a constraint of a set-up with more than " +
                                std::to_string(most_joint_rows) + " readings (this one has " +
                                std::to_string(rows) + "): make it a check");
-        problems.warning("/targets", "the " + std::to_string(rows) +
-                                         " readings of one set-up are too many to be weighed together: each "
-                                         "target is estimated from its own readings, weighted with the "
-                                         "stations");
+        problems.warning(network_fields().place(&StatedNetwork::targets),
+                         "the " + std::to_string(rows) +
+                             " readings of one set-up are too many to be weighed together: each "
+                             "target is estimated from its own readings, weighted with the "
+                             "stations");
         for (std::size_t t = 0; t < joint.targets; ++t) {
             setup.targets[joint.first + t].divided = true;
             divided.push_back({joint.index, joint.first + t, 1, {}});
@@ -211,8 +211,7 @@ Eigen::VectorXd linear_scales(const NetworkSetup& setup, const Target& target) {
     Eigen::VectorXd scales(static_cast<Eigen::Index>(target.rows));
     Eigen::Index row = 0;
     for (const Sight& sight : target.sights) {
-        const Eigen::Vector3d v =
-            setup.sensors[sight.sensor].source().station().X_WS().inverse() * target.nominal;
+        const Eigen::Vector3d v = setup.sensors[sight.sensor]->station().X_WS().inverse() * target.nominal;
         if (sight.has[0]) scales[row++] = sight.has[1] && sight.has[2] ? 1.0 : 0.0;
         if (sight.has[1]) scales[row++] = sight.overhead ? 1.0 : v.head<2>().norm();
         if (sight.has[2]) scales[row++] = sight.has[1] ? v.norm() : 0.0;
@@ -224,14 +223,14 @@ Sensitivities sensitivities_at(const NetworkSetup& setup, const Target& target, 
     const auto rows = static_cast<Eigen::Index>(target.rows);
     Eigen::Index shared = 0;
     for (const Sensor& sensor : setup.sensors)
-        shared += 6 + static_cast<Eigen::Index>(sensor.source().systematic().size());
+        shared += 6 + static_cast<Eigen::Index>(sensor->systematic().size());
     Sensitivities s{Eigen::MatrixXd(rows, 3), Eigen::MatrixXd::Zero(rows, shared), Eigen::VectorXd(rows)};
     Eigen::Index row = 0;
     for (const Sight& sight : target.sights) {
         Eigen::Index column = 0;
         for (std::size_t k = 0; k < sight.sensor; ++k)
-            column += 6 + static_cast<Eigen::Index>(setup.sensors[k].source().systematic().size());
-        const SensorSource& source = setup.sensors[sight.sensor].source();
+            column += 6 + static_cast<Eigen::Index>(setup.sensors[k]->systematic().size());
+        const SensorSource& source = *setup.sensors[sight.sensor];
         const LinearReading reading = sensitivity_of(setup, sight, p);
         const Eigen::Matrix3Xd effects = shared_effects(source, reading);
         const Eigen::VectorXd u = shared_uncertainties(source);
@@ -284,7 +283,7 @@ Eigen::MatrixXd joint_covariance(const Sensitivities& s) {
 void prepare_weights(NetworkSetup& setup, Problems& problems) {
     WeightMaker maker(setup, problems);
     for (std::size_t t = 0; t < setup.targets.size(); ++t)
-        maker.make(setup.targets[t], "/targets/rows/" + std::to_string(t));
+        maker.make(setup.targets[t], network_fields().place(&StatedNetwork::targets, t));
     if (setup.weights == Weights::observations_only || problems.has_errors()) return;
     assign_scale_bars(setup);
     divide_large_set_ups(setup, problems);

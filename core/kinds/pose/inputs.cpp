@@ -13,8 +13,6 @@ namespace covaria::pose {
 
 namespace {
 
-constexpr char axis_letters[] = "xyz";
-
 /// A point in frame 0, and how its deviations reach its coordinates.
 struct MeasuredPoint {
     const FrameRule* rule;
@@ -26,10 +24,6 @@ struct MeasuredPoint {
     Eigen::Matrix3d axes;  ///< of its uncertainties: the frame that it is a point of, or the base
 
     const NominalPoint& nominal() const { return rule->points[index]; }
-    bool is_world() const {
-        return offers<PointUncertaintySource>(uncertainty->asset)->axes() ==
-               PointUncertaintySource::Axes::world;
-    }
     std::string letter() const { return letter_of(side) + "_" + std::to_string(index + 1); }
     std::string suffix() const { return pose == 0 ? "" : "_" + std::to_string(pose); }
     std::string symbol() const { return letter() + suffix(); }
@@ -40,7 +34,7 @@ using Shares = std::array<std::vector<Share>, 3>;
 /// Of the analysis that measured the point; empty: an instrument or a typed figure did.
 std::optional<OutputReference> output_of(const UncertaintyRule& rule, const std::string& point,
                                          std::size_t axis) {
-    const auto* source = offers<PointOutputSource>(rule.asset);
+    const auto* source = offers<PointOutputSource>(rule.source.asset);
     return source ? source->coordinate(point, axis) : std::nullopt;
 }
 
@@ -59,8 +53,8 @@ public:
             list_points(setup_.moving, setup_.moving_uncertainty, setup_.poses[k].points, k + 1);
         shares_.resize(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            if (points_[i].uncertainty->asset)
-                add_asset(points_[i].uncertainty->asset.get());
+            if (points_[i].uncertainty->source)
+                add_source(points_[i].uncertainty->source);
             else
                 add_typed(i);
             add_quantities(i);
@@ -83,10 +77,10 @@ private:
         const MeasuredPoint& point = points_[i];
         for (std::size_t c = 0; c < 3; ++c) {
             InputQuantity quantity;
-            quantity.symbol = point.letter() + axis_letters[c] + point.suffix();
+            quantity.symbol = point.letter() + along_axes[c] + point.suffix();
             quantity.name = point.nominal().name +
                             (point.pose == 0 ? "" : " in " + setup_.poses[point.pose - 1].name) +
-                            ", coordinate " + axis_letters[c];
+                            ", coordinate " + along_axes[c];
             quantity.unit = Unit::of("mm");
             quantity.offset = point.p_0[static_cast<int>(c)];
             quantity.shares = shares_[i][c];
@@ -99,37 +93,36 @@ private:
     }
 
     std::string source_path(const MeasuredPoint& point) const {
-        if (setup_.a_posteriori) return "/measured_points";
-        if (point.pose > 0) return "/poses/rows/" + std::to_string(point.pose - 1);
-        return "/" + prefix_of(point.side) + "_points/rows/" + std::to_string(point.index);
+        if (setup_.a_posteriori) return pose_fields().place(&PoseSetup::measured);
+        if (point.pose > 0) return pose_fields().place(&PoseSetup::poses, point.pose - 1);
+        return frame_fields(point.side).place(&FrameRule::points, point.index);
     }
 
-    /// All points that the asset measures, together, when the first of them is reached.
-    void add_asset(const Asset* asset) {
-        if (!added_.insert(asset).second) return;
+    /// All points that the source measures, together, when the first of them is reached.
+    void add_source(const Offered<PointUncertaintySource>& source) {
+        if (!added_.insert(source.source).second) return;
         std::vector<std::size_t> measured;
         std::vector<Eigen::Vector3d> places;
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            if (points_[i].uncertainty->asset.get() != asset) continue;
+            if (points_[i].uncertainty->source.source != source.source) continue;
             measured.push_back(i);
-            places.push_back(points_[i].is_world() ? points_[i].p_0 : points_[i].nominal().local);
+            places.push_back(points_[i].uncertainty->is_world() ? points_[i].p_0
+                                                                : points_[i].nominal().local);
         }
-        for (JointDeviation& d : offers<PointUncertaintySource>(asset)->joint_deviations(places)) {
-            const UncertaintyRule& rule = *points_[measured.front()].uncertainty;
-            const std::string whose = d.point           ? points_[measured[*d.point]].symbol()
-                                      : d.owner.empty() ? rule.asset_id
-                                                        : d.owner;
+        for (JointDeviation& d : source->joint_deviations(places)) {
+            const std::string owner = d.owner.empty() ? source.id : d.owner;
+            const std::string whose = d.point ? points_[measured[*d.point]].symbol() : owner;
             const std::size_t before = inputs_.components.size();
-            const std::size_t component = component_of(d.component, whose + "." + d.id, rule, !d.point);
+            const std::size_t component = component_of(d.component, whose + "." + d.id, source, !d.point);
             if (!d.point) inputs_.components[component].identity = inputs_.components[component].id;
             if (!d.estimate.empty() && component == before)
-                inputs_.rest_on_estimate((d.owner.empty() ? rule.asset_id : d.owner) + "." + d.estimate,
-                                         component, true);
+                inputs_.rest_on_estimate(owner + "." + d.estimate, component, true);
             for (std::size_t k = 0; k < measured.size(); ++k) {
                 const MeasuredPoint& point = points_[measured[k]];
                 const Eigen::Vector3d& direction = d.directions[k];
-                add_shares(measured[k], component,
-                           point.is_world() ? direction : Eigen::Vector3d(point.axes * direction));
+                add_shares(
+                    measured[k], component,
+                    point.uncertainty->is_world() ? direction : Eigen::Vector3d(point.axes * direction));
             }
         }
     }
@@ -137,7 +130,7 @@ private:
     void add_typed(std::size_t i) {
         const MeasuredPoint& point = points_[i];
         for (std::size_t c = 0; c < 3; ++c) {
-            const std::string axis(1, axis_letters[c]);
+            const std::string axis = along_axes[c];
             const std::optional<double>& own = point.nominal().u[c];
             const bool common = point.uncertainty->common[c] && !own;
             UncertaintyComponent component{
@@ -148,8 +141,7 @@ private:
                                                       own.value_or(point.uncertainty->u[c])),
                 .origin = "typed"};
             const std::string id = (common ? prefix_of(point.side) : point.symbol()) + "." + axis;
-            add_shares(i, component_of(component, id, UncertaintyRule{}, common),
-                       point.axes.col(static_cast<int>(c)));
+            add_shares(i, component_of(component, id, {}, common), point.axes.col(static_cast<int>(c)));
         }
     }
 
@@ -162,11 +154,11 @@ private:
 
     /// Index of the component: a new one, or the common one that another point has made.
     std::size_t component_of(UncertaintyComponent& component, const std::string& id,
-                             const UncertaintyRule& rule, bool common) {
+                             const Offered<PointUncertaintySource>& source, bool common) {
         component.id = id;
-        if (!rule.asset_id.empty()) component.origin = rule.asset_name + " (" + component.origin + ")";
-        component.contributor = rule.asset_id;
-        component.contributor_name = rule.asset_name;
+        if (source) component.origin = source.name + " (" + component.origin + ")";
+        component.contributor = source.id;
+        component.contributor_name = source.name;
         component.local = !common;
         if (!common) return inputs_.add(std::move(component));
         const auto [known, is_new] = common_.try_emplace(id, inputs_.components.size());
@@ -178,7 +170,7 @@ private:
     InputSet inputs_;
     std::vector<MeasuredPoint> points_;
     std::vector<Shares> shares_;
-    std::set<const Asset*> added_;
+    std::set<const PointUncertaintySource*> added_;
     std::map<std::string, std::size_t> common_;
 };
 
@@ -196,7 +188,7 @@ void warn_of_large_uncertainty(const PoseSetup& setup, const InputSet& inputs, S
     double u = 0.0;
     for (std::size_t i = first; i < first + count; ++i) u = std::max(u, standard_uncertainty_of(inputs, i));
     if (u > 0.1 * height)
-        problems.warning("/" + prefix_of(side) + "_points",
+        problems.warning(frame_fields(side).place(&FrameRule::points),
                          "the standard uncertainty of a coordinate, " + format_short(1e3 * u) +
                              " mm, is more than a tenth of the distance of point " + rule.points[2].name +
                              " from the x-axis, " + format_short(1e3 * height) +
@@ -210,7 +202,7 @@ void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
     const double angle = Eigen::AngleAxisd(X.linear()).angle(), shift = X.translation().norm();
     const double size = (local[1] - local[0]).norm();
     if (angle < 1e-3 && shift < 1e-3 * size) return;
-    problems.warning("/" + prefix_of(side) + "_points",
+    problems.warning(frame_fields(side).place(&FrameRule::points),
                      "the frame made from these points lies " + format_short(1e3 * shift) + " mm and " +
                          format_short(Unit::of("deg").from_si(angle)) +
                          "° away from the axes in which they are given, so results differ from the table of "
@@ -223,7 +215,7 @@ void warn_of_singular_orientation(const PoseSetup& setup, std::size_t k, Problem
     const Eigen::Isometry3d X_0p = frame_of(setup.moving, setup.poses[k].points);
     const Eigen::Matrix3d R = X_0b.linear().transpose() * X_0p.linear();
     if (regularity(setup.orientation, R) > margin) return;
-    const std::string where = "/poses/rows/" + std::to_string(k), name = setup.poses[k].name;
+    const std::string where = pose_fields().place(&PoseSetup::poses, k), name = setup.poses[k].name;
     switch (setup.orientation) {
         case RotationConvention::zyx:
             problems.warning(where,
@@ -262,26 +254,27 @@ void check_measurable(const PoseSetup& setup, Problems& problems) {
     const auto check = [&](const FrameRule& rule, const UncertaintyRule& uncertainty,
                            const std::vector<Eigen::Vector3d>& points, std::size_t pose,
                            const std::string& where) {
-        if (!uncertainty.asset) return;
-        const bool of_analysis = offers<PointOutputSource>(uncertainty.asset) != nullptr;
+        if (!uncertainty.source) return;
+        const bool of_analysis = offers<PointOutputSource>(uncertainty.source.asset) != nullptr;
         for (std::size_t i = 0; of_analysis && i < points.size(); ++i)
             if (const std::string name = name_among_all(setup, rule.points[i], pose);
                 !output_of(uncertainty, name, 0))
                 problems.error(
-                    where, "the analysis " + uncertainty.asset_name + " has no point called '" + name + "'");
-        const PointUncertaintySource& source = *offers<PointUncertaintySource>(uncertainty.asset);
-        const bool world = source.axes() == PointUncertaintySource::Axes::world;
+                    where, "the analysis " + uncertainty.source.name + " has no point called '" + name + "'");
+        const bool world = uncertainty.is_world();
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const std::string objection = source.objection(world ? points[i] : rule.points[i].local);
+            const std::string objection =
+                uncertainty.source->objection(world ? points[i] : rule.points[i].local);
             if (!objection.empty())
                 problems.error(where, "point " + rule.points[i].name + " cannot be measured by " +
-                                          uncertainty.asset_name + ": " + objection);
+                                          uncertainty.source.name + ": " + objection);
         }
     };
-    check(setup.base, setup.base_uncertainty, setup.base_points, 0, "/base_points");
+    check(setup.base, setup.base_uncertainty, setup.base_points, 0,
+          frame_fields(Side::base).place(&FrameRule::points));
     for (std::size_t k = 0; k < setup.poses.size(); ++k)
         check(setup.moving, setup.moving_uncertainty, setup.poses[k].points, k + 1,
-              "/poses/rows/" + std::to_string(k));
+              pose_fields().place(&PoseSetup::poses, k));
 }
 
 InputSet pose_inputs(const PoseSetup& setup) {

@@ -1,6 +1,5 @@
 // Where frames, points and plates of "pose from points" are.
 #include "core/kinds/pose/layout.h"
-#include "core/kinds/points/point_uncertainty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +14,10 @@ public:
 
     Layout build() {
         X_0b_ = add_frame(setup_.base, 0, Side::base, "");
-        layout_.frames.back().source.path = setup_.a_posteriori ? "" : "/base_pose";
+        layout_.frames.back().source.path = setup_.a_posteriori ? "" : pose_fields().place(&PoseSetup::X_0b);
         for (std::size_t k = 0; k < setup_.poses.size(); ++k) add_pose(k);
         add_instrument(setup_.base_uncertainty);
-        if (setup_.moving_uncertainty.asset_id != setup_.base_uncertainty.asset_id)
+        if (setup_.moving_uncertainty.source.id != setup_.base_uncertainty.source.id)
             add_instrument(setup_.moving_uncertainty);
         return std::move(layout_);
     }
@@ -49,15 +48,15 @@ private:
     }
 
     LayoutSource nest_source(Side side, std::size_t i, const Eigen::Isometry3d& X_0F) const {
-        if (setup_.a_posteriori) return {"/measured_points", false};
-        return {"/" + prefix_of(side) + "_points/rows/" + std::to_string(i), true, X_0F};
+        if (setup_.a_posteriori) return {pose_fields().place(&PoseSetup::measured), false};
+        return {frame_fields(side).place(&FrameRule::points, i), true, X_0F};
     }
 
     void add_pose(std::size_t k) {
         const std::string& group = setup_.poses[k].name;
         const std::size_t first = 3 * setup_.base.points.size() + 3 * setup_.moving.points.size() * k;
         const Eigen::Isometry3d X = add_frame(setup_.moving, first, Side::moving, group);
-        const LayoutSource source{"/poses/rows/" + std::to_string(k), !setup_.a_posteriori, X_0b_};
+        const LayoutSource source{pose_fields().place(&PoseSetup::poses, k), !setup_.a_posteriori, X_0b_};
         layout_.frames.back().source = source;
         LayoutPoint origin{.name = "o_p", .kind = PointKind::tool, .p_W = X.translation()};
         origin.group = group;
@@ -81,16 +80,14 @@ private:
     }
 
     void add_instrument(const UncertaintyRule& rule) {
-        if (!rule.asset ||
-            offers<PointUncertaintySource>(rule.asset)->axes() != PointUncertaintySource::Axes::world)
-            return;
-        const Layout own = as_part(rule.asset->layout(), rule.asset_id);
+        if (!rule.source || !rule.is_world()) return;
+        const Layout own = as_part(rule.source.asset->layout(), rule.source.id);
         for (LayoutBody body : own.bodies) {
-            if (own.bodies.size() == 1 && !rule.asset_name.empty()) body.name = rule.asset_name;
+            if (own.bodies.size() == 1) body.name = rule.source.name;
             layout_.bodies.push_back(std::move(body));
         }
         for (LayoutPoint point : own.points) {
-            if (own.points.size() == 1 && !rule.asset_name.empty()) point.name = rule.asset_name;
+            if (own.points.size() == 1) point.name = rule.source.name;
             layout_.points.push_back(std::move(point));
         }
         layout_.links.insert(layout_.links.end(), own.links.begin(), own.links.end());
@@ -98,8 +95,8 @@ private:
 
     void add_sight_lines(const UncertaintyRule& rule, const Eigen::Vector3d& p, const std::string& name,
                          const std::string& group) {
-        if (!rule.asset) return;
-        for (const Eigen::Vector3d& station : offers<PointUncertaintySource>(rule.asset)->stations_seeing(p))
+        if (!rule.source) return;
+        for (const Eigen::Vector3d& station : rule.source->stations_seeing(p))
             layout_.links.push_back({name, LinkKind::sight_line, station, p, group});
     }
 

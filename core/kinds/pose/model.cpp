@@ -116,7 +116,7 @@ ModelDescriptor pose_from_points_model() {
     d.notes = pose_notes();
     d.help_page = "pose-from-points.md";
     d.example = "stewart-platform.covaria";
-    d.schema = pose::pose_schema();
+    d.schema = pose::pose_fields().schema();
     d.create = create_pose_model;
     return d;
 }

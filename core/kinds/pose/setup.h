@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "core/kinds/points/point_uncertainty.h"
 #include "core/math/frames.h"
 #include "core/math/rotation_convention.h"
-#include "core/model/asset.h"
+#include "core/model/offered.h"
 #include "core/quantity/input_quantity.h"
-#include "core/setup/setup_schema.h"
+#include "core/setup/fields.h"
 
 namespace covaria::pose {
 
@@ -21,8 +22,8 @@ std::string letter_of(Side side);  ///< "b", "p": symbols of the paper
 
 struct NominalPoint {
     std::string name;
-    Eigen::Vector3d local;                        ///< in its own frame
-    std::array<std::optional<double>, 3> u = {};  ///< typed standard uncertainties of this point
+    Eigen::Vector3d local = Eigen::Vector3d::Zero();  ///< in its own frame
+    std::array<std::optional<double>, 3> u = {};      ///< typed standard uncertainties of this point
 };
 
 /// How a frame is made from its points.
@@ -35,34 +36,46 @@ struct FrameRule {
     std::vector<Eigen::Vector3d> centred;
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
 };
+const Fields<FrameRule>& frame_fields(Side side);
 
 /// Where the standard uncertainties of a frame's points come from.
 struct UncertaintyRule {
-    std::shared_ptr<const Asset> asset = {};  ///< null: typed
-    std::string asset_id, asset_name;
+    bool typed = true;
     std::array<double, 3> u{};
     std::array<bool, 3> common{};
     bool along_base = false;        ///< typed ones of the moving points lie along the axes of the base frame
     std::string distribution = {};  ///< shape of typed deviations
+    Offered<PointUncertaintySource> source = {};  ///< of those that are not typed
+    bool is_world() const { return source->axes() == PointUncertaintySource::Axes::world; }
 };
+const Fields<UncertaintyRule>& uncertainty_fields(Side side);
 
 struct Pose {
     std::string name;
-    Eigen::Isometry3d X_bp = Eigen::Isometry3d::Identity();  ///< nominal
-    std::vector<Eigen::Vector3d> points;                     ///< estimates of p_i in frame 0
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< nominal
+    Eigen::Vector3d angles = Eigen::Vector3d::Zero();        ///< alpha, beta, gamma; nominal
+    Eigen::Isometry3d X_bp = Eigen::Isometry3d::Identity();  ///< of both
+    std::vector<Eigen::Vector3d> points = {};                ///< estimates of p_i in frame 0
+};
+
+/// A row of measured points: one of the repeats.
+struct Repeat {
+    std::string set, point;
+    int number = 0;
+    Eigen::Vector3d p_0 = Eigen::Vector3d::Zero();
 };
 
 struct PoseSetup {
     FrameRule base, moving;
     UncertaintyRule base_uncertainty, moving_uncertainty;
     std::vector<Pose> poses;
+    std::vector<Repeat> measured;
     std::vector<Eigen::Vector3d> base_points;                ///< estimates of b_i in frame 0
     Eigen::Isometry3d X_0b = Eigen::Isometry3d::Identity();  ///< a priori: nominal pose of the base
     bool a_posteriori = false;
     RotationConvention orientation = RotationConvention::zyx;
 };
-
-SetupSchema pose_schema();
+const Fields<PoseSetup>& pose_fields();
 
 /// Empty if `problems` got an error.
 std::optional<PoseSetup> read_pose_setup(const SetupReader& setup, const AssetLibrary& assets,

@@ -312,7 +312,7 @@ void warn_of_misfits(const std::vector<FrameFit>& fits, Problems& problems) {
                     " (" + coordinate_name(fit, largest) + ")";
         }
         if (fit.explanation) text += "; " + words_of(fit, *fit.explanation);
-        problems.warning("/measured_points", text);
+        problems.warning(pose_fields().place(&PoseSetup::measured), text);
     }
 }
 

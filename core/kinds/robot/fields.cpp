@@ -9,209 +9,191 @@ const Unit& unit_of(JointParameter p) {
     return is_length(p) ? mm : deg;
 }
 
-FieldSpec convention_field() {
-    return {.key = "convention",
-            .title = "Convention",
-            .kind = FieldKind::choice,
-            .help = "How the parameters of a row lead from one joint's frame to the next.",
-            .default_value = std::string("modified"),
-            .choices = {{"modified", "Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints"},
-                        {"standard", "Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg"},
-                        {"craig",
-                         "Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before "
-                         "joint i"}},
-            .section = "Geometry"};
+std::array<ColumnSpec, 5> parameter_columns() {
+    static constexpr const char* helps[] = {
+        "Joint angle where the reading is the zero reading.", "Offset along the joint's axis.",
+        "Length of the common perpendicular.", "Twist about x between two axes.",
+        "Twist about y, of a joint whose axis is parallel to the next: d is then 0 by "
+        "definition. Empty: the axes are not parallel."};
+    std::array<ColumnSpec, 5> columns;
+    for (JointParameter p : joint_parameters)
+        columns[index_of(p)] = {.key = symbol_of(p),
+                                .title = symbol_of(p),
+                                .unit = unit_of(p),
+                                .optional = p == JointParameter::beta,
+                                .help = helps[index_of(p)]};
+    return columns;
 }
 
-ColumnSpec parameter_column(JointParameter p, const char* help) {
-    return {.key = symbol_of(p),
-            .title = symbol_of(p),
-            .unit = unit_of(p),
-            .optional = p == JointParameter::beta,
-            .help = help};
+/// A figure of the readings of joints that turn, or slide.
+void add_figure(Columns<StatedJoint>& columns, StatedJoint::Figures StatedJoint::*figures,
+                StatedJoint::Figure figure, const char* key, const char* title, const char* help) {
+    const bool not_negative = figure >= StatedJoint::u_encoder;
+    columns.element(figures, figure,
+                    {.key = key,
+                     .title = title,
+                     .unit = Unit::of(figures == &StatedJoint::turning ? "deg" : "mm"),
+                     .range = not_negative ? Range{.low = 0.0} : Range{},
+                     .optional = true,
+                     .help = help});
 }
 
-ColumnSpec angle_column(const char* key, const char* title, const char* help) {
-    return {.key = key, .title = title, .unit = Unit::of("deg"), .optional = true, .help = help};
-}
-
-ColumnSpec length_column(const char* key, const char* title, const char* help) {
-    return {.key = key, .title = title, .unit = Unit::of("mm"), .optional = true, .help = help};
-}
-
-ColumnSpec reading_column(const char* key, const char* unit, const char* help) {
-    return {.key = key,
-            .title = key,
-            .unit = Unit::of(unit),
-            .range = {.low = 0.0},
-            .optional = true,
-            .help = help};
-}
-
-/// Readings of a joint that slides are lengths, so they have columns of their own.
-void add_sliding_columns(FieldSpec& joints) {
-    const std::vector<ColumnSpec> columns{
-        {.key = "type",
-         .title = "type",
-         .kind = FieldKind::choice,
-         .optional = true,
-         .choices = {{"turning", "turns about its axis"}, {"sliding", "slides along its axis"}},
-         .help =
-             "A joint that turns has readings q, which add to theta; one that slides has readings s, which "
-             "add to d. Empty: it turns."},
-        length_column("s_zero", "s_0", "Reading of a sliding joint at which d holds; empty: 0."),
-        length_column("s_min", "s_min", "Lowest reading of a sliding joint; empty: no limit."),
-        length_column("s_max", "s_max", "Highest reading of a sliding joint; empty: no limit."),
-        reading_column(
-            "u_s_encoder", "mm",
-            "Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each "
-            "pose."),
-        reading_column("u_s_repeatability", "mm",
-                       "Standard uncertainty by which a sliding joint comes back to a reading, drawn anew at "
-                       "each pose.")};
-    joints.columns.insert(joints.columns.end(), columns.begin(), columns.end());
-}
-
-FieldSpec joints_field() {
-    FieldSpec field{.key = "joints",
-                    .title = "Joints",
-                    .kind = FieldKind::table,
-                    .help = "One row for each joint from the base to the tool, in the chosen convention.",
-                    .min_rows = 1,
-                    .section = "Geometry"};
-    field.columns = {
-        parameter_column(JointParameter::theta, "Joint angle where the reading is the zero reading."),
-        parameter_column(JointParameter::d, "Offset along the joint's axis."),
-        parameter_column(JointParameter::a, "Length of the common perpendicular."),
-        parameter_column(JointParameter::alpha, "Twist about x between two axes."),
-        parameter_column(JointParameter::beta,
-                         "Twist about y, of a joint whose axis is parallel to the next: d is then 0 by "
-                         "definition. Empty: the axes are not parallel."),
-        angle_column("q_zero", "q_0", "Reading of the joint at which theta holds; empty: 0."),
-        {.key = "direction",
-         .title = "direction",
-         .kind = FieldKind::choice,
-         .optional = true,
-         .choices = {{"positive", "with the reading"}, {"negative", "against the reading"}},
-         .help = "Whether the joint angle grows or falls with the reading; empty: grows."},
-        angle_column("q_min", "q_min", "Lowest reading; empty: no limit."),
-        angle_column("q_max", "q_max", "Highest reading; empty: no limit."),
-        reading_column("u_encoder", "deg",
-                       "Standard uncertainty of a reading by the joint's encoder, drawn anew at each pose."),
-        reading_column("u_repeatability", "deg",
-                       "Standard uncertainty by which the joint comes back to a reading, drawn anew at each "
-                       "pose.")};
-    add_sliding_columns(field);
-    return field;
-}
-
-ColumnSpec u_column(JointParameter p) {
-    static std::array<std::string, 5> helps;
-    std::string& help = helps[static_cast<std::size_t>(p)];
-    help = std::string("Standard uncertainty of ") + symbol_of(p) + " from this source; empty: none.";
-    return {.key = uncertainty_key(p),
-            .title = uncertainty_key(p),
-            .unit = unit_of(p),
-            .range = {.low = 0.0},
-            .optional = true,
-            .help = help};
-}
-
-FieldSpec uncertainties_field() {
-    FieldSpec field{.key = "uncertainties",
-                    .title = "Components of uncertainty",
-                    .kind = FieldKind::table,
-                    .help =
-                        "Standard uncertainties of the parameters by source. A row for a joint and a "
-                        "source; components of one parameter combine in quadrature.",
-                    .optional = true,
-                    .section = "Uncertainty"};
-    field.columns = {{.key = "source",
-                      .title = "source",
-                      .kind = FieldKind::text,
-                      .help = "Where the figures come from: repeatability, sampling, range, certificate ..."},
-                     {.key = "joint",
-                      .title = "joint",
-                      .kind = FieldKind::integer,
-                      .range = {.low = 1.0, .high = double(most_joints)},
-                      .optional = true,
-                      .help = "Number of the joint; empty: all joints, each with a deviation of its own."}};
-    for (JointParameter p : joint_parameters) field.columns.push_back(u_column(p));
-    field.columns.push_back({.key = "dof",
-                             .title = "nu",
-                             .range = {.low = 0.0, .low_open = true},
-                             .optional = true,
-                             .help = "Degrees of freedom of the figures; empty: infinitely many."});
-    field.columns.push_back(
-        {.key = "distribution",
-         .title = "distribution",
-         .kind = FieldKind::choice,
-         .optional = true,
-         .choices = {{"normal", "normal"}, {"rectangular", "rectangular"}, {"triangular", "triangular"}},
-         .help = "Form of the distribution with this standard uncertainty; empty: normal."});
-    return field;
-}
-
-FieldSpec correlations_field() {
-    FieldSpec field{.key = "correlations",
-                    .title = "Correlation of the parameters",
-                    .kind = FieldKind::table,
-                    .help =
-                        "Correlation coefficients from the identification; pairs left out are "
-                        "uncorrelated. A correlated parameter has one component.",
-                    .optional = true,
-                    .section = "Uncertainty"};
-    const auto parameter = [](const char* key) {
-        return ColumnSpec{.key = key,
-                          .title = key,
-                          .kind = FieldKind::text,
-                          .help = "A parameter by its symbol, such as d_3 or alpha_4."};
+void add_turning(Columns<StatedJoint>& columns) {
+    const auto add = [&](StatedJoint::Figure figure, const char* key, const char* title, const char* help) {
+        add_figure(columns, &StatedJoint::turning, figure, key, title, help);
     };
-    field.columns = {
-        parameter("first"),
-        parameter("second"),
-        {.key = "r", .title = "r", .range = {.low = -1.0, .high = 1.0}, .help = "Correlation coefficient."}};
-    return field;
+    add(StatedJoint::zero, "q_zero", "q_0", "Reading of the joint at which theta holds; empty: 0.");
+    columns.choice(&StatedJoint::against, "direction", "direction",
+                   "Whether the joint angle grows or falls with the reading; empty: grows.",
+                   {{false, "positive", "with the reading"}, {true, "negative", "against the reading"}},
+                   {.optional = true});
+    add(StatedJoint::low, "q_min", "q_min", "Lowest reading; empty: no limit.");
+    add(StatedJoint::high, "q_max", "q_max", "Highest reading; empty: no limit.");
+    add(StatedJoint::u_encoder, "u_encoder", "u_encoder",
+        "Standard uncertainty of a reading by the joint's encoder, drawn anew at each pose.");
+    add(StatedJoint::u_repeatability, "u_repeatability", "u_repeatability",
+        "Standard uncertainty by which the joint comes back to a reading, drawn anew at each pose.");
 }
 
-FieldSpec figure(const char* key, const char* title, const char* unit, const char* help) {
-    return {.key = key,
-            .title = title,
-            .help = help,
-            .unit = Unit::of(unit),
+void add_sliding(Columns<StatedJoint>& columns) {
+    const auto add = [&](StatedJoint::Figure figure, const char* key, const char* title, const char* help) {
+        add_figure(columns, &StatedJoint::sliding, figure, key, title, help);
+    };
+    columns.choice(&StatedJoint::slides, "type", "type",
+                   "A joint that turns has readings q, which add to theta; one that slides has readings s, "
+                   "which "
+                   "add to d. Empty: it turns.",
+                   {{false, "turning", "turns about its axis"}, {true, "sliding", "slides along its axis"}},
+                   {.optional = true});
+    add(StatedJoint::zero, "s_zero", "s_0", "Reading of a sliding joint at which d holds; empty: 0.");
+    add(StatedJoint::low, "s_min", "s_min", "Lowest reading of a sliding joint; empty: no limit.");
+    add(StatedJoint::high, "s_max", "s_max", "Highest reading of a sliding joint; empty: no limit.");
+    add(StatedJoint::u_encoder, "u_s_encoder", "u_s_encoder",
+        "Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each "
+        "pose.");
+    add(StatedJoint::u_repeatability, "u_s_repeatability", "u_s_repeatability",
+        "Standard uncertainty by which a sliding joint comes back to a reading, drawn anew at "
+        "each pose.");
+}
+
+Columns<StatedJoint> joint_columns() {
+    Columns<StatedJoint> columns;
+    columns.each(&StatedJoint::values, parameter_columns());
+    add_turning(columns);
+    add_sliding(columns);
+    return columns;
+}
+
+std::array<ColumnSpec, 5> u_columns() {
+    std::array<ColumnSpec, 5> columns;
+    for (JointParameter p : joint_parameters) {
+        const std::string symbol = symbol_of(p);
+        columns[index_of(p)] = {
+            .key = "u_" + symbol,
+            .title = "u_" + symbol,
+            .unit = unit_of(p),
             .range = {.low = 0.0},
-            .default_value = Quantity{0.0, Unit::of(unit)},
-            .section = "Uncertainty"};
+            .optional = true,
+            .help = "Standard uncertainty of " + symbol + " from this source; empty: none."};
+    }
+    return columns;
+}
+
+Columns<StatedUncertainty> uncertainty_columns() {
+    using Row = StatedUncertainty;
+    return Columns<Row>()
+        .add(&Row::source, "source", "source",
+             "Where the figures come from: repeatability, sampling, range, certificate ...")
+        .add(&Row::joint, "joint", "joint",
+             "Number of the joint; empty: all joints, each with a deviation of its own.",
+             {.range = {.low = 1.0, .high = double(most_joints)}, .optional = true})
+        .each(&Row::u, u_columns())
+        .add(&Row::degrees_of_freedom, "dof", "nu",
+             "Degrees of freedom of the figures; empty: infinitely many.",
+             {.range = {.low = 0.0, .low_open = true}, .optional = true})
+        .add(&Row::distribution,
+             {.key = "distribution",
+              .title = "distribution",
+              .optional = true,
+              .choices = {{"normal", "normal"}, {"rectangular", "rectangular"}, {"triangular", "triangular"}},
+              .help = "Form of the distribution with this standard uncertainty; empty: normal."});
+}
+
+Columns<StatedCorrelation> correlation_columns() {
+    using Row = StatedCorrelation;
+    const char* const help = "A parameter by its symbol, such as d_3 or alpha_4.";
+    return Columns<Row>()
+        .add(&Row::first, "first", "first", help)
+        .add(&Row::second, "second", "second", help)
+        .add(&Row::coefficient, "r", "r", "Correlation coefficient.", {.range = {.low = -1.0, .high = 1.0}});
+}
+
+void add_geometry(Fields<StatedRobot>& fields) {
+    using Convention = StatedRobot::Convention;
+    fields.section("Geometry")
+        .choice(&StatedRobot::convention, "convention", "Convention",
+                "How the parameters of a row lead from one joint's frame to the next.",
+                {{Convention::modified, "modified",
+                  "Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints"},
+                 {Convention::standard, "standard", "Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg"},
+                 {Convention::craig, "craig",
+                  "Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before "
+                  "joint i"}},
+                Convention::modified)
+        .table(&StatedRobot::joints, "joints", "Joints",
+               "One row for each joint from the base to the tool, in the chosen convention.", joint_columns(),
+               {.min_rows = 1})
+        .add(&StatedRobot::base, "base", "Base", "Where frame 0 of the robot stands in the world.",
+             {.default_value = PoseValue{}})
+        .add(&StatedRobot::tool, "tool", "Tool", "Where the tool is in the frame of the last link.",
+             {.default_value = PoseValue{}});
+}
+
+Further figure(const char* unit) {
+    return {.unit = Unit::of(unit), .range = {.low = 0.0}, .default_value = Quantity{0.0, Unit::of(unit)}};
+}
+
+void add_uncertainty(Fields<StatedRobot>& fields) {
+    fields.section("Uncertainty")
+        .table(&StatedRobot::uncertainties, "uncertainties", "Components of uncertainty",
+               "Standard uncertainties of the parameters by source. A row for a joint and a "
+               "source; components of one parameter combine in quadrature.",
+               uncertainty_columns(), {.optional = true})
+        .table(&StatedRobot::correlations, "correlations", "Correlation of the parameters",
+               "Correlation coefficients from the identification; pairs left out are "
+               "uncorrelated. A correlated parameter has one component.",
+               correlation_columns(), {.optional = true})
+        .add(&StatedRobot::u_tool_position, "u_tool_position", "Tool, position",
+             "Standard uncertainty of each coordinate of the tool in the frame of the last link.",
+             figure("mm"))
+        .add(&StatedRobot::u_tool_angle, "u_tool_angle", "Tool, orientation",
+             "Standard uncertainty of each rotation of the tool about its own axes.", figure("deg"));
 }
 
 }  // namespace
 
-std::string uncertainty_key(JointParameter parameter) {
-    return std::string("u_") + symbol_of(parameter);
+std::array<ColumnSpec, most_joints> reading_columns(const std::string& letter, const Unit& unit,
+                                                    const std::string& help) {
+    std::array<ColumnSpec, most_joints> columns;
+    for (std::size_t i = 0; i < most_joints; ++i) {
+        const std::string number = std::to_string(i + 1);
+        columns[i] = {.key = letter + "_" + number,
+                      .title = letter + "_" + number,
+                      .unit = unit,
+                      .optional = true,
+                      .help = "Reading of joint " + number + help};
+    }
+    return columns;
 }
 
-SetupSchema robot_schema() {
-    return SetupSchema({convention_field(),
-                        joints_field(),
-                        {.key = "base",
-                         .title = "Base",
-                         .kind = FieldKind::pose,
-                         .help = "Where frame 0 of the robot stands in the world.",
-                         .default_value = PoseValue{},
-                         .section = "Geometry"},
-                        {.key = "tool",
-                         .title = "Tool",
-                         .kind = FieldKind::pose,
-                         .help = "Where the tool is in the frame of the last link.",
-                         .default_value = PoseValue{},
-                         .section = "Geometry"},
-                        uncertainties_field(),
-                        correlations_field(),
-                        figure("u_tool_position", "Tool, position", "mm",
-                               "Standard uncertainty of each coordinate of the tool in the frame of the last "
-                               "link."),
-                        figure("u_tool_angle", "Tool, orientation", "deg",
-                               "Standard uncertainty of each rotation of the tool about its own axes.")});
+const Fields<StatedRobot>& robot_fields() {
+    static const auto fields = [] {
+        Fields<StatedRobot> made;
+        add_geometry(made);
+        add_uncertainty(made);
+        return made;
+    }();
+    return fields;
 }
 
 }  // namespace covaria

@@ -57,8 +57,8 @@ private:
         }
         UncertaintyComponent component = own;
         if (!setup_.combine) component.tags.push_back({"source", own.origin});
-        component.identity = setup_.asset_id + "." + own.id;
-        component.origin = setup_.asset_name + ": " + own.origin;
+        component.identity = setup_.arm.id + "." + own.id;
+        component.origin = setup_.arm.name + ": " + own.origin;
         quantity.shares.push_back({inputs_.add(std::move(component)), 1.0});
         return quantity.shares.front().component;
     }
@@ -74,7 +74,7 @@ private:
         sum.degrees_of_freedom = welch > 0.0 ? std::pow(u, 4) / welch : infinity;
         sum.distribution = Distribution::normal(u);
         sum.id = symbol + ".combined";
-        sum.identity = setup_.asset_id + "." + sum.id;
+        sum.identity = setup_.arm.id + "." + sum.id;
         sum.name = symbol + ", combined";
         sum.origin += ", " + more.origin;
     }
@@ -93,8 +93,8 @@ private:
                                    .group = "tool"};
             quantity.tags = {
                 {"parameter", symbols[i]}, {"joint", "tool"}, {"kind", i < 3 ? "lengths" : "angles"}};
-            components[i].identity = setup_.asset_id + "." + components[i].id;
-            components[i].origin = setup_.asset_name + ": " + components[i].origin;
+            components[i].identity = setup_.arm.id + "." + components[i].id;
+            components[i].origin = setup_.arm.name + ": " + components[i].origin;
             inputs_.add(std::move(quantity), {components[i]});
         }
     }
@@ -116,7 +116,7 @@ private:
             for (UncertaintyComponent& c : components) {
                 c.id = symbol + "." + c.id;
                 c.tags.push_back({"source", c.origin});
-                c.origin = setup_.asset_name + ": " + c.origin;
+                c.origin = setup_.arm.name + ": " + c.origin;
             }
             pose.input[i] = inputs_.add(std::move(quantity), std::move(components));
         }

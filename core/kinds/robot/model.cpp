@@ -66,17 +66,6 @@ public:
 
 private:
     template <class Real>
-    static Matrix3<Real> constant(const Eigen::Matrix3d& M) {
-        Matrix3<Real> result;
-        for (int i = 0; i < 9; ++i) result(i / 3, i % 3) = Real(M(i / 3, i % 3));
-        return result;
-    }
-    template <class Real>
-    static Vector3<Real> constant(const Eigen::Vector3d& v) {
-        return {Real(v[0]), Real(v[1]), Real(v[2])};
-    }
-
-    template <class Real>
     struct ToolPlace {
         Matrix3<Real> R;
         Vector3<Real> p;
@@ -114,8 +103,7 @@ private:
     template <class Real>
     ToolPlace<Real> tool_of(const Inputs<Real>& x) const {
         const Eigen::Isometry3d& X = setup_.robot().X_FT();
-        ToolPlace<Real> tool{constant<Real>(Eigen::Matrix3d(X.linear())),
-                             constant<Real>(Eigen::Vector3d(X.translation()))};
+        ToolPlace<Real> tool{X.linear().cast<Real>(), X.translation().cast<Real>()};
         if (setup_.tool == no_input) return tool;
         const std::size_t t = setup_.tool;
         tool.p += tool.R * Vector3<Real>(Real(x[t]), Real(x[t + 1]), Real(x[t + 2]));
@@ -142,8 +130,9 @@ private:
         }
         if (setup_.in_world) {
             const Eigen::Isometry3d& X = source.X_WB();
-            const Matrix3<Real> R_W = constant<Real>(Eigen::Matrix3d(X.linear()));
-            p = (R_W * p + constant<Real>(Eigen::Vector3d(X.translation()))).eval();
+            const Matrix3<Real> R_W = X.linear().cast<Real>();
+            const Vector3<Real> p_WB = X.translation().cast<Real>();
+            p = (R_W * p + p_WB).eval();
             if (setup_.orientation) R = (R_W * R).eval();
         }
         const std::size_t out = k * setup_.outputs_per_pose();
@@ -229,7 +218,7 @@ ModelDescriptor robot_pose_model() {
     d.notes = robot_pose_notes();
     d.help_page = "robot-pose.md";
     d.example = "er10l-c10.covaria";
-    d.schema = robot::pose_schema();
+    d.schema = robot::pose_fields().schema();
     d.create = create_robot_pose;
     return d;
 }

@@ -56,6 +56,7 @@ struct DeviationCorrelation {
 class SerialRobotSource : public Capability {
 public:
     static constexpr const char* capability = "serial-robot";
+    static constexpr const char* lacking = "is no serial robot";
     virtual DhConvention convention() const = 0;
     virtual const std::vector<RobotJoint>& joints() const = 0;
     virtual const Eigen::Isometry3d& X_WB() const = 0;  ///< where the base frame stands

@@ -1,6 +1,7 @@
 // Reads the set-up of "robot pose".
 #include "core/kinds/robot/setup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -23,40 +24,21 @@ std::string reading_text(const RobotJoint& joint, double reading) {
 
 class PoseReading {
 public:
-    PoseReading(const SetupReader& setup, const AssetLibrary& assets, Problems& problems)
-        : setup_(setup), assets_(assets), problems_(problems) {}
+    PoseReading(PoseSetup stated, Problems& problems) : problems_(problems), read_(std::move(stated)) {}
 
     std::optional<PoseSetup> read() {
-        if (!read_robot()) return {};
-        const std::string orientation = setup_.text("orientation");
-        if (orientation != "none") read_.orientation = rotation_convention_from(orientation);
-        read_.in_world = setup_.text("frame") == "world";
-        read_.combine = setup_.text("components") == "combined";
-        read_.correlated = setup_.text("correlation") == "used";
-        for (std::size_t row = 0; row < setup_.rows("poses"); ++row) read_pose(row);
-        for (std::size_t row = 0; row < setup_.rows("targets") && !problems_.has_errors(); ++row)
-            read_target(row);
+        for (const RobotJoint& joint : read_.robot().joints()) previous_.push_back(joint.zero);
+        for (std::size_t row = 0; row < read_.stated.size(); ++row) read_pose(row);
+        for (std::size_t row = 0; row < read_.places.size() && !problems_.has_errors(); ++row)
+            read_place(row);
         if (read_.poses.empty())
-            problems_.error("/poses", "there is no pose: give joint readings or a place of the tool");
+            problems_.error(pose_fields().place(&PoseSetup::stated),
+                            "there is no pose: give joint readings or a place of the tool");
         if (problems_.has_errors()) return {};
         return std::move(read_);
     }
 
 private:
-    bool read_robot() {
-        const std::string id = setup_.text("robot");
-        const AssetLibrary::Entry* entry = assets_.find(id);
-        if (!offers<SerialRobotSource>(entry)) {
-            problems_.error("/robot", "'" + id + "' is no serial robot");
-            return false;
-        }
-        read_.asset = entry->asset;
-        read_.asset_id = id;
-        read_.asset_name = entry->name.empty() ? id : entry->name;
-        for (const RobotJoint& joint : read_.robot().joints()) previous_.push_back(joint.zero);
-        return true;
-    }
-
     void add(Pose pose) {
         if (!names_.insert(pose.name).second)
             problems_.error(pose.source, "two poses are called " + pose.name);
@@ -85,47 +67,39 @@ private:
     }
 
     void read_pose(std::size_t row) {
-        Pose pose{.name = setup_.cell_text("poses", row, "name"),
-                  .source = "/poses/rows/" + std::to_string(row)};
+        const StatedPose& stated = read_.stated[row];
+        Pose pose{.name = stated.name, .source = pose_fields().place(&PoseSetup::stated, row)};
         const auto& joints = read_.robot().joints();
-        for (std::size_t i = 0; i < joints.size(); ++i) {
-            const std::string column = reading_symbol(read_.robot(), i);
-            const bool empty = setup_.cell_empty("poses", row, column);
-            pose.q.push_back(empty ? joints[i].zero : setup_.cell_number("poses", row, column));
-        }
+        for (std::size_t i = 0; i < std::min(joints.size(), most_joints); ++i)
+            pose.q.push_back((joints[i].slides ? stated.s : stated.q)[i].value_or(joints[i].zero));
         for (std::size_t i = 0; i < most_joints; ++i)
-            for (const char* letter : {"q_", "s_"}) refuse_unused(row, letter + std::to_string(i + 1), i);
+            for (const auto readings : {&StatedPose::q, &StatedPose::s})
+                if ((stated.*readings)[i]) refuse_unused(row, readings, i);
         add(std::move(pose));
     }
 
-    void refuse_unused(std::size_t row, const std::string& column, std::size_t i) {
-        const std::size_t n = read_.robot().joints().size();
-        if (setup_.cell_empty("poses", row, column)) return;
-        if (i < n && column == reading_symbol(read_.robot(), i)) return;
-        problems_.error("/poses/rows/" + std::to_string(row) + "/" + column,
-                        i >= n ? read_.asset_name + " has only " + std::to_string(n) + " joints; leave " +
-                                     column + " empty"
-                               : "joint " + std::to_string(i + 1) + " of " + read_.asset_name +
-                                     (read_.robot().joints()[i].slides ? " slides" : " turns") +
-                                     ": its reading is " + reading_symbol(read_.robot(), i));
+    void refuse_unused(std::size_t row, StatedReadings StatedPose::*readings, std::size_t i) {
+        const auto& joints = read_.robot().joints();
+        const std::size_t n = joints.size();
+        if (i < n && joints[i].slides == (readings == &StatedPose::s)) return;
+        const auto& fields = pose_fields();
+        problems_.error(fields.place(&PoseSetup::stated, row, readings, i),
+                        i >= n ? read_.arm.name + " has only " + std::to_string(n) + " joints; leave " +
+                                     fields.columns(&PoseSetup::stated).key(readings, i) + " empty"
+                               : "joint " + std::to_string(i + 1) + " of " + read_.arm.name +
+                                     (joints[i].slides ? " slides" : " turns") + ": its reading is " +
+                                     reading_symbol(read_.robot(), i));
     }
 
-    void read_target(std::size_t row) {
-        const std::string path = "/targets/rows/" + std::to_string(row);
+    void read_place(std::size_t row) {
+        const auto& [name, position, angles] = read_.places[row];
+        const std::string path = pose_fields().place(&PoseSetup::places, row);
         Target target;
-        target.position = setup_.cell_vector("targets", row, "x");
-        Eigen::Vector3d angles = Eigen::Vector3d::Zero();
-        int given = 0;
-        static const char* const columns[] = {"alpha", "beta", "gamma"};
-        for (int k = 0; k < 3; ++k) {
-            if (setup_.cell_empty("targets", row, columns[k])) continue;
-            angles[k] = setup_.cell_number("targets", row, columns[k]);
-            ++given;
-        }
-        const std::string name = setup_.cell_text("targets", row, "name");
-        if (given != 0 && given != 3)
+        target.position = position;
+        if (angles[0] && angles[1] && angles[2])
+            target.orientation = rotation_from_zyx<double>({*angles[0], *angles[1], *angles[2]});
+        else if (angles[0] || angles[1] || angles[2])
             return problems_.error(path, "pose " + name + ": give all three angles or none");
-        if (given == 3) target.orientation = rotation_from_zyx<double>(angles);
         InverseSolution found = solve_inverse(read_.robot(), target, previous_);
         if (found.q.empty()) return refuse(name, path, found.distance);
         add({.name = name, .source = path, .q = std::move(found.q)});
@@ -140,8 +114,6 @@ private:
                                   text + (distance < 1e-6 ? " but not the orientation" : ""));
     }
 
-    const SetupReader& setup_;
-    const AssetLibrary& assets_;
     Problems& problems_;
     PoseSetup read_;
     std::vector<double> previous_;
@@ -152,7 +124,9 @@ private:
 
 std::optional<PoseSetup> read_pose_setup(const SetupReader& setup, const AssetLibrary& assets,
                                          Problems& problems) {
-    return PoseReading(setup, assets, problems).read();
+    PoseSetup stated = pose_fields().read(setup, assets, problems);
+    if (!stated.arm) return {};
+    return PoseReading(std::move(stated), problems).read();
 }
 
 std::vector<DataTable> pose_evaluation(const PoseSetup& setup) {

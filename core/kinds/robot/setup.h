@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +9,7 @@
 #include "core/kinds/robot/fields.h"
 #include "core/kinds/robot/serial_robot.h"
 #include "core/math/rotation_convention.h"
-#include "core/model/asset.h"
+#include "core/model/offered.h"
 #include "core/quantity/input_quantity.h"
 
 namespace covaria::robot {
@@ -24,10 +23,24 @@ struct Pose {
     std::array<std::size_t, most_joints> input{};  ///< index of each reading, or no_input: it is exact
 };
 
+/// A row of the poses by joint readings.
+struct StatedPose {
+    std::string name;
+    StatedReadings q, s;
+};
+
+/// A row of the poses by place of the tool, in the base frame.
+struct StatedPlace {
+    std::string name;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    std::array<std::optional<double>, 3> angles;  ///< alpha, beta, gamma
+};
+
 struct PoseSetup {
-    std::shared_ptr<const Asset> asset;
-    std::string asset_id, asset_name;
-    std::vector<Pose> poses;
+    Offered<SerialRobotSource> arm;
+    std::vector<StatedPose> stated;
+    std::vector<StatedPlace> places;
+    std::vector<Pose> poses;  ///< of both tables
     std::optional<RotationConvention> orientation;
     bool in_world = false;   ///< results in the world frame instead of the robot's base
     bool combine = false;    ///< components of a parameter drawn as one
@@ -36,13 +49,13 @@ struct PoseSetup {
     std::array<std::array<std::size_t, 5>, most_joints> parameter{};
     std::size_t tool = no_input;  ///< first of six deviations
 
-    const SerialRobotSource& robot() const { return *offers<SerialRobotSource>(asset); }
+    const SerialRobotSource& robot() const { return *arm; }
     std::size_t outputs_per_pose() const {
         return 3 + (orientation ? rotation_convention(*orientation).coordinates.size() : 0);
     }
 };
 
-SetupSchema pose_schema();
+const Fields<PoseSetup>& pose_fields();
 /// Empty if `problems` got an error; warns of readings beyond the limits.
 std::optional<PoseSetup> read_pose_setup(const SetupReader& setup, const AssetLibrary& assets,
                                          Problems& problems);

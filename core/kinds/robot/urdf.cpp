@@ -128,7 +128,7 @@ PoseValue pose_value(const Eigen::Isometry3d& X) {
 }
 
 SetupTable joints_table(const Axes& axes, const FrameChain& chain) {
-    static const SetupSchema schema = robot_schema();
+    static const SetupSchema schema = robot_fields().schema();
     const FieldSpec& field = *schema.find("joints");
     SetupTable table;
     for (const ColumnSpec& column : field.columns) table.units.push_back(column.unit);

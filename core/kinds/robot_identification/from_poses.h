@@ -55,11 +55,37 @@ struct FitStatistics {
     double limit = 0.0;    ///< of |residual|/u, family-wise 5 %
 };
 
-struct Calibration {
-    std::shared_ptr<const Asset> nominal;
+/// A row of the measured poses, SI.
+struct StatedPose {
+    std::string name;
+    bool check = false;
+    StatedReadings q;
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    std::array<std::optional<double>, 3> angles;  ///< alpha, beta, gamma
+};
+
+struct HeldByUser {
+    std::string parameter;  ///< its symbol
+};
+
+/// The set-up as typed, SI.
+struct StatedCalibration {
+    Offered<SerialRobotSource> nominal;
+    bool simulated = true, with_orientation = false, base_fitted = true, tool_fitted = true;
+    std::vector<StatedPose> measured;
+    int pose_count = 0;       ///< simulated
+    double half_range = 0.0;  ///< of their joints
     PointLocator locator;
     double u_angle = 0.0;  ///< of a measured orientation, about each axis
-    bool with_orientation = false, simulated = false, base_fitted = true, tool_fitted = true;
+    Eigen::Isometry3d ball = Eigen::Isometry3d::Identity();
+    std::vector<HeldByUser> held_by_user;
+
+    const SerialRobotSource& robot() const { return *nominal; }
+};
+const Fields<StatedCalibration>& fields();
+
+struct Calibration : StatedCalibration {
+    explicit Calibration(StatedCalibration stated) : StatedCalibration(std::move(stated)) {}
     std::vector<MeasuredPose> poses;  ///< those of the fit first
     std::size_t fitted_poses = 0;
     Eigen::Isometry3d X_MB = Eigen::Isometry3d::Identity();  ///< base in the measuring frame, fitted
@@ -72,7 +98,6 @@ struct Calibration {
     FitStatistics statistics;
     InputSet inputs;
 
-    const SerialRobotSource& robot() const { return *offers<SerialRobotSource>(nominal); }
     std::size_t rows_per_pose() const { return with_orientation ? 6 : 3; }
     std::size_t rows() const { return fitted_poses * rows_per_pose(); }
     /// Joint parameters among the unknowns; base and tool come first.
@@ -80,8 +105,6 @@ struct Calibration {
     std::size_t first_parameter() const;
 };
 
-/// Fields; the field that refers to the nominal robot is called "nominal".
-std::vector<FieldSpec> fields();
 /// Empty if `problems` got an error.
 std::optional<Calibration> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems);
 /// Parameters, what is held and why, observability, residuals, check poses.
@@ -97,17 +120,6 @@ struct CalibratedArm {
     Matrix3<Real> R_MB, R_FT;
     Vector3<Real> p_MB, p_FT;
 };
-
-namespace detail {
-
-template <class Real>
-Matrix3<Real> constant(const Eigen::Matrix3d& M) {
-    Matrix3<Real> result;
-    for (int i = 0; i < 9; ++i) result(i / 3, i % 3) = Real(M(i / 3, i % 3));
-    return result;
-}
-
-}  // namespace detail
 
 /// `v[i]`: value of unknown i.
 template <class Real, class Values>
@@ -133,9 +145,9 @@ CalibratedArm<Real> arm_of(const Calibration& c, const Values& v) {
             (k < 3 ? arm.p_FT[k] : tool[k - 3]) = v[i];
     }
     for (std::size_t j = 0; j < joints.size(); ++j) arm.T[j] = joint_transform(joint[j], joints[j].parallel);
-    arm.R_MB = detail::constant<Real>(c.X_MB.linear());
+    arm.R_MB = c.X_MB.linear().cast<Real>();
     if (c.base_fitted) arm.R_MB = (arm.R_MB * rotation_from_zyx<Real>(base)).eval();
-    arm.R_FT = detail::constant<Real>(c.X_FT.linear());
+    arm.R_FT = c.X_FT.linear().cast<Real>();
     if (c.tool_fitted && c.with_orientation) arm.R_FT = (arm.R_FT * rotation_from_zyx<Real>(tool)).eval();
     return arm;
 }
@@ -164,8 +176,9 @@ void residuals(const Calibration& c, const MeasuredPose& pose, const CalibratedA
         r[k] = Real(x[pose.first_input + k]) - p[static_cast<Eigen::Index>(k)];
     if (!c.with_orientation) return;
     const std::size_t i = pose.first_input + 3;
-    const Matrix3<Real> measured = detail::constant<Real>(pose.R) *
-                                   rotation_from_zyx<Real>({Real(x[i]), Real(x[i + 1]), Real(x[i + 2])});
+    const Matrix3<Real> stated = pose.R.cast<Real>();
+    const Matrix3<Real> measured =
+        stated * rotation_from_zyx<Real>({Real(x[i]), Real(x[i + 1]), Real(x[i + 2])});
     const Matrix3<Real> turned = (arm.R_MB * R).transpose() * measured;
     r[3] = Real(0.5) * (turned(2, 1) - turned(1, 2));
     r[4] = Real(0.5) * (turned(0, 2) - turned(2, 0));

@@ -38,7 +38,7 @@ AssetDescriptor calibrated_robot_kind() {
         "The robot stands where the fit found its base; its tool is that of the nominal robot.",
         "An analysis that uses this robot follows when a pose changes."};
     d.capabilities = {SerialRobotSource::capability};
-    d.schema = SetupSchema(pose_calibration::fields());
+    d.schema = pose_calibration::fields().schema();
     d.create = create_calibrated;
     return d;
 }

@@ -1,157 +1,105 @@
 // Fields of the identification from measured poses.
-#include "core/kinds/robot/serial_robot.h"
 #include "core/kinds/robot_identification/from_poses.h"
 
 namespace covaria::pose_calibration {
 
 namespace {
 
-const Condition simulated{"data", {"simulated"}};
-const Condition measured{"data", {"measured"}};
-const Condition with_orientation{"quantity", {"poses"}};
+using Stated = StatedCalibration;
+const Unit mm = Unit::of("mm");
+const Unit deg = Unit::of("deg");
 
-FieldSpec poses_field() {
-    const Unit mm = Unit::of("mm"), deg = Unit::of("deg");
-    FieldSpec field{.key = "poses",
-                    .title = "Measured poses",
-                    .kind = FieldKind::table,
-                    .help =
-                        "Readings of the joints and the place of the ball or tool that was measured there; "
-                        "typed or from a CSV file.",
-                    .optional = true,
-                    .shown_if = measured,
-                    .section = "Poses"};
-    field.columns = {{.key = "name", .title = "name", .kind = FieldKind::text, .help = "Name, unique."},
-                     {.key = "use",
-                      .title = "use",
-                      .kind = FieldKind::choice,
-                      .optional = true,
-                      .choices = {{"fit", "fit"}, {"check", "check"}},
-                      .help = "fit: taken into the fit. check: held back, to see how well the fit tells a "
-                              "pose that it has not seen. Empty: fit."}};
-    for (std::size_t i = 1; i <= most_joints; ++i)
-        field.columns.push_back(
-            {.key = "q_" + std::to_string(i),
-             .title = "q_" + std::to_string(i),
-             .unit = deg,
-             .optional = true,
-             .help = "Reading of joint " + std::to_string(i) + "; empty: its zero reading."});
-    for (const char* axis : {"x", "y", "z"})
-        field.columns.push_back({.key = axis,
-                                 .title = axis,
-                                 .unit = mm,
-                                 .help = std::string("Measured coordinate ") + axis +
-                                         " in the frame of the instrument's world."});
-    for (const char* angle : {"alpha", "beta", "gamma"})
-        field.columns.push_back({.key = angle,
-                                 .title = angle,
-                                 .unit = deg,
-                                 .optional = true,
-                                 .help =
-                                     "Measured orientation, R = Rz(gamma) Ry(beta) Rx(alpha), where poses "
-                                     "are measured."});
-    return field;
+Columns<StatedPose> pose_columns() {
+    return Columns<StatedPose>()
+        .add(&StatedPose::name, "name", "name", "Name, unique.")
+        .choice(&StatedPose::check, "use", "use",
+                "fit: taken into the fit. check: held back, to see how well the fit tells a "
+                "pose that it has not seen. Empty: fit.",
+                {{false, "fit", "fit"}, {true, "check", "check"}}, {.optional = true})
+        .each(&StatedPose::q, reading_columns("q", deg, "; empty: its zero reading."))
+        .each(&StatedPose::p,
+              by_axis(along_axes, "Measured coordinate * in the frame of the instrument's world.",
+                      {.unit = mm}))
+        .each(&StatedPose::angles, by_axis(zyx_angles,
+                                           "Measured orientation, R = Rz(gamma) Ry(beta) Rx(alpha), where "
+                                           "poses "
+                                           "are measured.",
+                                           {.unit = deg, .optional = true}));
 }
 
-std::vector<FieldSpec> simulation_fields() {
-    return {
-        {.key = "pose_count",
-         .title = "Number of poses",
-         .kind = FieldKind::integer,
-         .help = "Poses of the simulated experiment, spread over the range of all joints, always the same.",
-         .range = {.low = 3.0, .high = 1000.0},
-         .default_value = Quantity{50.0, Unit()},
-         .shown_if = simulated,
-         .section = "Poses"},
-        {.key = "half_range",
-         .title = "Range of each joint, ±",
-         .help = "From the zero reading on, as far as the limits of the joint allow.",
-         .unit = Unit::of("deg"),
-         .range = {.low = 0.0, .high = 3.1416, .low_open = true},
-         .default_value = Quantity{90.0, Unit::of("deg")},
-         .shown_if = simulated,
-         .section = "Poses"}};
+void add_robot(Fields<Stated>& fields) {
+    fields.section("Robot").add(
+        &Stated::nominal, "nominal", "Nominal robot",
+        "The arm as designed: start of the fit, values of what the poses cannot tell, uncertainty of "
+        "the readings of its joints, and the arm of a simulation.");
 }
 
-FieldSpec fitted_or_known(const char* key, const char* title, const char* help) {
-    return {.key = key,
-            .title = title,
-            .kind = FieldKind::choice,
-            .help = help,
-            .default_value = std::string("fitted"),
-            .choices = {{"fitted", "found by the fit"}, {"known", "known exactly"}},
-            .section = "Method"};
+void add_poses(Fields<Stated>& fields) {
+    fields.section("Poses")
+        .choice(&Stated::simulated, "data", "Poses are",
+                "Measured: a table. Simulated: those of the nominal robot, to see what an experiment would "
+                "give.",
+                {{false, "measured", "measured"}, {true, "simulated", "simulated"}}, true)
+        .choice(&Stated::with_orientation, "quantity", "Measured is",
+                "The position of a ball alone, or position and orientation of the tool.",
+                {{false, "positions", "the position"}, {true, "poses", "position and orientation"}}, false)
+        .table(&Stated::measured, "poses", "Measured poses",
+               "Readings of the joints and the place of the ball or tool that was measured there; "
+               "typed or from a CSV file.",
+               pose_columns(), {.optional = true})
+        .add(&Stated::pose_count, "pose_count", "Number of poses",
+             "Poses of the simulated experiment, spread over the range of all joints, always the same.",
+             {.range = {.low = 3.0, .high = 1000.0}, .default_value = Quantity{50.0, Unit()}})
+        .add(&Stated::half_range, "half_range", "Range of each joint, ±",
+             "From the zero reading on, as far as the limits of the joint allow.",
+             {.unit = deg,
+              .range = {.low = 0.0, .high = 3.1416, .low_open = true},
+              .default_value = Quantity{90.0, deg}})
+        .shown_where(&Stated::simulated, {false}, &Stated::measured)
+        .shown_where(&Stated::simulated, {true}, &Stated::pose_count, &Stated::half_range);
 }
 
-std::vector<FieldSpec> method_fields() {
-    FieldSpec held{.key = "held",
-                   .title = "Parameters held",
-                   .kind = FieldKind::table,
-                   .help = "Parameters that stay nominal although the poses could tell them.",
-                   .optional = true,
-                   .section = "Method"};
-    held.columns = {{.key = "parameter",
-                     .title = "parameter",
-                     .kind = FieldKind::text,
-                     .help = "A parameter by its symbol, such as d_3 or alpha_4."}};
-    return {
-        {.key = "ball",
-         .title = "Ball or tool",
-         .kind = FieldKind::pose,
-         .help = "Where it is in the frame of the last link: exactly, or as a start of the fit.",
-         .default_value = PoseValue{.position = {80.0, 60.0, 40.0}},
-         .section = "Method"},
-        fitted_or_known("tool_place", "Place of the ball or tool is",
-                        "Found by the fit together with the parameters, or known."),
-        fitted_or_known("base_place", "Place of the base is",
-                        "Found by the fit: the instrument stands anywhere. Known: the base stands where the "
-                        "robot says it stands in the world."),
-        held};
+void add_points(Fields<Stated>& fields) {
+    fields.part(&Stated::locator, locator_fields())
+        .section("Points")
+        .add(&Stated::u_angle, "u_angle", "Standard uncertainty of an orientation",
+             "Of the rotation of the measured tool about each of its axes, independent.",
+             {.unit = deg, .range = {.low = 0.0}, .default_value = Quantity{0.005, deg}})
+        .shown_where(&Stated::with_orientation, {true}, &Stated::u_angle);
+}
+
+void add_method(Fields<Stated>& fields) {
+    const std::vector<ChoiceOf<bool>> fitted_or_known{{true, "fitted", "found by the fit"},
+                                                      {false, "known", "known exactly"}};
+    fields.section("Method")
+        .add(&Stated::ball, "ball", "Ball or tool",
+             "Where it is in the frame of the last link: exactly, or as a start of the fit.",
+             {.default_value = PoseValue{.position = {80.0, 60.0, 40.0}}})
+        .choice(&Stated::tool_fitted, "tool_place", "Place of the ball or tool is",
+                "Found by the fit together with the parameters, or known.", fitted_or_known, true)
+        .choice(&Stated::base_fitted, "base_place", "Place of the base is",
+                "Found by the fit: the instrument stands anywhere. Known: the base stands where the "
+                "robot says it stands in the world.",
+                fitted_or_known, true)
+        .table(&Stated::held_by_user, "held", "Parameters held",
+               "Parameters that stay nominal although the poses could tell them.",
+               Columns<HeldByUser>().add(&HeldByUser::parameter, "parameter", "parameter",
+                                         "A parameter by its symbol, such as d_3 or alpha_4."),
+               {.optional = true});
 }
 
 }  // namespace
 
-std::vector<FieldSpec> fields() {
-    std::vector<FieldSpec> all{
-        {.key = "nominal",
-         .title = "Nominal robot",
-         .kind = FieldKind::reference,
-         .help =
-             "The arm as designed: start of the fit, values of what the poses cannot tell, uncertainty of "
-             "the readings of its joints, and the arm of a simulation.",
-         .capabilities = {SerialRobotSource::capability},
-         .section = "Robot"},
-        {.key = "data",
-         .title = "Poses are",
-         .kind = FieldKind::choice,
-         .help = "Measured: a table. Simulated: those of the nominal robot, to see what an experiment would "
-                 "give.",
-         .default_value = std::string("simulated"),
-         .choices = {{"measured", "measured"}, {"simulated", "simulated"}},
-         .section = "Poses"},
-        {.key = "quantity",
-         .title = "Measured is",
-         .kind = FieldKind::choice,
-         .help = "The position of a ball alone, or position and orientation of the tool.",
-         .default_value = std::string("positions"),
-         .choices = {{"positions", "the position"}, {"poses", "position and orientation"}},
-         .section = "Poses"},
-        poses_field()};
-    const auto add = [&](const std::vector<FieldSpec>& more) {
-        all.insert(all.end(), more.begin(), more.end());
-    };
-    add(simulation_fields());
-    add(locator_fields().schema().fields());
-    all.push_back({.key = "u_angle",
-                   .title = "Standard uncertainty of an orientation",
-                   .help = "Of the rotation of the measured tool about each of its axes, independent.",
-                   .unit = Unit::of("deg"),
-                   .range = {.low = 0.0},
-                   .default_value = Quantity{0.005, Unit::of("deg")},
-                   .shown_if = with_orientation,
-                   .section = "Points"});
-    add(method_fields());
-    return all;
+const Fields<StatedCalibration>& fields() {
+    static const auto fields = [] {
+        Fields<Stated> made;
+        add_robot(made);
+        add_poses(made);
+        add_points(made);
+        add_method(made);
+        return made;
+    }();
+    return fields;
 }
 
 }  // namespace covaria::pose_calibration

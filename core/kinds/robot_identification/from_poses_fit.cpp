@@ -137,7 +137,9 @@ bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
 class Fit {
 public:
     Fit(Calibration& c, Problems& problems)
-        : c_(c), problems_(problems), place_(c.simulated ? "/ball" : "/poses") {}
+        : c_(c),
+          problems_(problems),
+          place_(c.simulated ? fields().place(&Calibration::ball) : fields().place(&Calibration::measured)) {}
 
     bool run() {
         if (c_.base_fitted && !c_.simulated) register_base();
@@ -317,10 +319,11 @@ private:
             warn_of_outlier(worst, size[worst]);
         if (s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))
             problems_.warning(
-                "/poses", "the residuals are " + format_short(s.scatter) +
-                              " times as large as the uncertainties of points and readings explain: there "
-                              "is more than these (a joint's elasticity, temperature, an outlier), and "
-                              "the uncertainty of the parameters is stated too small");
+                fields().place(&Calibration::measured),
+                "the residuals are " + format_short(s.scatter) +
+                    " times as large as the uncertainties of points and readings explain: there "
+                    "is more than these (a joint's elasticity, temperature, an outlier), and "
+                    "the uncertainty of the parameters is stated too small");
     }
 
     void warn_of_outlier(Index row, double size) {

@@ -122,7 +122,7 @@ ModelDescriptor robot_calibration_model() {
     d.help_page = "robot-calibration.md";
     d.example = "er10l-c10.covaria";
     d.capabilities = {"serial-robot"};
-    d.schema = SetupSchema(pose_calibration::fields());
+    d.schema = pose_calibration::fields().schema();
     d.create = create_calibration;
     return d;
 }

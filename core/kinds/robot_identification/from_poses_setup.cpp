@@ -15,31 +15,32 @@ namespace {
 
 class Reading {
 public:
-    Reading(const SetupReader& setup, const AssetLibrary& assets, Problems& problems)
-        : setup_(setup), assets_(assets), problems_(problems) {}
+    Reading(StatedCalibration stated, Problems& problems) : problems_(problems), c_(std::move(stated)) {}
 
     std::optional<Calibration> read() {
-        if (!read_assets()) return {};
-        c_.simulated = setup_.text("data") == "simulated";
-        c_.with_orientation = setup_.text("quantity") == "poses";
-        c_.base_fitted = setup_.text("base_place") == "fitted";
-        c_.tool_fitted = setup_.text("tool_place") == "fitted";
-        if (c_.with_orientation) c_.u_angle = setup_.number("u_angle");
+        if (const std::size_t sliding = first_sliding_joint(c_.robot()); sliding > 0) {
+            problems_.error(fields().place(&Calibration::nominal),
+                            "joint " + std::to_string(sliding) +
+                                " slides: only arms whose joints turn are identified; take an arm "
+                                "without it, as it stands during the measurement");
+            return {};
+        }
         c_.X_MB = c_.robot().X_WB();
-        c_.X_FT = setup_.pose("ball");
+        c_.X_FT = c_.ball;
         if (c_.simulated)
             simulate();
         else
-            for (std::size_t row = 0; row < setup_.rows("poses"); ++row) read_pose(row);
+            for (std::size_t row = 0; row < c_.measured.size(); ++row) read_pose(row);
         if (problems_.has_errors()) return {};
         std::stable_partition(c_.poses.begin(), c_.poses.end(),
                               [](const MeasuredPose& pose) { return !pose.check; });
         c_.fitted_poses = static_cast<std::size_t>(
             std::count_if(c_.poses.begin(), c_.poses.end(), [](const MeasuredPose& p) { return !p.check; }));
         if (c_.fitted_poses < 3) {
-            problems_.error("/poses", "the fit has " + std::to_string(c_.fitted_poses) +
-                                          " poses; it needs three or more, and about twenty to tell all "
-                                          "parameters");
+            problems_.error(fields().place(&Calibration::measured),
+                            "the fit has " + std::to_string(c_.fitted_poses) +
+                                " poses; it needs three or more, and about twenty to tell all "
+                                "parameters");
             return {};
         }
         add_inputs();
@@ -49,24 +50,6 @@ public:
     }
 
 private:
-    bool read_assets() {
-        const AssetLibrary::Entry* robot = assets_.find(setup_.text("nominal"));
-        if (!offers<SerialRobotSource>(robot)) {
-            problems_.error("/nominal", "'" + setup_.text("nominal") + "' is no serial robot");
-            return false;
-        }
-        c_.nominal = robot->asset;
-        if (const std::size_t sliding = first_sliding_joint(c_.robot()); sliding > 0) {
-            problems_.error("/nominal",
-                            "joint " + std::to_string(sliding) +
-                                " slides: only arms whose joints turn are identified; take an arm "
-                                "without it, as it stands during the measurement");
-            return false;
-        }
-        c_.locator = locator_fields().read(setup_, assets_, problems_);
-        return c_.locator.typed || c_.locator.instrument;
-    }
-
     void add_pose(MeasuredPose pose) {
         const auto& joints = c_.robot().joints();
         for (std::size_t j = 0; j < joints.size(); ++j)
@@ -79,10 +62,10 @@ private:
     /// of more poses are those of fewer.
     void simulate() {
         const auto& joints = c_.robot().joints();
-        const double range = setup_.number("half_range");
+        const double range = c_.half_range;
         double g = 2.0;  // root of g^(n+1) = g + 1
         for (int k = 0; k < 40; ++k) g = std::pow(1.0 + g, 1.0 / static_cast<double>(joints.size() + 1));
-        for (int k = 0; k < setup_.integer("pose_count"); ++k) {
+        for (int k = 0; k < c_.pose_count; ++k) {
             MeasuredPose pose{.name = "P" + std::to_string(k + 1)};
             for (std::size_t j = 0; j < joints.size(); ++j) {
                 const double low = std::max(joints[j].low, joints[j].zero - range);
@@ -98,39 +81,32 @@ private:
     }
 
     void read_pose(std::size_t row) {
+        const StatedPose& stated = c_.measured[row];
         const auto& joints = c_.robot().joints();
-        MeasuredPose pose{.name = setup_.cell_text("poses", row, "name"),
-                          .source = "/poses/rows/" + std::to_string(row)};
+        MeasuredPose pose{.name = stated.name,
+                          .source = fields().place(&Calibration::measured, row),
+                          .check = stated.check};
         if (!names_.insert(pose.name).second)
             problems_.error(pose.source, "two poses are called " + pose.name);
-        pose.check =
-            !setup_.cell_empty("poses", row, "use") && setup_.cell_text("poses", row, "use") == "check";
-        for (std::size_t j = 0; j < most_joints; ++j) {
-            const std::string column = "q_" + std::to_string(j + 1);
-            const bool empty = setup_.cell_empty("poses", row, column);
+        for (std::size_t j = 0; j < most_joints; ++j)
             if (j < joints.size())
-                pose.q.push_back(empty ? joints[j].zero : setup_.cell_number("poses", row, column));
-            else if (!empty)
-                problems_.error(pose.source + "/" + column, "the robot has only " +
-                                                                std::to_string(joints.size()) +
-                                                                " joints; leave " + column + " empty");
-        }
-        pose.p = setup_.cell_vector("poses", row, "x");
-        if (c_.with_orientation) read_orientation(row, pose);
+                pose.q.push_back(stated.q[j].value_or(joints[j].zero));
+            else if (stated.q[j])
+                problems_.error(fields().place(&Calibration::measured, row, &StatedPose::q, j),
+                                "the robot has only " + std::to_string(joints.size()) + " joints; leave " +
+                                    fields().columns(&Calibration::measured).key(&StatedPose::q, j) +
+                                    " empty");
+        pose.p = stated.p;
+        if (c_.with_orientation) read_orientation(stated.angles, pose);
         add_pose(std::move(pose));
     }
 
-    void read_orientation(std::size_t row, MeasuredPose& pose) {
-        static const char* const columns[] = {"alpha", "beta", "gamma"};
-        Eigen::Vector3d angles = Eigen::Vector3d::Zero();
-        for (int k = 0; k < 3; ++k) {
-            if (setup_.cell_empty("poses", row, columns[k]))
-                return problems_.error(pose.source, "pose " + pose.name +
-                                                        ": its orientation is missing; give alpha, beta and "
-                                                        "gamma of every pose, or fit positions alone");
-            angles[k] = setup_.cell_number("poses", row, columns[k]);
-        }
-        pose.R = rotation_from_zyx<double>(angles);
+    void read_orientation(const std::array<std::optional<double>, 3>& angles, MeasuredPose& pose) {
+        if (!angles[0] || !angles[1] || !angles[2])
+            return problems_.error(pose.source, "pose " + pose.name +
+                                                    ": its orientation is missing; give alpha, beta and "
+                                                    "gamma of every pose, or fit positions alone");
+        pose.R = rotation_from_zyx<double>({*angles[0], *angles[1], *angles[2]});
     }
 
     void add_inputs() {
@@ -194,7 +170,8 @@ private:
             c_.unknowns.push_back({.kind = UnknownKind::base, .coordinate = k});
         for (std::size_t k = 0; c_.tool_fitted && k < c_.rows_per_pose(); ++k)
             c_.unknowns.push_back({.kind = UnknownKind::tool, .coordinate = k});
-        std::set<std::string> held = held_by_user();
+        std::set<std::string> held;
+        for (const HeldByUser& row : c_.held_by_user) held.insert(row.parameter);
         const auto& joints = c_.robot().joints();
         for (std::size_t j = 0; j < joints.size(); ++j)
             for (JointParameter p : joint_parameters) {
@@ -210,19 +187,11 @@ private:
                     c_.unknowns.push_back({.kind = UnknownKind::parameter, .parameter = parameter});
             }
         for (const std::string& symbol : held)
-            problems_.error("/held", "the robot has no parameter '" + symbol +
-                                         "' to hold; write its symbol, such as d_3");
+            problems_.error(
+                fields().place(&Calibration::held_by_user),
+                "the robot has no parameter '" + symbol + "' to hold; write its symbol, such as d_3");
     }
 
-    std::set<std::string> held_by_user() const {
-        std::set<std::string> symbols;
-        for (std::size_t row = 0; row < setup_.rows("held"); ++row)
-            symbols.insert(setup_.cell_text("held", row, "parameter"));
-        return symbols;
-    }
-
-    const SetupReader& setup_;
-    const AssetLibrary& assets_;
     Problems& problems_;
     Calibration c_;
     std::set<std::string> names_;
@@ -231,7 +200,9 @@ private:
 }  // namespace
 
 std::optional<Calibration> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems) {
-    return Reading(setup, assets, problems).read();
+    StatedCalibration stated = fields().read(setup, assets, problems);
+    if (problems.has_errors()) return {};
+    return Reading(std::move(stated), problems).read();
 }
 
 }  // namespace covaria::pose_calibration

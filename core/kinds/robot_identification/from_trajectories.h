@@ -23,22 +23,38 @@ struct Trajectory {
     CircleShape shape;
 };
 
-struct Identification {
-    std::shared_ptr<const Asset> nominal;
+/// A row of the measured points, SI.
+struct StatedPoint {
+    std::size_t joint = 0;    ///< from 1
+    std::optional<double> q;  ///< reading of the joint
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+};
+
+/// The set-up as typed, SI.
+struct StatedIdentification {
+    Offered<SerialRobotSource> nominal;
+    bool simulated = true;
+    std::vector<StatedPoint> points;
+    double half_range = 0.0;  ///< simulated: range, points for each joint, place of the ball
+    std::size_t point_count = 0;
+    Eigen::Isometry3d ball = Eigen::Isometry3d::Identity();
     PointLocator locator;
     PlaneFit plane = PlaneFit::total_least_squares;
-    bool simulated = false;
+    double parallel_limit = 0.0;
+
+    const SerialRobotSource& robot() const { return *nominal; }
+};
+const Fields<StatedIdentification>& fields();
+
+struct Identification : StatedIdentification {
+    explicit Identification(StatedIdentification stated) : StatedIdentification(std::move(stated)) {}
     std::vector<Trajectory> trajectories;  ///< one for each joint
     AxisStructure structure;
     std::vector<IdentifiedParameter> parameters;
     std::vector<HeldParameter> missing;
     InputSet inputs;
-
-    const SerialRobotSource& robot() const { return *offers<SerialRobotSource>(nominal); }
 };
 
-/// Fields; the field that refers to the nominal robot is called "nominal".
-std::vector<FieldSpec> fields();
 /// Empty if `problems` got an error.
 std::optional<Identification> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems);
 

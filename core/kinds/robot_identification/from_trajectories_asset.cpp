@@ -34,7 +34,7 @@ AssetDescriptor identified_robot_kind() {
         "the same settings gives it by Monte Carlo too.",
         "An analysis that uses this robot follows when a point changes."};
     d.capabilities = {SerialRobotSource::capability};
-    d.schema = SetupSchema(circle_points::fields());
+    d.schema = circle_points::fields().schema();
     d.create = create_identified;
     return d;
 }

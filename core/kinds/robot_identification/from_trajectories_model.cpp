@@ -55,7 +55,8 @@ std::unique_ptr<MeasurementModel> create_circle_points(const SetupReader& reader
     auto id = circle_points::read(reader, assets, problems);
     if (!id) return nullptr;
     if (!circle_points::estimates(*id)) {
-        problems.error("/points", "the points do not lead to parameters of the arm");
+        problems.error(circle_points::fields().place(&circle_points::Identification::points),
+                       "the points do not lead to parameters of the arm");
         return nullptr;
     }
     return std::make_unique<RobotCirclePoints>(std::move(*id));
@@ -116,7 +117,7 @@ ModelDescriptor robot_circle_points_model() {
     d.help_page = "robot-circle-points.md";
     d.example = "er10l-c10.covaria";
     d.capabilities = {"serial-robot"};
-    d.schema = SetupSchema(circle_points::fields());
+    d.schema = circle_points::fields().schema();
     d.create = create_circle_points;
     return d;
 }

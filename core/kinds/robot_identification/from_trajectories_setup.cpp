@@ -29,15 +29,18 @@ std::string degrees(double rad) {
     return text;
 }
 
+template <class... M>
+std::string place(M... members) {
+    return fields().place(members...);
+}
+
 class Reading {
 public:
-    Reading(const SetupReader& setup, const AssetLibrary& assets, Problems& problems)
-        : setup_(setup), assets_(assets), problems_(problems) {}
+    Reading(StatedIdentification stated, Problems& problems) : problems_(problems), id_(std::move(stated)) {}
 
     std::optional<Identification> read() {
-        if (!read_assets()) return {};
-        id_.plane = setup_.text("plane") == "total" ? PlaneFit::total_least_squares : PlaneFit::equation_1;
-        id_.simulated = setup_.text("data") == "simulated";
+        check_robot();
+        if (problems_.has_errors()) return {};
         id_.trajectories.resize(id_.robot().joints().size());
         if (id_.simulated)
             simulate();
@@ -54,65 +57,56 @@ public:
     }
 
 private:
-    bool read_assets() {
-        const AssetLibrary::Entry* robot = assets_.find(setup_.text("nominal"));
-        if (!offers<SerialRobotSource>(robot)) {
-            problems_.error("/nominal", "'" + setup_.text("nominal") + "' is no serial robot");
-            return false;
-        }
-        id_.nominal = robot->asset;
+    void check_robot() {
+        const std::string nominal = place(&Identification::nominal);
         if (id_.robot().convention() == DhConvention::craig)
             problems_.error(
-                "/nominal",
+                nominal,
                 "parameters are identified by Eq 5: describe the nominal robot in that convention, not "
                 "in Craig's");
         if (const std::size_t sliding = first_sliding_joint(id_.robot()); sliding > 0)
-            problems_.error("/nominal",
-                            "joint " + std::to_string(sliding) +
-                                " slides and draws no circle: take an arm without it, as it stands "
-                                "during the measurement");
+            problems_.error(nominal, "joint " + std::to_string(sliding) +
+                                         " slides and draws no circle: take an arm without it, as it stands "
+                                         "during the measurement");
         if (id_.robot().joints().size() < 2)
-            problems_.error("/nominal", "an arm of one joint has no parameters between two axes");
-        id_.locator = locator_fields().read(setup_, assets_, problems_);
-        return !problems_.has_errors();
+            problems_.error(nominal, "an arm of one joint has no parameters between two axes");
     }
 
     void simulate() {
         const SerialRobotSource& robot = id_.robot();
-        const double range = setup_.number("half_range");
-        const auto count = static_cast<std::size_t>(setup_.integer("point_count"));
-        const Eigen::Vector3d ball = setup_.pose("ball").translation();
+        const std::size_t count = id_.point_count;
         std::vector<double> zero;
         for (const RobotJoint& joint : robot.joints()) zero.push_back(joint.zero);
         for (std::size_t j = 0; j < robot.joints().size(); ++j)
             for (std::size_t k = 0; k < count; ++k) {
                 std::vector<double> q = zero;
                 const double share = static_cast<double>(k) / static_cast<double>(count - 1);
-                q[j] += robot.joints()[j].direction * range * (2.0 * share - 1.0);
+                q[j] += robot.joints()[j].direction * id_.half_range * (2.0 * share - 1.0);
                 const std::vector<Eigen::Isometry3d> frames = link_frames(robot, q);
-                id_.trajectories[j].points.push_back(robot.X_WB() * frames[q.size()] * ball);
+                id_.trajectories[j].points.push_back(robot.X_WB() * frames[q.size()] *
+                                                     id_.ball.translation());
             }
     }
 
     void read_points() {
         readings_.resize(id_.trajectories.size());
-        for (std::size_t row = 0; row < setup_.rows("points"); ++row) {
-            const std::string path = "/points/rows/" + std::to_string(row);
-            const auto j = static_cast<std::size_t>(setup_.cell_number("points", row, "joint")) - 1;
+        for (std::size_t row = 0; row < id_.points.size(); ++row) {
+            const StatedPoint& point = id_.points[row];
+            const std::size_t j = point.joint - 1;
             if (j >= id_.trajectories.size()) {
-                problems_.error(path + "/joint", "the robot has no " + joint_name(j));
+                problems_.error(place(&Identification::points, row, &StatedPoint::joint),
+                                "the robot has no " + joint_name(j));
                 continue;
             }
-            id_.trajectories[j].points.push_back(setup_.cell_vector("points", row, "x"));
+            id_.trajectories[j].points.push_back(point.p);
             id_.trajectories[j].rows.push_back(row);
-            if (!setup_.cell_empty("points", row, "q"))
-                readings_[j].push_back(setup_.cell_number("points", row, "q"));
+            if (point.q) readings_[j].push_back(*point.q);
         }
         for (std::size_t j = 0; j < id_.trajectories.size(); ++j)
             if (id_.trajectories[j].points.size() < 3)
-                problems_.error("/points", joint_name(j) + " has " +
-                                               std::to_string(id_.trajectories[j].points.size()) +
-                                               " points; a circle needs three or more");
+                problems_.error(place(&Identification::points),
+                                joint_name(j) + " has " + std::to_string(id_.trajectories[j].points.size()) +
+                                    " points; a circle needs three or more");
     }
 
     void add_inputs() {
@@ -137,7 +131,7 @@ private:
                 .unit = Unit::of("mm"),
                 .offset = t.points[k][c],
                 .group = joint_name(j)};
-            if (!t.rows.empty()) quantity.source = "/points/rows/" + std::to_string(t.rows[k]);
+            if (!t.rows.empty()) quantity.source = place(&Identification::points, t.rows[k]);
             quantity.tags = {{"trajectory", joint_name(j)}};
             id_.inputs.quantities.push_back(std::move(quantity));
         }
@@ -156,19 +150,20 @@ private:
         Trajectory& t = id_.trajectories[j];
         t.shape = circle_shape(t.points);
         const double u = std::max(noise_of(t), 1e-9);
-        const std::string place = id_.simulated ? "/ball" : "/points";
+        const std::string where =
+            id_.simulated ? place(&Identification::ball) : place(&Identification::points);
         if (t.shape.extents[0] < 10.0 * u)
-            return problems_.error(place,
+            return problems_.error(where,
                                    "the ball hardly moves while " + joint_name(j) +
                                        " turns: it lies on the axis of that joint and draws no circle. Fix "
                                        "the ball off the axis");
         if (t.shape.extents[1] < 2.0 * u)
-            return problems_.error(place,
+            return problems_.error(where,
                                    "the points of " + joint_name(j) +
                                        " lie on a straight line, as far as their uncertainty lets it be "
                                        "seen: no circle goes through them. Turn the joint further");
         if (t.shape.extents[1] < 10.0 * u)
-            problems_.warning(place,
+            problems_.warning(where,
                               "the arc of " + joint_name(j) + " over " + degrees(t.shape.arc) +
                                   " is short for the uncertainty of its points: its axis will be known "
                                   "poorly");
@@ -177,10 +172,11 @@ private:
         const Eigen::Vector3d n = t.shape.start.axes.col(2);
         const double distance = std::abs(n.dot(t.shape.start.centre));
         if (id_.plane == PlaneFit::equation_1 && distance < 0.02 * t.shape.start.radius)
-            problems_.warning(
-                "/plane", "the plane of " + joint_name(j) + " passes the origin at " + millimetres(distance) +
-                              ": Eq 1 excludes planes through the origin and fails near it. Use "
-                              "total least squares");
+            problems_.warning(place(&Identification::plane),
+                              "the plane of " + joint_name(j) + " passes the origin at " +
+                                  millimetres(distance) +
+                                  ": Eq 1 excludes planes through the origin and fails near it. Use "
+                                  "total least squares");
     }
 
     /// Normal along the positive direction of the joint: by the readings where they are given, else by the
@@ -214,8 +210,9 @@ private:
             axes.col(1) = axes.col(2).cross(axes.col(0));
         }
         if (!circle.converged)
-            problems_.error(id_.simulated ? "/half_range" : "/points",
-                            "no circle fits the points of " + joint_name(j) + "; look for exchanged points");
+            problems_.error(
+                id_.simulated ? place(&Identification::half_range) : place(&Identification::points),
+                "no circle fits the points of " + joint_name(j) + "; look for exchanged points");
     }
 
     /// Directions of the nominal axes and x-axes, in the base frame.
@@ -245,11 +242,11 @@ private:
         for (std::size_t j = 0; j < n; ++j)
             if (axis(j).dot(R * nominal.z[j]) < 0.0)
                 problems_.error(
-                    id_.simulated ? "/nominal" : "/points",
+                    id_.simulated ? place(&Identification::nominal) : place(&Identification::points),
                     "the points of " + joint_name(j) +
                         " run against the positive direction of the joint: reverse their order, or give "
                         "its readings");
-        const double limit = std::sin(setup_.number("parallel_limit"));
+        const double limit = std::sin(id_.parallel_limit);
         const RobotJoint& first = id_.robot().joints()[0];
         id_.structure.theta_1 = first.values.theta;
         id_.structure.d_1 = first.values.d;
@@ -274,12 +271,12 @@ private:
         const std::string names =
             "the axes of joints " + std::to_string(j + 1) + " and " + std::to_string(j + 2);
         if (parallel)
-            problems_.warning("/nominal",
+            problems_.warning(place(&Identification::nominal),
                               names + " are nearly parallel (" + degrees(std::asin(sine)) +
                                   "): they are described by beta with d = 0, because the place of "
                                   "their common perpendicular is hardly determined");
         else
-            problems_.warning("/nominal",
+            problems_.warning(place(&Identification::nominal),
                               names + " are " + degrees(std::asin(std::min(1.0, sine))) +
                                   " apart: they are described by d without beta, although the nominal "
                                   "robot has beta");
@@ -299,10 +296,11 @@ private:
             const Eigen::Vector3d x = R * nominal.x[j + 1];
             if (frames[j + 1].x.dot(x) < 0.0) id_.structure.side[j] = -1.0;
             if (!frames[j + 1].x.allFinite())
-                problems_.error("/points", "the axes of joints " + std::to_string(j + 1) + " and " +
-                                               std::to_string(j + 2) +
-                                               " are the same line: nothing tells their "
-                                               "frames apart");
+                problems_.error(place(&Identification::points), "the axes of joints " +
+                                                                    std::to_string(j + 1) + " and " +
+                                                                    std::to_string(j + 2) +
+                                                                    " are the same line: nothing tells their "
+                                                                    "frames apart");
         }
     }
 
@@ -332,8 +330,6 @@ private:
         return {};
     }
 
-    const SetupReader& setup_;
-    const AssetLibrary& assets_;
     Problems& problems_;
     Identification id_;
     std::vector<std::vector<double>> readings_;  ///< measured, of each joint
@@ -342,7 +338,9 @@ private:
 }  // namespace
 
 std::optional<Identification> read(const SetupReader& setup, const AssetLibrary& assets, Problems& problems) {
-    return Reading(setup, assets, problems).read();
+    StatedIdentification stated = fields().read(setup, assets, problems);
+    if (problems.has_errors()) return {};
+    return Reading(std::move(stated), problems).read();
 }
 
 }  // namespace covaria::circle_points

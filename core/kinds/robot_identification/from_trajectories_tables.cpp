@@ -92,7 +92,7 @@ void add_points(const Trajectory& t, const std::string& name, Layout& layout) {
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t i = t.first_input + 3 * k;
         LayoutPoint point{.name = k + 1 == n ? name : "", .kind = PointKind::target, .p_W = t.points[k]};
-        if (!t.rows.empty()) point.source.path = "/points/rows/" + std::to_string(t.rows[k]);
+        if (!t.rows.empty()) point.source.path = fields().place(&Identification::points, t.rows[k]);
         if (k + 1 == n) point.inputs = {{i, i + 1, i + 2}};
         layout.points.push_back(std::move(point));
     }
@@ -142,7 +142,8 @@ Layout layout(const Identification& id) {
 std::optional<RobotData> identified(const Identification& id, Problems& problems) {
     const auto values = estimates(id);
     if (!values) {
-        problems.error("/points", "the points do not lead to parameters of the arm");
+        problems.error(fields().place(&Identification::points),
+                       "the points do not lead to parameters of the arm");
         return {};
     }
     const Eigen::MatrixXd S =

@@ -13,18 +13,14 @@
 #include "core/base/file_names.h"
 #include "core/base/guarded.h"
 #include "core/base/utf8.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::names_and_problems_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path fresh_folder(const std::string& name) {
-    const fs::path folder = fs::path(COVARIA_BINARY_DIR) / "test-files" / name;
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-}
+using test::fresh_folder;
 
 TEST(FileNames, StayReadableAndStayInTheFolder) {
     EXPECT_EQ(file_name_part("pose 7"), "pose-7");

@@ -9,6 +9,7 @@
 #include "core/carried/carried_project.h"
 #include "core/carried/report_data.h"
 #include "tests/core/writers/evaluated.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::carried_test {
 
@@ -49,12 +50,7 @@ std::string all_of(const Comparison& comparison) {
     return all;
 }
 
-fs::path fresh_folder(const std::string& name) {
-    const fs::path folder = fs::path(COVARIA_BINARY_DIR) / "carried-test" / name;
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-}
+using test::fresh_folder;
 
 TEST(Carried, ProjectsWithTheirFilesGiveTheSameBits) {
     for (const char* name :
@@ -124,7 +120,7 @@ TEST(Carried, WhatDiffersIsNamed) {
 
 TEST(Carried, NamesThatLeaveTheFolderAreRefused) {
     const std::vector<AttachedFile> files = data_of(shipped("lsm-network.covaria"));
-    const fs::path beside = fs::temp_directory_path() / "covaria-escaped.csv";
+    const fs::path beside = fresh_folder("beside") / "covaria-escaped.csv";
     fs::remove(beside);
     for (const std::string& name :
          {std::string("../covaria-escaped.csv"), beside.string(), std::string("a/../../covaria-escaped.csv"),

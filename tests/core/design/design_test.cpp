@@ -14,6 +14,7 @@
 #include "core/report/design_results.h"
 #include "core/text/numbers.h"
 #include "tests/core/made.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::design_test {
 namespace {
@@ -278,6 +279,122 @@ TEST(Design, RowsSayWhatTheyAreWorthAndHowManyAreNeeded) {
     EXPECT_NEAR(result.curve.back().objective, 1.0, 1e-12);  // all rows are the present design
 }
 
+/// m
+Eigen::Vector3d stations_at(const Project& project, std::size_t i) {
+    const auto& pose = std::get<PoseValue>(project.assets[i].setup.values.at("station"));
+    return 1e-3 * Eigen::Vector3d(pose.position[0], pose.position[1], pose.position[2]);
+}
+
+/// What a row gains is told by two searches that may not choose: with it and without it.
+TEST(Design, EveryCandidateHasItsPlaceAndWhatItGains) {
+    const Project project = Stations(7, 3).project(choosing(4, ""));
+    const DesignResult result = run(project);
+    ASSERT_EQ(result.gains.size(), 7u);
+    std::vector<std::size_t> kept;
+    for (const DesignGain& gain : result.gains)
+        if (gain.kept) kept.push_back(gain.row);
+    ASSERT_EQ(kept.size(), 4u);
+    for (const DesignGain& gain : result.gains) {
+        ASSERT_TRUE(gain.place) << gain.row;
+        EXPECT_NEAR((*gain.place - stations_at(project, gain.row)).norm(), 0.0, 1e-12) << gain.row;
+        ASSERT_TRUE(gain.gain) << gain.row;
+        std::vector<std::size_t> others = kept;
+        if (gain.kept)
+            std::erase(others, gain.row);
+        else
+            others.insert(std::lower_bound(others.begin(), others.end(), gain.row), gain.row);
+        Project changed = project;
+        DesignChoice& choice = *changed.analyses[0].designs[0].choose;
+        choice.keep = others.size();
+        choice.fixed = others;
+        const double with = gain.kept ? result.objective : run(changed).objective;
+        const double without = gain.kept ? run(changed).objective : result.objective;
+        EXPECT_NEAR(*gain.gain, 1.0 - with / without, 1e-12) << gain.row;
+        EXPECT_GT(*gain.gain, 0.0);
+    }
+}
+
+/// With targets for P; `more` stands behind the choice.
+Project priced(std::uint32_t seed, double target_mm, const std::string& prices, const std::string& more) {
+    Project project =
+        Stations(9, seed).project(R"({"id":"d","choose":{"table":"/setup/sensors/rows","keep":8,"prices":[)" +
+                                  prices + R"(]},"trials":1000,"objective":"cost")" + more + "}");
+    for (const char* symbol : {"x", "y", "z"})
+        project.analyses.front().requirements.push_back(
+            {.group = "P", .symbol = symbol, .target_uncertainty = Quantity{target_mm, Unit::of("mm")}});
+    return project;
+}
+
+/// A target that some choices of eight reach, mm.
+double reachable(std::uint32_t seed) {
+    Project project = priced(seed, 1.0, "1", "");
+    project.analyses[0].designs[0].objective = DesignObjective::largest;
+    return 1.4 * run(project).objective;
+}
+
+/// At one price for all the cheapest are the fewest with which the targets are met.
+TEST(Design, CheapestRowsAreTheFewestAtOnePriceForAll) {
+    for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+        Project project = priced(seed, reachable(seed), "7", "");
+        const DesignResult cheapest = run(project);
+        EXPECT_TRUE(cheapest.proved);
+        ASSERT_TRUE(cheapest.met()) << seed;
+        EXPECT_LE(cheapest.objective, 1.0);
+        EXPECT_EQ(cheapest.cost, 7.0 * double(cheapest.rows.size()));
+        Design& fewer = project.analyses[0].designs[0];
+        fewer.objective = DesignObjective::largest;
+        fewer.choose->keep = cheapest.rows.size();
+        EXPECT_LE(run(project).objective, 1.0);
+        if (--fewer.choose->keep < 3) continue;  // three distances fix a point
+        EXPECT_GT(run(project).objective, 1.0) << seed;
+    }
+}
+
+TEST(Design, CheapestRowsAreFoundByExchangeToo) {
+    const std::string prices = "9,4,7,12,5,8,3,11,6";
+    for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+        const double target = reachable(seed);
+        const DesignResult all = run(priced(seed, target, prices, ""));
+        const DesignResult some = run(priced(seed, target, prices, R"(,"mostEvaluations":400)"));
+        EXPECT_TRUE(all.proved);
+        EXPECT_FALSE(some.proved);
+        ASSERT_TRUE(all.met() && some.met()) << seed;
+        EXPECT_EQ(*all.cost, *some.cost) << seed;
+        double sum = 0.0;
+        for (const DesignRow& row : all.rows) sum += row.price.value_or(1e9);
+        EXPECT_EQ(*all.cost, sum);
+        ASSERT_GT(all.front.size(), 1u);
+        for (std::size_t i = 1; i < all.front.size(); ++i) {
+            EXPECT_GT(all.front[i].largest_ratio, all.front[i - 1].largest_ratio);
+            EXPECT_LT(all.front[i].cost, all.front[i - 1].cost);
+        }
+    }
+}
+
+TEST(Design, WhatNoRowsReachHasTheBestThatIsReached) {
+    const DesignResult result = run(priced(2, 1e-4, "1", ""));
+    EXPECT_TRUE(result.found);
+    EXPECT_FALSE(result.met());
+    EXPECT_GT(result.objective, 1.0);
+    EXPECT_EQ(result.rows.size(), 8u) << "the most that may be kept come nearest";
+    EXPECT_NE(design_text(result).find("is not met: the best design found reaches"), std::string::npos);
+}
+
+/// What has no uncertainty gains as much as its share of the variance says.
+TEST(Design, SourcesAreWorthTheirShareOfTheVariance) {
+    Equations e;
+    e.quantity("t", 0.0, "rad", 0.0);
+    e.quantity("p", 0.0, "mm", 3.0);
+    e.quantity("q", 0.0, "mm", 4.0);
+    e.lines = {"y = (p + q)*(2 + cos(t))"};
+    e.outputs = {"y"};
+    const DesignResult result =
+        run(e.project(R"({"id":"d","variables":[)" + angle("t") + R"(],"trials":1000})"));
+    ASSERT_EQ(result.sources.size(), 2u);
+    EXPECT_NEAR(result.sources[0].gain, 1.0 - 3.0 / 5.0, 1e-9) << result.sources[0].origin;
+    EXPECT_NEAR(result.sources[1].gain, 1.0 - 4.0 / 5.0, 1e-9) << result.sources[1].origin;
+}
+
 const char* const free_station = R"("variables":[
     {"asset":"s1","target":"/setup/station/position/0","from":-3000,"to":3000,"unit":"mm"},
     {"asset":"s1","target":"/setup/station/position/1","from":-3000,"to":3000,"unit":"mm"}])";
@@ -335,6 +452,33 @@ TEST(Design, BoxesAndDistancesAreKept) {
     EXPECT_FALSE(kept.reasons.empty());
 }
 
+TEST(Design, WhatVariablesMoveIsFollowedFromItsPlaceToTheBest) {
+    const Project project =
+        Stations(4, 7).project(R"({"id":"d",)" + std::string(free_station) +
+                               R"(,"keepOut":[{"name":"crate","from":[9,9,0],"to":[10,11,3],"unit":"m"}],)" +
+                               R"("mostEvaluations":2000,"trials":1000})");
+    const DesignResult result = run(project);
+    ASSERT_EQ(result.places.obstacles.size(), 1u);
+    EXPECT_EQ(result.places.obstacles[0].high, Eigen::Vector3d(10, 11, 3));
+    ASSERT_EQ(result.places.tracks.size(), 1u);
+    const DesignTrack& track = result.places.tracks.front();
+    const Eigen::Vector3d before = stations_at(project, 1);
+    ASSERT_TRUE(track.before);
+    EXPECT_NEAR((*track.before - before).norm(), 0.0, 1e-12);
+    const Eigen::Vector3d best(1e-3 * result.values[0].chosen, 1e-3 * result.values[1].chosen, before.z());
+    EXPECT_NEAR((track.chosen - best).norm(), 0.0, 1e-12);
+    ASSERT_FALSE(track.path.empty());
+    EXPECT_NEAR((track.path.back() - best).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(track.objectives.back(), result.objective, 1e-12);
+    ASSERT_EQ(track.region.size(), 4u);
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const Eigen::Vector3d wanted((corner & 1) ? 3.0 : -3.0, (corner & 2) ? 3.0 : -3.0, before.z());
+        EXPECT_NEAR((track.region[corner] - wanted).norm(), 0.0, 1e-12) << corner;
+    }
+    for (const LayoutBody& body : result.places.layout.bodies) EXPECT_TRUE(body.source.path.empty());
+    EXPECT_FALSE(stands_in_space(run(ranges_in_plane(2, "mean", 1)))) << "equations are nowhere";
+}
+
 TEST(Design, NothingAllowedIsSaidWithItsReasons) {
     const DesignResult result = run(Stations(4, 7).project(
         R"({"id":"d",)" + std::string(free_station) +
@@ -380,8 +524,7 @@ TEST(Design, CandidatesOfAFileStandBehindTheRowsOfTheTable) {
     std::string csv = "sensor\n";
     for (std::size_t i = 5; i < rows.size(); ++i) csv += std::get<std::string>(rows[i][0]) + "\n";
     rows.resize(5);
-    project.directory = std::filesystem::path(COVARIA_BINARY_DIR) / "design-candidates";
-    std::filesystem::create_directories(project.directory);
+    project.directory = test::fresh_folder();
     ASSERT_TRUE(write_file_atomically(project.directory / "more.csv", csv));
     project.analyses[0].designs[0].choose->candidates = "more.csv";
     const DesignResult some = run(project);

@@ -273,8 +273,10 @@ void expect_source_exists(const std::string& path, const Analysis& a, const std:
     ASSERT_NE(schema.find(key), nullptr) << path;
     const std::size_t rows = path.find("/rows/");
     if (rows == std::string::npos) return;
-    const SetupReader setup(schema, entry ? entry->setup : a.entry.setup);
-    EXPECT_LT(std::stoul(path.substr(rows + 6)), setup.rows(key)) << path;
+    const covaria::Setup& setup = entry ? entry->setup : a.entry.setup;
+    const auto* table = std::get_if<SetupTable>(&value_of(*schema.find(key), setup));
+    ASSERT_NE(table, nullptr) << path;
+    EXPECT_LT(std::stoul(path.substr(rows + 6)), table->rows.size()) << path;
 }
 
 TEST_P(Contract, LayoutRefersToWhatExists) {

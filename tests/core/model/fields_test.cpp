@@ -210,6 +210,79 @@ Fields<Whole> whole_fields() {
         .shown_where(&Whole::given, {true}, &Whole::spread);
 }
 
+TEST(Columns, AlikeByAxis) {
+    const auto columns =
+        by_axis({"u_x", "u_y", "u_z"}, "Along *.", {.unit = Unit::of("mm"), .optional = true});
+    EXPECT_EQ(columns[1].key, "u_y");
+    EXPECT_EQ(columns[1].title, "u_y");
+    EXPECT_EQ(columns[1].help, "Along y.");
+    EXPECT_EQ(columns[2].unit, Unit::of("mm"));
+    EXPECT_TRUE(columns[2].optional);
+    EXPECT_EQ(by_axis(zyx_angles, "Of all.", {})[2].help, "Of all.");
+}
+
+struct Pairs {
+    std::array<double, 2> u{};
+    std::array<bool, 2> common{};
+    Referred asset;
+};
+
+// Elements of two arrays in turn, and a reference whose field says what is to be offered.
+Fields<Pairs> pair_fields() {
+    Fields<Pairs> fields;
+    for (std::size_t i = 0; i < 2; ++i)
+        fields
+            .element(&Pairs::u, i,
+                     {.key = "u_" + std::to_string(i),
+                      .title = "u",
+                      .help = "h",
+                      .unit = Unit::of("mm"),
+                      .default_value = Quantity{1.0 + static_cast<double>(i), Unit::of("mm")}})
+            .element(
+                &Pairs::common, i,
+                {.key = "common_" + std::to_string(i), .title = "c", .help = "h", .default_value = i == 1});
+    return fields.add(&Pairs::asset, {.key = "asset",
+                                      .title = "a",
+                                      .help = "h",
+                                      .optional = true,
+                                      .capabilities = {Lamp::capability, Plug::capability}});
+}
+
+TEST(Fields, ElementsOfArraysInTurn) {
+    const SetupSchema schema = pair_fields().schema();
+    EXPECT_EQ(schema.keys(), (std::vector<std::string>{"u_0", "common_0", "u_1", "common_1", "asset"}));
+    EXPECT_EQ(schema.fields()[3].kind, FieldKind::flag);
+    covaria::Setup setup;
+    setup.values["u_0"] = Quantity{5.0, Unit::of("um")};
+    Problems problems;
+    const Pairs read = pair_fields().read(SetupReader(schema, setup), {}, problems);
+    EXPECT_TRUE(problems.empty());
+    EXPECT_DOUBLE_EQ(read.u[0], 5e-6);
+    EXPECT_DOUBLE_EQ(read.u[1], 2e-3);
+    EXPECT_FALSE(read.common[0]);
+    EXPECT_TRUE(read.common[1]);
+    EXPECT_EQ(pair_fields().key(&Pairs::asset), "asset");
+}
+
+TEST(Fields, ReferToWhatOffersOneOfSeveral) {
+    const SetupSchema schema = pair_fields().schema();
+    EXPECT_EQ(schema.fields()[4].kind, FieldKind::reference);
+    EXPECT_EQ(schema.fields()[4].capabilities, (std::vector<std::string>{"light", "current"}));
+    AssetLibrary assets;
+    assets.add("lamp", {"Big lamp", nullptr, std::make_shared<LampAsset>()});
+    assets.add("broken", {"", nullptr, nullptr});
+    covaria::Setup setup;
+    Problems problems;
+    for (const auto& [id, name, made] : {std::tuple{"lamp", "Big lamp", true}, {"broken", "broken", false}}) {
+        setup.values["asset"] = std::string(id);
+        const Pairs read = pair_fields().read(SetupReader(schema, setup), assets, problems);
+        EXPECT_EQ(read.asset.id, id);
+        EXPECT_EQ(read.asset.name, name);
+        EXPECT_EQ(read.asset.asset != nullptr, made);
+    }
+    EXPECT_TRUE(problems.empty());
+}
+
 TEST(PartsOfFields, AreFieldsOfTheWhole) {
     const SetupSchema schema = whole_fields().schema();
     EXPECT_EQ(schema.keys(),

@@ -10,6 +10,7 @@
 #include "core/base/bytes.h"
 #include "core/base/file_io.h"
 #include "core/parts/parts_folder.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::parts_test {
 namespace {
@@ -18,12 +19,7 @@ namespace fs = std::filesystem;
 
 const UnitWork work{"pose", "", "0123456789abcdef", 5};
 
-fs::path fresh_folder(const std::string& name) {
-    fs::path folder = fs::path(COVARIA_BINARY_DIR) / "tests/parts" / name;
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-}
+using test::fresh_folder;
 
 Part part_of(UnitRange range, const std::string& letter) {
     PartSection section{work, range, {}};

@@ -47,6 +47,11 @@ const char* const canonical = R"([
           "variables": [
             {"target": "/inputs/a/components", "change": "factor", "from": 0.1, "to": 1}
           ]
+        },
+        {
+          "id": "d-3",
+          "choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 3, "prices": [120, 80.5, 0]},
+          "objective": "cost"
         }
       ])";
 
@@ -80,6 +85,10 @@ const BadDesign bad_designs[] = {
     {"KeepTooMany", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 4})", "of 3 rows", "/choose/keep"},
     {"KeepNothing", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 0})", "of 3 rows", "/choose/keep"},
     {"KeepHalf", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 1.5})", "must be a whole number", "/choose/keep"},
+    {"TooFewPrices", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 2, "prices": [1, 2]})", "one price for all rows, or one for each of the 3; there are 2", "/choose/prices"},
+    {"NegativeRowPrice", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 2, "prices": [1, 2, -1]})", "must not be negative", "/choose/prices/2"},
+    {"CostWithoutPrices", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 2}, "objective": "cost")", "of rows with 'prices'", "/objective"},
+    {"CostOfVariables", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 2, "prices": [1]}, "variables": [{"target": "/setup/gain", "from": 1, "to": 2}], "objective": "cost")", "and no variables", "/objective"},
     {"FixedTooFar", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 2, "fixed": [3]})", "there are 3 rows", "/choose/fixed/0"},
     {"FixedTwice", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 2, "fixed": [1, 1]})", "is fixed twice", "/choose/fixed/1"},
     {"FixedNoNumber", R"("choose": {"asset": "block-1", "table": "/setup/points/rows", "keep": 2, "fixed": ["b"]})", "a number is needed here", "/choose/fixed/0"},
@@ -108,7 +117,8 @@ TEST(DesignJson, ComesBackByteForByte) {
         ADD_FAILURE() << problem.path << ": " << problem.message;
     EXPECT_EQ(project_text(loaded.project), with_designs(canonical));
     const std::vector<Design>& designs = loaded.project.analyses[0].designs;
-    ASSERT_EQ(designs.size(), 2u);
+    ASSERT_EQ(designs.size(), 3u);
+    EXPECT_EQ(designs[2].choose->price_of({0, 1}), 200.5);
     EXPECT_EQ(designs[0].variables[0].tolerance, 0.01);
     EXPECT_EQ(designs[0].choose->fixed, std::vector<std::size_t>{2});
     EXPECT_EQ(designs[0].objective, DesignObjective::mean);

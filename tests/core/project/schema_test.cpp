@@ -56,7 +56,7 @@ AnalysisEntry full_analysis() {
     a.designs.push_back({"d",
                          "design",
                          {{axis, 0.1}},
-                         DesignChoice{"plate", "/setup/points/rows", 2, {1}, "more.csv"},
+                         DesignChoice{"plate", "/setup/points/rows", 2, {1}, "more.csv", {1.0}},
                          {reduction},
                          {{"g", "y"}},
                          DesignObjective::mean,

@@ -101,14 +101,18 @@ SetupSchema sum_schema() {
     return SetupSchema({block, clamp, gain});
 }
 
+double number(const SetupReader& reader, const std::string& key) {
+    return std::get<Quantity>(value_of(*reader.schema().find(key), reader.setup())).si();
+}
+
 AssetDescriptor asset_kind(const std::string& kind, SetupSchema schema,
                            std::vector<std::string> capabilities) {
     AssetDescriptor descriptor;
     descriptor.kind = descriptor.title = kind;
     descriptor.schema = std::move(schema);
     descriptor.capabilities = std::move(capabilities);
-    descriptor.create = [kind](const SetupReader& setup, const AssetLibrary&, Problems& problems) {
-        if (kind == "block" && setup.integer("rounds") == 1)
+    descriptor.create = [kind](const SetupReader& reader, const AssetLibrary&, Problems& problems) {
+        if (kind == "block" && number(reader, "rounds") == 1.0)
             problems.warning("/rounds", "one round does not say how well it repeats");
         return std::make_unique<Nothing>();
     };
@@ -119,13 +123,13 @@ ModelDescriptor sum_model() {
     ModelDescriptor descriptor;
     descriptor.id = descriptor.title = "sum";
     descriptor.schema = sum_schema();
-    descriptor.create = [](const SetupReader& setup, const AssetLibrary&,
+    descriptor.create = [](const SetupReader& reader, const AssetLibrary&,
                            Problems& problems) -> std::unique_ptr<MeasurementModel> {
-        if (setup.number("gain") == 0.0) {
+        if (number(reader, "gain") == 0.0) {
             problems.error("/gain", "a gain of zero measures nothing");
             return nullptr;
         }
-        return std::make_unique<SumModel>(setup.number("gain"));
+        return std::make_unique<SumModel>(number(reader, "gain"));
     };
     return descriptor;
 }
@@ -271,15 +275,6 @@ Problem problem_with(const Problems& problems, const std::string& words) {
         all += "\n  " + problem.path + ": " + problem.message;
     }
     return {Severity::warning, "", all, "", -1};
-}
-
-std::filesystem::path fresh_folder(const std::string& name) {
-    const testing::TestInfo& running = *testing::UnitTest::GetInstance()->current_test_info();
-    const auto folder = std::filesystem::path(COVARIA_BINARY_DIR) / "test-output" /
-                        (std::string(running.test_suite_name()) + "." + running.name() + "." + name);
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
 }
 
 std::string bytes_of(const std::filesystem::path& file) {

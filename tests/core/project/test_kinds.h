@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/made/load_project.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::test {
 
@@ -20,8 +21,6 @@ std::string changed(const std::string& from, const std::string& to);
 /// The first problem whose message has `words`, or one that says so and lists all.
 Problem problem_with(const Problems& problems, const std::string& words);
 
-/// A new empty folder for the running test.
-std::filesystem::path fresh_folder(const std::string& name);
 std::string bytes_of(const std::filesystem::path& file);
 void put_bytes(const std::filesystem::path& file, const std::string& bytes);
 

@@ -131,6 +131,11 @@ TEST(ControlVariate, TwoStandardErrorsHoldTheTrueValue) {
     coverage_of(0.1, options_with(VarianceReduction::control_variate, 50'000), 2000, true).expect_honest();
 }
 
+/// Where the ranks around that of an interval end are asked, too.
+TEST(ControlVariate, TwoStandardErrorsHoldTheTrueValueOfAnAlmostLinearModel) {
+    coverage_of(0.02, options_with(VarianceReduction::control_variate, 100'000), 1000, true).expect_honest();
+}
+
 /// Plain trials know standard errors of mean and u.
 TEST(ControlVariate, TwoStandardErrorsOfPlainTrialsHoldTheTrueValue) {
     coverage_of(0.1, options_with(VarianceReduction::none, 20'000), 2000, false).expect_honest(2);
@@ -181,6 +186,37 @@ TEST(ControlVariate, GainsWhatTheLinearPartExplains) {
     EXPECT_EQ(*least_gain(result), std::min(gains.low, gains.high));
     EXPECT_EQ(least_gain(evaluated(bent_model(), options_with(VarianceReduction::none, 200'000))),
               std::nullopt);
+}
+
+/// c = 0.01: the linear part explains all but 2e-4 of the variance; an end alone, without its neighbours, gains 50.
+TEST(ControlVariate, AlmostLinearModelsGainMoreThanAHundredAtTheEnds) {
+    const UncertaintyResult result =
+        evaluated(bent_model(0.01), options_with(VarianceReduction::control_variate, 200'000));
+    const OutputFigures& gains = output_of(result).reduced->gains;
+    EXPECT_GT(std::min(gains.low, gains.high), 100.0);
+    EXPECT_NEAR(output_of(result).symmetric.high, bent_quantile(0.975, 0.01),
+                4.0 * output_of(result).reduced->standard_errors.high);
+}
+
+TEST(NearbyRanks, ReadAParabolaExactly) {
+    for (const auto& [rank, count] : {std::pair(1, 100), {2, 100}, {25, 1024}, {50, 2000}, {60, 100}}) {
+        const detail::RankWeights around = detail::weights_around(std::uint64_t(rank), std::uint64_t(count));
+        const auto parabola = [n = count](std::uint64_t k) {
+            const double z = normal_quantile((double(k) - 1.0 / 3.0) / (double(n) + 1.0 / 3.0));
+            return 1.0 - 2.0 * z + 3.0 * z * z;
+        };
+        double sum = 0.0, squares = 0.0;
+        for (std::size_t i = 0; i < around.weights.size(); ++i) {
+            sum += around.weights[i] * parabola(around.first + i);
+            squares += around.weights[i] * around.weights[i];
+        }
+        EXPECT_NEAR(sum, parabola(std::uint64_t(rank)), 1e-10);
+        EXPECT_LE(around.first + around.weights.size() - 1, std::uint64_t(count));
+        EXPECT_LE(squares, 1.0 + 1e-12);  // never more noise than that of the rank alone
+        if (rank == 25) {
+            EXPECT_LT(squares, 0.1);
+        }
+    }
 }
 
 TEST(ControlVariate, IsExactForLinearModels) {

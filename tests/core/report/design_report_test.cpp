@@ -89,6 +89,28 @@ TEST(DesignTables, ForPeopleHaveNoColumnsThatSayNothing) {
     }
 }
 
+TEST(DesignTables, CandidatesHaveTheirGainAndPlace) {
+    DesignResult design = of_rows();
+    design.gains = {{0, "s0", true, 0.5, Eigen::Vector3d(1.0, 2.0, 3.0)}, {1, "s1", false, {}, {}}};
+    for (const DataTable& table : design_tables(design)) {
+        if (table.id != "gains") continue;
+        EXPECT_NEAR(std::get<double>(table.rows[0][3]), 50.0, 1e-12);
+        EXPECT_NEAR(std::get<double>(table.rows[0][5]), 2000.0, 1e-9);
+        EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[1][3]));
+        return;
+    }
+    ADD_FAILURE() << "there is no such table";
+}
+
+TEST(DesignTables, CheapestRowsHaveTheirPrices) {
+    DesignResult design = of_rows();
+    design.cost = 300.0;
+    for (DesignRow& row : design.rows) row.price = 100.0;
+    const std::string text = design_text(design);
+    EXPECT_NE(text.find("The cheapest rows cost 300.0"), std::string::npos) << text;
+    EXPECT_NE(text.find("100.0"), std::string::npos);
+}
+
 TEST(DesignTables, PriceOfATargetIsOfItsUnit) {
     const DataTable outputs = design_tables(of_reductions()).front();
     EXPECT_EQ(outputs.columns.back().header, "cost per unit of target");
@@ -107,6 +129,12 @@ TEST(DesignReport, HasAChapterThatCanBeLeftOut) {
     EXPECT_EQ(whole.find("Not every target is met"), std::string::npos);
     EXPECT_NE(whole.find("50 candidates"), std::string::npos);
     EXPECT_NE(whole.find("Cost: 100.0"), std::string::npos);
+    EXPECT_EQ(whole.find("what they gain; the larger"), std::string::npos) << "these stand nowhere";
+    DesignResult in_space = of_rows();
+    in_space.gains = {{0, "s0", true, 0.5, Eigen::Vector3d(1.0, 2.0, 3.0)}, {1, "s1", false, 0.01, {}}};
+    evaluated.designs.push_back(std::make_shared<const DesignResult>(in_space));
+    const std::string drawn = to_markdown(build_report(*made, {evaluated}));
+    EXPECT_NE(drawn.find("coloured by what they gain; the larger ones are chosen"), std::string::npos);
     ReportContents contents;
     contents.without_chapters = {"designs"};
     const std::string without = to_markdown(build_report(*made, {evaluated}, {}, contents));

@@ -1,4 +1,4 @@
-// Reading set-ups as SI, checking them against hand-made schemas, and the words for it.
+// Poses as SI, checking set-ups against hand-made schemas, and the words for it.
 #include "core/setup/setup.h"
 
 #include <gtest/gtest.h>
@@ -62,41 +62,6 @@ Setup with(const std::string& key, SetupValue value) {
 }
 
 }  // namespace
-
-TEST(SetupReader, ReadsSiAndDefaults) {
-    const SetupSchema fields = schema();
-    const covaria::Setup setup = valid();
-    const SetupReader reader(fields, setup);
-    EXPECT_DOUBLE_EQ(reader.number("thickness"), 0.012);
-    EXPECT_DOUBLE_EQ(reader.number("temperature"), 293.15);
-    EXPECT_EQ(reader.integer("count"), 3);
-    EXPECT_EQ(reader.text("mode"), "typed");
-    EXPECT_FALSE(reader.has("source"));
-    EXPECT_TRUE(reader.has("temperature"));
-}
-
-TEST(SetupReader, ReadsTables) {
-    const SetupSchema fields = schema();
-    const covaria::Setup setup = valid();
-    const SetupReader reader(fields, setup);
-    ASSERT_EQ(reader.rows("points"), 2u);
-    EXPECT_EQ(reader.cell_text("points", 1, "name"), "p2");
-    EXPECT_DOUBLE_EQ(reader.cell_number("points", 0, "y"), 2e-6);
-    EXPECT_TRUE(reader.cell_empty("points", 1, "z"));
-    EXPECT_TRUE(reader.cell_flag("points", 0, "fixed"));
-    EXPECT_FALSE(reader.cell_flag("points", 1, "fixed"));
-    EXPECT_TRUE(reader.cell_vector("points", 0, "x").isApprox(Eigen::Vector3d(1e-3, 2e-6, 3e-3)));
-}
-
-TEST(SetupReaderDeath, MisuseNamesTheKey) {
-    const SetupSchema fields = schema();
-    const covaria::Setup setup = valid();
-    const SetupReader reader(fields, setup);
-    EXPECT_DEATH(reader.number("nothing"), "'nothing' is not in the schema");
-    EXPECT_DEATH(reader.flag("thickness"), "'thickness' is read as another kind");
-    EXPECT_DEATH(reader.cell_number("points", 5, "x"), "'points' has fewer rows");
-    EXPECT_DEATH(reader.cell_text("points", 0, "q"), "'points/q' is not a column");
-}
 
 TEST(Pose, AnglesTurnAboutZyx) {
     PoseValue pose;

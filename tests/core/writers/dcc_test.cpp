@@ -17,6 +17,7 @@
 #include "core/text/numbers.h"
 #include "tests/core/shipped_projects.h"
 #include "tests/core/writers/evaluated.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::writers_test {
 
@@ -43,8 +44,7 @@ Evaluated certified(const std::string& name, std::uint64_t trials = 0) {
 
 /// The schemas with their imports beside them; what they import of others is a stub.
 fs::path schema_folder() {
-    const fs::path folder = fs::path(COVARIA_BINARY_DIR) / "dcc-schema";
-    fs::create_directories(folder);
+    const fs::path folder = test::fresh_folder("schema");
     const auto copy = [&](const char* from, const char* to) {
         std::string text = read_file(fs::path(COVARIA_SOURCE_DIR) / "tests/data/dcc" / from).value();
         for (const auto& [address, file] :

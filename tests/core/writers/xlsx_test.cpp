@@ -9,6 +9,7 @@
 #include "core/readers/zip_parts.h"
 #include "tests/core/readers/zipped.h"
 #include "tests/core/writers/evaluated.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::xlsx_test {
 
@@ -103,7 +104,7 @@ std::string without_values(const std::string& bytes) {
 TEST(WriteXlsx, LibreOfficeComputesTheSameNumbers) {
     if (std::system("command -v soffice >/dev/null 2>&1") != 0)
         GTEST_SKIP() << "LibreOffice is not installed";
-    const fs::path folder = fs::path(COVARIA_BINARY_DIR) / "test-files" / "xlsx";
+    const fs::path folder = test::fresh_folder();
     fs::create_directories(folder / "out");
     for (const char* name :
          {"gum/h1-end-gauge.covaria", "gum/h2-impedance.covaria", "gum/s1-9.2-additive.covaria"}) {

@@ -39,6 +39,40 @@ TEST_F(DocumentTest, AppliesAndUndoes) {
     EXPECT_EQ(changed.count(), 3);
 }
 
+// A field that is left with its entry ends what is typed in it: in the middle of another step.
+TEST_F(DocumentTest, AnEditInsideAStepIsTheNextStep) {
+    const auto follow = [&] {
+        const std::string title = document.project().title;
+        if (title == "one") document.apply("Notes", [](Project& project) { project.notes = "left"; });
+    };
+    QObject::connect(&document, &Document::project_changed, &document, follow);
+    document.apply("Title", [](Project& project) { project.title = "one"; });
+    EXPECT_EQ(document.project().notes, "left");
+    EXPECT_EQ(document.undo_stack().count(), 2);
+    document.apply("Title", [](Project& project) { project.title = "two"; });
+    document.undo_stack().undo();
+    EXPECT_EQ(document.project().title, "one");
+    document.undo_stack().undo();
+    document.undo_stack().undo();
+    EXPECT_EQ(document.project().title, "");
+    EXPECT_EQ(document.project().notes, "");
+}
+
+TEST_F(DocumentTest, AnEditInsideUndoingIsTheNextStep) {
+    document.apply("Title", [](Project& project) { project.title = "one"; });
+    document.apply("Title", [](Project& project) { project.title = "two"; });
+    const auto follow = [&] {
+        if (document.project().title == "one")
+            document.apply("Notes", [](Project& project) { project.notes = "left"; });
+    };
+    QObject::connect(&document, &Document::project_changed, &document, follow);
+    document.undo_stack().undo();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(document.project().notes, "left");
+    EXPECT_EQ(document.project().title, "one");
+    EXPECT_EQ(document.undo_stack().count(), 2);
+}
+
 TEST_F(DocumentTest, AnEditThatChangesNothingIsNoStep) {
     set_title("a");
     EXPECT_FALSE(set_title("a"));

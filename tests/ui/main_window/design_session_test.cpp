@@ -1,5 +1,7 @@
 // A user adds a design, chooses what may be chosen, lets it be searched, looks at what was found, takes it
 // over in one step and takes it back.
+#include <QFile>
+#include <QFileInfo>
 #include <QListWidget>
 #include <QTextBrowser>
 
@@ -12,6 +14,9 @@
 
 namespace covaria::ui::design_session_test {
 namespace {
+
+const char* const candidates_header = "axis,angle [deg],x [mm],y [mm],z [mm]\nx,30,260,200,413.397460\n";
+const char* const candidates_row = "x,50,260,226.604444,435.721239\n";
 
 class DesignSession : public Session {
 protected:
@@ -108,6 +113,94 @@ TEST_F(DesignSession, RowsAreChosenAndShownWithWhatEachIsWorth) {
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/design.png"));
     press(tab(), "take_over_design");
     EXPECT_EQ(std::get<SetupTable>(analysis().setup.values.at("measured_points")).rows.size(), 15u);
+}
+
+TEST_F(DesignSession, TheSceneShowsWhatWasFoundWhileItsTabIsOnTop) {
+    open_project("ballbar-design", "points");
+    type_into("design_starts", QStringLiteral("1"));
+    press(tab(), "run_design_tab");
+    ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }));
+    const auto map = [this] {
+        const auto scene = window_->scene().view().scene();
+        return scene && scene->map ? scene->map->title : std::string();
+    };
+    EXPECT_TRUE(wait_for([&] { return map() == "gain (%)"; }));
+    EXPECT_EQ(window_->scene().view().scene()->map->positions.size(), 22u);
+    EXPECT_FALSE(scene_picture().isNull());
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/design-scene.png"));
+    type_into("design_keep", QStringLiteral("13"));
+    EXPECT_TRUE(wait_for([this] {
+        const auto scene = window_->scene().view().scene();
+        return scene && scene->caption.find("out of date") != std::string::npos;
+    }));
+    window_->results().tabs().setCurrentIndex(0);
+    EXPECT_TRUE(wait_for([&] { return map().empty(); }));
+}
+
+TEST_F(DesignSession, BoxesPricesReductionsAndSeedAreTyped) {
+    open_project("lsm-network", "recommended");
+    press(window_->properties(), "add_design");
+    press(window_->properties(), "keep_out_add");
+    type_into("keep_out_0_name", QStringLiteral("pillar"));
+    type_into("keep_out_0_to_y", QStringLiteral("2 m"));
+    press(window_->properties(), "hidden_by_add");
+    press(window_->properties(), "hidden_by_add");
+    press(window_->properties(), "hidden_by_0_remove");
+    type_into("design_seed", QStringLiteral("18446744073709551615"));
+    const auto design = [this]() -> const Design& { return analysis().designs.back(); };
+    ASSERT_EQ(design().keep_out.size(), 1u);
+    EXPECT_EQ(design().keep_out[0].name, "pillar");
+    EXPECT_EQ(design().keep_out[0].unit, Unit::of("m"));
+    EXPECT_DOUBLE_EQ(design().keep_out[0].to[1], 2.0);
+    EXPECT_DOUBLE_EQ(design().keep_out[0].to[0], 1.0) << "follows into the unit just typed";
+    EXPECT_EQ(design().hidden_by.size(), 1u);
+    EXPECT_EQ(design().seed, 18446744073709551615u);
+    type_into("design_seed", QStringLiteral("one"));
+    EXPECT_EQ(design().seed, 18446744073709551615u);
+    press(window_->properties(), "add_reduction");
+    ASSERT_EQ(design().reductions.size(), 1u);
+    type_into("reduction_0_price", QStringLiteral("120"));
+    type_into("reduction_0_least", QStringLiteral("0.25"));
+    EXPECT_EQ(design().reductions[0].price, 120.0);
+    EXPECT_EQ(design().reductions[0].number.from, 0.25);
+    press(window_->properties(), "reduction_0_remove");
+    EXPECT_TRUE(design().reductions.empty());
+}
+
+TEST_F(DesignSession, PricesOfRowsAreTyped) {
+    open_project("ballbar-design", "points");
+    type_into("design_prices", QStringLiteral("120"));
+    EXPECT_EQ(analysis().designs[0].choose->prices, (std::vector<double>{120.0}));
+    type_into("design_prices", QStringLiteral("1; 2"));
+    EXPECT_FALSE(problems().filter(QStringLiteral("one price for all rows")).isEmpty());
+    type_into("design_prices", QStringLiteral("1; two"));
+    EXPECT_EQ(analysis().designs[0].choose->prices.size(), 2u) << "what is no number changes nothing";
+}
+
+TEST_F(DesignSession, AChangedFileOfCandidatesMakesTheResultOld) {
+    const QString project = project_copy(QStringLiteral("ballbar-design"));
+    const QString file = QFileInfo(project).absolutePath() + QStringLiteral("/more.csv");
+    const auto write = [&](const char* text) {
+        QFile csv(file);
+        ASSERT_TRUE(csv.open(QIODevice::WriteOnly));
+        csv.write(text);
+    };
+    write(candidates_header);
+    open(project);
+    select(SetupOwner::analysis, "points");
+    ASSERT_TRUE(wait_for([this] { return status().prepared != nullptr; }));
+    show_tab(QStringLiteral("Designs"));
+    window_->results().tabs().setCurrentWidget(&tab());
+    type_into("design_candidates", QStringLiteral("more.csv"));
+    type_into("design_starts", QStringLiteral("1"));
+    type_into("design_most_evaluations", QStringLiteral("30"));
+    press(tab(), "run_design_tab");
+    ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }))
+        << tab().state_words().toStdString();
+    write((std::string(candidates_header) + candidates_row).c_str());
+    EXPECT_TRUE(wait_for([this] { return !design_status().is_current(); }));
+    write(candidates_header);
+    EXPECT_TRUE(wait_for([this] { return design_status().is_current(); })) << "as it was searched";
 }
 
 TEST_F(DesignSession, ASearchIsStopped) {

@@ -46,9 +46,9 @@ TEST_F(EquationSession, AMistakeIsMarkedAndRepaired) {
     const QString right = equations().text_edit()->toPlainText();
     auto* shown = window_->findChild<EquationsView*>();
     ASSERT_NE(shown, nullptr);
-    EXPECT_TRUE(wait_for([&] { return shown->isVisible(); }));
-    EXPECT_TRUE(shown->accessibleDescription().contains(QString::fromUtf8("= L_S + D")))
-        << to_std(shown->accessibleDescription());
+    EXPECT_TRUE(wait_for([&] {
+        return shown->isVisible() && shown->accessibleDescription().contains(QStringLiteral("= L_S + D"));
+    })) << to_std(shown->accessibleDescription());
     type_equations(QStringLiteral("delta_L = L_S + theta_0"));
     ASSERT_TRUE(wait_for([&] { return !equations().text_edit()->extraSelections().isEmpty(); }));
     EXPECT_EQ(equations().text_edit()->extraSelections().first().cursor.selectedText(), QStringLiteral("+"));

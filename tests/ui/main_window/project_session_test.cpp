@@ -26,23 +26,31 @@ protected:
         for (int row = 0; row < 3; ++row) paste("components", row, 0, QString::fromUtf8(rows[row]));
         EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
     }
+    void replace_rows(const char* table, const QString& text) {
+        go_to_cell(table, 0, 0);
+        press(table, QKeySequence::SelectAll);
+        press_button(table, QStringLiteral("Delete rows"));
+        paste(table, 0, 0, text);
+    }
     void build_analysis() {
         const QString artefact = names_in_tree().front();
         trigger(QStringLiteral("Analysis: Pose from points"));
-        ASSERT_EQ(names_in_tree().size(), 2);
-        EXPECT_FALSE(problems().isEmpty()) << "an empty analysis says what it lacks";
-        paste("base_points", 0, 0,
-              QStringLiteral("b1\t-300\t200\t0\r\nb2\t300\t200\t0\r\nb3\t0\t-400\t0\r\n"));
-        paste("moving_points", 0, 0,
-              QStringLiteral("p1\t-200\t-100\t0\r\np2\t200\t-100\t0\r\np3\t0\t230\t0\r\n"));
-        paste("poses", 0, 0,
-              QStringLiteral("home\t0\t0\t1175\t0\t0\t0\r\ntilted\t100\t-50\t1200\t5\t-5\t10\r\n"));
+        EXPECT_TRUE(names_in_tree().contains(artefact));
+        const auto has_result = [&] { return status().result != nullptr; };
+        EXPECT_TRUE(wait_for(has_result)) << "a new analysis is prefilled with what runs";
+        replace_rows("base_points",
+                     QStringLiteral("b1\t-300\t200\t0\r\nb2\t300\t200\t0\r\nb3\t0\t-400\t0\r\n"));
+        replace_rows("moving_points",
+                     QStringLiteral("p1\t-200\t-100\t0\r\np2\t200\t-100\t0\r\np3\t0\t230\t0\r\n"));
+        replace_rows("poses",
+                     QStringLiteral("home\t0\t0\t1175\t0\t0\t0\r\ntilted\t100\t-50\t1200\t5\t-5\t10\r\n"));
         const QString warning = problems().join(QLatin1Char('\n'));
         EXPECT_TRUE(warning.contains(QStringLiteral("shift of the origin"))) << warning.toStdString();
         choose("base_fit", QStringLiteral("least squares"));
         choose("moving_fit", QStringLiteral("least squares"));
         choose("base_uncertainty", QStringLiteral("artefact or instrument"));
         choose("base_asset", artefact);
+        choose("moving_uncertainty", QStringLiteral("typed"));
         type_into("moving_u_x", QStringLiteral("50 um"));
         type_into("moving_u_y", QStringLiteral("0.05"));
         type_into("moving_u_z", QStringLiteral("0.08"));

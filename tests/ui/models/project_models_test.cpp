@@ -54,6 +54,22 @@ TEST_F(ProjectModelsTest, TheTreeFollowsAddingMovingAndRemoving) {
     EXPECT_TRUE(tree.address(analyses).id.empty());
 }
 
+// As a view does that is left: what was being typed in it becomes an edit.
+TEST_F(ProjectModelsTest, TheTreeFollowsAChangeThatComesWhileItFollowsOne) {
+    ProjectTreeModel tree(document, runner);
+    QAbstractItemModelTester tester(&tree, fatal);
+    for (const char* id : {"a", "b", "c"}) add_analysis_entry(id);
+    const auto leave = [&] {
+        if (document.project().find_analysis("a")) remove(document, {SetupOwner::analysis, "a"});
+    };
+    QObject::connect(&tree, &QAbstractItemModel::rowsAboutToBeRemoved, &tree, leave);
+    document.apply("Remove", [&](Project& project) {
+        project.analyses.erase(project.analyses.begin() + 1, project.analyses.end());
+    });
+    EXPECT_TRUE(document.project().analyses.empty());
+    EXPECT_EQ(tree.rowCount(tree.index_of(ProjectTreeModel::analyses)), 0);
+}
+
 TEST_F(ProjectModelsTest, AssetsStandInTheirCategory) {
     ProjectTreeModel tree(document, runner);
     QAbstractItemModelTester tester(&tree, fatal);

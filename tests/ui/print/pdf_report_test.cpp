@@ -71,9 +71,9 @@ std::vector<std::string> pages_of(const std::string& text) {
 TEST_F(PdfReport, TitleTextAndNumbersReadBack) {
     const ReportDocument document = test::sample_report();
     const std::string text = text_of(document, options());
-    for (const char* part : {"Stewart platform <test & trial>", "Table 1. Expanded uncertainty U", "−119.00",
-                             "Author, Eq. 5, corrected", "18446744073709551615", "0123456789abcdef",
-                             "1.1 Pose from points", "(2020), Eqs 1-6", "Figure 1. ", "within 1 %"})
+    for (const char* part :
+         {"Stewart platform <test & trial>", "Table 1. Expanded uncertainty U", "−119.00",
+          "18446744073709551615", "0123456789abcdef", "1.1 Pose from points", "Figure 1. ", "within 1 %"})
         EXPECT_TRUE(contains(text, part)) << part;
 }
 

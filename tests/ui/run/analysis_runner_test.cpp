@@ -12,7 +12,9 @@
 
 #include "core/base/resource_path.h"
 #include "core/made/load_project.h"
+#include "core/text/numbers.h"
 #include "tests/ui/qt_application.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui::analysis_runner_test {
 namespace {
@@ -232,7 +234,7 @@ TEST_F(AnalysisRunnerTest, APreviewSaysWhatItIsWorth) {
     script.gain = 1e12;
     maker.request(project(3));
     ASSERT_TRUE(settle());
-    const auto count = [](qulonglong trials) { return QLocale().toString(trials); };
+    const auto count = [](std::uint64_t trials) { return to_qt(count_text(trials)); };
     const QString words_of_plain =
         QStringLiteral("Preview with %1 of %2 trials").arg(count(20'000), count(1'000'000));
     EXPECT_EQ(words,

@@ -4,18 +4,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/fresh_folder.h"
 #include "viz/vtk/image.h"
 
 namespace covaria::png_test {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folder() {
-    const fs::path path = fs::temp_directory_path() / "covaria-png-test";
-    fs::create_directories(path);
-    return path;
-}
 
 Image gradient() {
     Image image{5, 3, {}};
@@ -33,33 +28,36 @@ bool has_hidden_files(const fs::path& where) {
 }
 
 TEST(Png, ReadsBackWhatWasWritten) {
-    const fs::path file = folder() / "gradient.png";
+    const fs::path folder = covaria::test::fresh_folder();
+    const fs::path file = folder / "gradient.png";
     ASSERT_TRUE(write_png(gradient(), file).has_value());
     const auto back = read_png(file);
     ASSERT_TRUE(back.has_value()) << back.error().message;
     EXPECT_EQ(*back, gradient());
-    EXPECT_FALSE(has_hidden_files(folder()));
+    EXPECT_FALSE(has_hidden_files(folder));
 }
 
 TEST(Png, ErrorsNameTheFile) {
-    const auto no_folder = write_png(gradient(), folder() / "absent" / "a.png");
+    const fs::path folder = covaria::test::fresh_folder();
+    const auto no_folder = write_png(gradient(), folder / "absent" / "a.png");
     ASSERT_FALSE(no_folder.has_value());
     EXPECT_EQ(no_folder.error().code, ErrorCode::io);
     EXPECT_NE(no_folder.error().message.find("absent/a.png"), std::string::npos);
     const auto full = write_png(gradient(), "/dev/full/a.png");
     EXPECT_FALSE(full.has_value());
-    EXPECT_EQ(write_png({}, folder() / "empty.png").error().code, ErrorCode::bad_input);
-    EXPECT_EQ(read_png(folder() / "absent.png").error().code, ErrorCode::not_found);
-    std::ofstream(folder() / "text.png") << "not a picture";
-    EXPECT_EQ(read_png(folder() / "text.png").error().code, ErrorCode::io);
+    EXPECT_EQ(write_png({}, folder / "empty.png").error().code, ErrorCode::bad_input);
+    EXPECT_EQ(read_png(folder / "absent.png").error().code, ErrorCode::not_found);
+    std::ofstream(folder / "text.png") << "not a picture";
+    EXPECT_EQ(read_png(folder / "text.png").error().code, ErrorCode::io);
 }
 
 TEST(Png, AFailedWriteLeavesTheOldFile) {
-    const fs::path target = folder() / "taken.png";
+    const fs::path folder = covaria::test::fresh_folder();
+    const fs::path target = folder / "taken.png";
     fs::create_directories(target / "inside");  // a folder with content cannot be replaced by a file
     EXPECT_FALSE(write_png(gradient(), target).has_value());
     EXPECT_TRUE(fs::exists(target / "inside"));
-    EXPECT_FALSE(has_hidden_files(folder()));
+    EXPECT_FALSE(has_hidden_files(folder));
     fs::remove_all(target);
 }
 

@@ -1,0 +1,261 @@
+#include "core/made/analysis_templates.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/base/guarded.h"
+#include "core/base/resource_path.h"
+#include "core/kinds/assets.h"
+#include "core/kinds/models.h"
+#include "core/made/load_project.h"
+#include "core/project/entry_graph.h"
+#include "core/project/linked_files.h"
+#include "core/project/project_id.h"
+#include "core/project/references.h"
+#include "core/propagation/engine.h"
+
+namespace covaria {
+
+namespace {
+
+using Ids = std::map<std::string, std::string>;  ///< of the template -> of the project
+
+void refer_anew(const SetupSchema& schema, Setup& setup, const Ids& ids) {
+    const auto anew = [&](std::string& id) {
+        if (const auto found = ids.find(id); found != ids.end()) id = found->second;
+    };
+    for (const FieldSpec& field : schema.fields()) {
+        const auto value = setup.values.find(field.key);
+        if (value == setup.values.end()) continue;
+        if (field.kind == FieldKind::reference) {
+            if (auto* id = std::get_if<std::string>(&value->second)) anew(*id);
+        } else if (auto* table = std::get_if<SetupTable>(&value->second)) {
+            for (std::size_t column = 0; column < field.columns.size(); ++column)
+                if (field.columns[column].kind == FieldKind::reference)
+                    for (auto& row : table->rows)
+                        if (column < row.size())
+                            if (auto* id = std::get_if<std::string>(&row[column])) anew(*id);
+        }
+    }
+}
+
+/// What a set-up of several sorts says it is: a tracker is no camera.
+std::string sort_of(const AssetEntry& asset) {
+    const AssetDescriptor* kind = find_asset_kind(asset.kind);
+    const FieldSpec* field = kind ? kind->schema.find("kind") : nullptr;
+    const auto* sort = field ? std::get_if<std::string>(&value_of(*field, asset.setup)) : nullptr;
+    return asset.kind + '/' + (sort ? *sort : std::string());
+}
+
+class TemplateMerge {
+public:
+    TemplateMerge(const Project& project, const Project& part, bool own_assets)
+        : merged_(project), part_(part), own_assets_(own_assets) {
+        for (const AssetEntry& asset : project.assets) taken_.insert(asset.id);
+        for (const AnalysisEntry& analysis : project.analyses) taken_.insert(analysis.id);
+    }
+
+    /// The project with the part's last analysis, and its id.
+    std::pair<Project, std::string> merge() {
+        const std::string id = add_analysis(part_.analyses.back());
+        return {std::move(merged_), id};
+    }
+
+private:
+    std::string fresh(const std::string& wanted) {
+        std::string id = free_id(wanted, [&](const std::string& known) { return taken_.contains(known); });
+        taken_.insert(id);
+        return id;
+    }
+
+    std::string name_for(const std::string& wanted) const {
+        const auto known = [&](const std::string& name) {
+            const auto same = [&](const auto& entry) { return entry.name == name; };
+            return std::any_of(merged_.assets.begin(), merged_.assets.end(), same) ||
+                   std::any_of(merged_.analyses.begin(), merged_.analyses.end(), same);
+        };
+        std::string name = wanted;
+        for (int number = 2; known(name); ++number) name = wanted + " (" + std::to_string(number) + ')';
+        return name;
+    }
+
+    /// What a set-up refers to: an asset where there is one with the id, else an analysis.
+    void add(const std::string& id) {
+        if (ids_.contains(id)) return;
+        if (const AssetEntry* asset = part_.find_asset(id))
+            add_asset(*asset);
+        else if (const AnalysisEntry* analysis = part_.find_analysis(id))
+            ids_[id] = add_analysis(*analysis);
+    }
+
+    void add_asset(const AssetEntry& asset) {
+        if (own_assets_) {
+            for (const AssetEntry& own : merged_.assets) {
+                if (used_.contains(own.id) || sort_of(own) != sort_of(asset)) continue;
+                used_.insert(own.id);
+                ids_[asset.id] = own.id;
+                return;
+            }
+        }
+        AssetEntry copy = asset;
+        copy.id = ids_[asset.id] = fresh(asset.id);
+        copy.name = name_for(asset.name);
+        used_.insert(copy.id);
+        if (const AssetDescriptor* kind = find_asset_kind(asset.kind)) {
+            for (const AssetReference& reference : references_of(kind->schema, asset.setup))
+                add(reference.id);
+            refer_anew(kind->schema, copy.setup, ids_);
+        }
+        merged_.assets.push_back(std::move(copy));
+    }
+
+    std::string add_analysis(const AnalysisEntry& analysis) {
+        if (const auto known = analyses_.find(analysis.id); known != analyses_.end()) return known->second;
+        AnalysisEntry copy = analysis;
+        copy.id = analyses_[analysis.id] = fresh(analysis.id);
+        copy.name = name_for(analysis.name);
+        if (const ModelDescriptor* model = find_model(analysis.model)) {
+            for (const AssetReference& reference : references_of(model->schema, analysis.setup))
+                add(reference.id);
+            refer_anew(model->schema, copy.setup, ids_);
+        }
+        for (InputLink& link : copy.links)
+            if (const AnalysisEntry* source = part_.find_analysis(link.output.analysis))
+                link.output.analysis = add_analysis(*source);
+        merged_.analyses.push_back(copy);
+        return copy.id;
+    }
+
+    Project merged_;
+    const Project& part_;
+    bool own_assets_;
+    Ids ids_;       ///< of what set-ups refer to
+    Ids analyses_;  ///< an asset may have the same id
+    std::set<std::string> taken_, used_;
+};
+
+bool has_value(const Project& project, const std::string& analysis) {
+    const auto prepared = MadeProject::make(project)->analysis(analysis);
+    if (!prepared) return false;
+    const auto result =
+        guarded([&] { return evaluate_first_order(*prepared->propagated, prepared->options); });
+    return result && *result;
+}
+
+/// With other ids than the project's, where designs and studies name them.
+bool has_same_ids(const Project& project, const Project& part) {
+    const auto in_project = [&](const auto& entry) {
+        return project.find_asset(entry.id) || project.find_analysis(entry.id);
+    };
+    return std::any_of(part.assets.begin(), part.assets.end(), in_project) ||
+           std::any_of(part.analyses.begin(), part.analyses.end(), in_project);
+}
+
+}  // namespace
+
+const std::vector<AnalysisTemplate>& analysis_templates() {
+    static const std::vector<AnalysisTemplate> templates{
+        {"Typed measurement equation", "The uncertainty of a quantity computed from others by an equation.",
+         "gum/s1-9.3-mass", "mass"},
+        {"Gauge block by comparison",
+         "The length of a gauge block compared with a standard of the same length.", "gum/h1-end-gauge",
+         "statements"},
+        {"Two quantities from the same readings",
+         "Resistance and reactance from simultaneous readings, with their correlation.", "gum/h2-impedance",
+         "impedance"},
+        {"Calibration line of a thermometer",
+         "The correction at any reading, from a line through calibration points.", "gum/h3-thermometer",
+         "residuals"},
+        {"Observations on several days", "The mean of readings in groups, and whether the groups differ.",
+         "gum/h5-zener", "days"},
+        {"Pose of a platform from a tracker",
+         "Where a robot's flange or platform is, from nests measured by a laser tracker.", "tracker-pose",
+         "tracker-alone"},
+        {"Pose from two instruments together",
+         "The same pose measured by a tracker and a total station as one network.", "tracker-pose",
+         "network"},
+        {"Pose from calibrated artefacts",
+         "A pose whose point uncertainties come from measurements of artefacts.", "stewart-platform",
+         "from-artefacts"},
+        {"Points by cameras and a tracker",
+         "Coordinates of targets that several instruments measure together.", "lsm-network", "paper"},
+        {"Where do I put the station?", "The place of an instrument that makes the uncertainties smallest.",
+         "lsm-network", "recommended", true},
+        {"Tool by ballbars", "A robot's tool centre point from rotations measured by telescopic ballbars.",
+         "ballbar-tcp", "paper"},
+        {"Which points do I measure?", "The dozen of a plan of points that makes the uncertainty smallest.",
+         "ballbar-design", "points", true},
+        {"Tool position of a robot",
+         "Where the tool is, from joint readings and Denavit-Hartenberg parameters.", "er10l-c10",
+         "zero-pose-nominal"},
+        {"Robot by joint trajectories",
+         "Parameters of an arm from circles that its joints describe one by one.", "er10l-c10",
+         "trajectories"},
+        {"Robot from measured poses", "Parameters of an arm from measured places of its flange.", "er10l-c10",
+         "poses-measured"},
+        {"Calibration of a force/moment sensor",
+         "Errors and uncertainty of the channels of a multi-axis sensor.", "force-moment-sensor", "combined"},
+        {"Forces and moments from readings",
+         "Loads from the readings of a multi-axis sensor by its calibration matrix.", "force-moment-sensor",
+         "loads"}};
+    return templates;
+}
+
+const AnalysisTemplate* template_of(const std::string& model) {
+    static const std::map<std::string, const AnalysisTemplate*> by_model = [] {
+        std::map<std::string, const AnalysisTemplate*> found;
+        for (const AnalysisTemplate& known : analysis_templates())
+            if (const auto part = template_project(known); part && !known.with_designs)
+                found.emplace(part->analyses.back().model, &known);
+        return found;
+    }();
+    const auto found = by_model.find(model);
+    return found == by_model.end() ? nullptr : found->second;
+}
+
+Result<Project> template_project(const AnalysisTemplate& wanted) {
+    const std::filesystem::path file = data_directory() / "projects" / (wanted.example + ".covaria");
+    LoadedProject loaded = load_project(file);
+    if (loaded.problems.has_errors())
+        return fail(ErrorCode::io, file.string() + ": " + first_error(loaded.problems, "it cannot be read"));
+    const AnalysisEntry* analysis = loaded.project.find_analysis(wanted.analysis);
+    if (!analysis)
+        return fail(ErrorCode::not_found, file.string() + " has no analysis \"" + wanted.analysis + '"');
+    Project whole = loaded.project;
+    whole.analyses.push_back(*analysis);  // last, which is what is merged
+    const Project nothing;
+    Project part = TemplateMerge(nothing, whole, false).merge().first;
+    unlink_tables(part);
+    AnalysisEntry& last = part.analyses.back();
+    last.name = wanted.title;
+    last.notes = wanted.question;
+    for (AnalysisEntry& entry : part.analyses) {
+        if (&entry == &last && wanted.with_designs) continue;
+        entry.studies.clear();
+        entry.designs.clear();
+    }
+    return part;
+}
+
+Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted) {
+    auto part = template_project(wanted);
+    if (!part) return fail(part.error());
+    AnalysisEntry& last = part->analyses.back();
+    if (wanted.with_designs && has_same_ids(project, *part)) {
+        last.studies.clear();
+        last.designs.clear();
+    }
+    if (last.studies.empty() && last.designs.empty()) {
+        auto [merged, id] = TemplateMerge(project, *part, true).merge();
+        if (has_value(merged, id)) {
+            project = std::move(merged);
+            return id;
+        }
+    }
+    auto [merged, id] = TemplateMerge(project, *part, false).merge();
+    project = std::move(merged);
+    return id;
+}
+
+}  // namespace covaria

@@ -1,0 +1,37 @@
+// What a new analysis begins as: an analysis of a shipped example with all it uses, so that it has results at
+// once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+
+namespace covaria {
+
+struct AnalysisTemplate {
+    std::string title;     ///< "Pose of a robot's flange from a laser tracker"
+    std::string question;  ///< what it answers
+    std::string
+        example;  ///< file of the example, without its ending, in the folder of examples: "gum/h1-end-gauge"
+    std::string analysis;       ///< id in the example
+    bool with_designs = false;  ///< its studies and designs are what it is about
+};
+
+/// By what is asked; all models have at least one.
+const std::vector<AnalysisTemplate>& analysis_templates();
+/// The first of the model; null: none is shipped.
+const AnalysisTemplate* template_of(const std::string& model);
+
+/// The analysis under the template's title, with the assets and analyses that it uses, last of its analyses;
+/// tables of files are in it. Error: the example cannot be read, or has no such analysis.
+Result<Project> template_project(const AnalysisTemplate& wanted);
+
+/// `project` with the template's analysis at the end. In place of the template's assets stand those of the
+/// project of the same kind, one for one, if the analysis then has a value; else the template's own come with
+/// it. Designs and studies name assets: with them nothing is put in another's place. Gives the id of the
+/// analysis.
+Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted);
+
+}  // namespace covaria

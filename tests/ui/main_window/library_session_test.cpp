@@ -1,0 +1,89 @@
+// Library and templates through the real widgets, and an analysis that lacks something.
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTextBrowser>
+
+#include "tests/ui/main_window/session_fixture.h"
+#include "ui/document/project_edits.h"
+#include "ui/pages/library_browser.h"
+#include "ui/pages/project_pane.h"
+#include "ui/pages/results_pane.h"
+
+namespace covaria::ui::library_session_test {
+namespace {
+
+using LibrarySession = Session;
+
+TEST_F(LibrarySession, ATrackerIsFoundByItsNameAndTakenIntoTheProject) {
+    open(project_copy());
+    LibraryBrowser& library = window_->library();
+    library.show();
+    const int all = library.cards().count();
+    EXPECT_GT(all, 60) << "templates, examples and assets";
+    QTest::keyClicks(&library.search(), QStringLiteral("at960"));
+    ASSERT_EQ(library.cards().count(), 1);
+    EXPECT_TRUE(library.details().toPlainText().contains(QStringLiteral("brochure")));
+    const std::size_t before = window_->document().project().assets.size();
+    library.take_button().click();
+    ASSERT_EQ(window_->document().project().assets.size(), before + 1);
+    EXPECT_EQ(window_->document().project().assets.back().name, "Leica AT960");
+    EXPECT_TRUE(library.isVisible()) << "another may be wanted";
+    library.search().setText(QStringLiteral("no such thing"));
+    EXPECT_EQ(library.cards().count(), 0);
+    EXPECT_FALSE(library.take_button().isEnabled());
+}
+
+TEST_F(LibrarySession, ACollectionShowsItsOwn) {
+    LibraryBrowser& library = window_->library();
+    library.show_collection(LibraryBrowser::templates_title());
+    EXPECT_EQ(library.cards().count(), int(analysis_templates().size()));
+    library.show_collection(LibraryBrowser::examples_title());
+    EXPECT_EQ(library.cards().count(), 8);
+}
+
+TEST_F(LibrarySession, ATemplateFromTheStartPageHasResultsAtOnce) {
+    LibraryBrowser& library = window_->library();
+    library.show_collection(LibraryBrowser::templates_title());
+    library.search().setText(QStringLiteral("ballbars"));
+    ASSERT_GE(library.cards().count(), 1);
+    library.take_button().click();
+    wait_until_idle();
+    ASSERT_EQ(window_->document().project().analyses.size(), 1U);
+    EXPECT_EQ(status().state, RunState::up_to_date) << status().message.toStdString();
+    EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
+}
+
+TEST_F(LibrarySession, ANewAnalysisOfTheMenuIsPrefilled) {
+    open(project_copy());
+    wait_until_idle();
+    const std::size_t before = window_->document().project().analyses.size();
+    window_->project_pane().add_analysis(window_->document().project().analyses.front().model);
+    wait_until_idle();
+    EXPECT_EQ(window_->document().project().analyses.size(), before + 1);
+    EXPECT_NE(status().prepared, nullptr) << status().message.toStdString();
+    EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
+}
+
+TEST_F(LibrarySession, WhatIsNotGivenIsIncompleteAndTheNextStepLeadsThere) {
+    open(project_copy());
+    wait_until_idle();
+    const std::string model = window_->document().project().analyses.front().model;
+    window_->selection().select_entry({SetupOwner::analysis, add_analysis(window_->document(), model)});
+    wait_until_idle();
+    EXPECT_EQ(status().state, RunState::incomplete);
+    QPushButton& next = window_->results().next_step();
+    ASSERT_TRUE(next.isVisibleTo(window_.get()));
+    EXPECT_EQ(next.text(), QStringLiteral("Next: Base points"));
+    next.click();
+    QWidget* focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    EXPECT_TRUE(window_->properties().isAncestorOf(focus));
+
+    press_button("base_points", QStringLiteral("Add row"));
+    wait_until_idle();
+    EXPECT_EQ(status().state, RunState::failed) << "an empty row is wrong, not missing";
+}
+
+}  // namespace
+}  // namespace covaria::ui::library_session_test

@@ -1,0 +1,101 @@
+#include "ui/document/missing_fields.h"
+
+#include "core/setup/setup_schema.h"
+#include "ui/document/setup_address.h"
+
+namespace covaria::ui {
+namespace {
+
+constexpr int longest_chain = 32;  ///< of references that are followed; circles are errors of their own
+
+const Setup* setup_of(const Project& project, const SetupAddress& address) {
+    if (address.owner == SetupOwner::asset) {
+        const AssetEntry* asset = project.find_asset(address.id);
+        return asset ? &asset->setup : nullptr;
+    }
+    const AnalysisEntry* analysis = project.find_analysis(address.id);
+    return analysis ? &analysis->setup : nullptr;
+}
+
+/// "/analyses/0/setup/base_points/rows/2" -> "base_points"
+std::string field_in(const std::string& path, const std::string& entry) {
+    const std::string before = entry + "/setup/";
+    if (!path.starts_with(before)) return {};
+    return path.substr(before.size(), path.find('/', before.size()) - before.size());
+}
+
+bool is_empty(const SetupValue& value) {
+    const auto* table = std::get_if<SetupTable>(&value);
+    return std::holds_alternative<std::monostate>(value) ||
+           (table && table->rows.empty() && table->csv_file.empty());
+}
+
+Lack lack(const Project& project, const Problems& all, const std::string& entry, int depth);
+
+bool refers_to_unfinished(const Project& project, const Problems& all, const std::string& id, int depth) {
+    for (const SetupAddress& address : {SetupAddress{SetupOwner::asset, id}, {SetupOwner::analysis, id}}) {
+        if (!setup_of(project, address)) continue;
+        return lack(project, all, entry_path(project, address), depth + 1) == Lack::fields;
+    }
+    return false;
+}
+
+bool missing(const Project& project, const Problems& all, const Problem& problem, int depth) {
+    const SetupAddress address = address_of_path(project, problem.path);
+    const Setup* setup = setup_of(project, address);
+    const SetupSchema* schema = setup ? find_schema(project, address) : nullptr;
+    if (!schema || depth > longest_chain) return false;
+    const FieldSpec* field = schema->find(field_in(problem.path, entry_path(project, address)));
+    if (!field) return false;
+    const SetupValue& value = value_of(*field, *setup);
+    if (is_empty(value) || setup->values.empty()) return true;
+    if (const auto* id = std::get_if<std::string>(&value); id && field->kind == FieldKind::reference)
+        return refers_to_unfinished(project, all, *id, depth);
+    return false;
+}
+
+Lack lack(const Project& project, const Problems& all, const std::string& entry, int depth) {
+    Lack found = Lack::nothing;
+    for (const Problem& problem : all.items()) {
+        if (problem.severity != Severity::error) continue;
+        if (problem.path != entry && !problem.path.starts_with(entry + '/')) continue;
+        if (!missing(project, all, problem, depth)) return Lack::other;
+        found = Lack::fields;
+    }
+    return found;
+}
+
+std::optional<MissingField> next(const Project& project, const Problems& all, const std::string& entry,
+                                 int depth) {
+    for (const Problem& problem : all.items()) {
+        const bool inside = problem.path == entry || problem.path.starts_with(entry + '/');
+        if (!inside || problem.severity != Severity::error || !missing(project, all, problem, depth))
+            continue;
+        const SetupAddress address = address_of_path(project, problem.path);
+        const FieldSpec* field = find_schema(project, address)->find(field_in(problem.path, entry));
+        const SetupValue& value = value_of(*field, *setup_of(project, address));
+        if (is_empty(value) || setup_of(project, address)->values.empty())
+            return MissingField{field->title, problem.path};
+        const std::string& id = std::get<std::string>(value);
+        for (const SetupAddress& used : {SetupAddress{SetupOwner::asset, id}, {SetupOwner::analysis, id}})
+            if (setup_of(project, used)) return next(project, all, entry_path(project, used), depth + 1);
+    }
+    return {};
+}
+
+}  // namespace
+
+bool is_missing(const Project& project, const Problems& all, const Problem& problem) {
+    return missing(project, all, problem, 0);
+}
+
+std::optional<MissingField> next_missing(const Project& project, const Problems& all,
+                                         const std::string& entry) {
+    return next(project, all, entry, 0);
+}
+
+Lack lack_of(const Project& project, const Problems& all, const std::string& entry) {
+    return lack(project, all, entry, 0);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,191 @@
+#include "viz/scene/design_scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/text/numbers.h"
+#include "core/text/symbol.h"
+#include "viz/scene/build_parts.h"
+
+namespace covaria {
+
+namespace {
+
+constexpr double point_radius = 0.011;  // fractions of the extent of what is drawn
+constexpr double near_point = 0.004;    ///< places of a path so near to the one before are left out
+constexpr double path_radius = 0.0022;
+constexpr double frame_dash = 0.012;
+constexpr int most_names = 3;  ///< of candidates that were not chosen
+
+double extent_of(const DesignResult& design) {
+    Eigen::AlignedBox3d box;
+    for (const DesignGain& gain : design.gains)
+        if (gain.place) box.extend(*gain.place);
+    for (const DesignTrack& track : design.places.tracks) {
+        for (const Eigen::Vector3d& corner : track.region) box.extend(corner);
+        for (const Eigen::Vector3d& place : track.path) box.extend(place);
+        box.extend(track.chosen);
+    }
+    for (const LayoutPoint& point : design.places.layout.points) box.extend(point.p_W);
+    for (const LayoutBody& body : design.places.layout.bodies)
+        if (body.outline_W.empty()) box.extend(body.X_WB.translation());
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+void scale_colours(SceneMap& map) {
+    map.low = std::numeric_limits<double>::infinity();
+    map.high = -map.low;
+    for (const double value : map.values) {
+        if (!std::isfinite(value)) continue;
+        map.low = std::min(map.low, value);
+        map.high = std::max(map.high, value);
+    }
+    if (!(map.low <= map.high)) map.low = map.high = 0.0;
+    if (!(map.high > map.low)) map.high = map.low + std::max(1e-12, 1e-3 * std::abs(map.low));
+    map.ticks = detail::colour_ticks(map.low, map.high);
+}
+
+/// The rows of the table, larger where they were chosen.
+SceneMap map_of_rows(const DesignResult& design, double extent) {
+    SceneMap map;
+    map.title = "gain (%)";
+    map.radius = point_radius * extent;
+    for (const DesignGain& gain : design.gains) {
+        if (!gain.place) continue;
+        map.positions.push_back(*gain.place);
+        map.values.push_back(gain.gain ? 100.0 * *gain.gain : std::numeric_limits<double>::quiet_NaN());
+        map.marked.push_back(gain.kept);
+    }
+    map.shown.assign(map.positions.size(), true);
+    scale_colours(map);
+    return map;
+}
+
+/// The places of the best so far, coloured by the objective, with the way between them.
+SceneMap map_of_paths(const DesignResult& design, double extent) {
+    SceneMap map;
+    map.title = design.objective_words;
+    map.radius = 0.6 * point_radius * extent;
+    map.way_radius = path_radius * extent;
+    for (const DesignTrack& track : design.places.tracks) {
+        bool first = true;
+        for (std::size_t i = 0; i < track.path.size(); ++i) {
+            const bool last = i + 1 == track.path.size();
+            if (!first && !last && (track.path[i] - map.positions.back()).norm() < near_point * extent)
+                continue;
+            if (!first) map.ways.push_back({map.positions.size() - 1, map.positions.size()});
+            map.positions.push_back(track.path[i]);
+            map.values.push_back(track.objectives[i]);
+            map.marked.push_back(last);
+            first = false;
+        }
+    }
+    map.shown.assign(map.positions.size(), true);
+    scale_colours(map);
+    return map;
+}
+
+SceneLink edge(const std::string& id, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double dash) {
+    SceneLink link;
+    link.item.id = id;
+    link.item.position = (from + to) / 2;
+    link.from = from;
+    link.to = to;
+    link.dash = dash;
+    return link;
+}
+
+/// Corners that differ in one bit are joined.
+void add_edges(Scene& scene, const std::string& id, const std::vector<Eigen::Vector3d>& corners,
+               double dash) {
+    for (std::size_t a = 0; a < corners.size(); ++a)
+        for (std::size_t b = a + 1; b < corners.size(); ++b)
+            if (std::has_single_bit(a ^ b))
+                scene.links.push_back(
+                    edge(id + ":" + std::to_string(scene.links.size()), corners[a], corners[b], dash));
+}
+
+void add_tracks(Scene& scene, const DesignResult& design, double extent) {
+    for (const DesignTrack& track : design.places.tracks) {
+        add_edges(scene, "region:" + track.name, track.region, frame_dash * extent);
+        const std::string of = design.places.tracks.size() > 1 ? track.name + " " : "";
+        if (track.before) {
+            ScenePoint before;
+            before.item = {.id = "before:" + track.name, .name = of + "before", .position = *track.before};
+            before.radius = 0.7 * point_radius * extent;
+            scene.labels.push_back({before.item.name, *track.before, before.radius, Role::text, 450});
+            scene.points.push_back(std::move(before));
+        }
+        const std::string best = "best: " + format_significant(design.objective, 4);
+        scene.labels.push_back({of + best, track.chosen, 2.0 * point_radius * extent, Role::text, 500});
+    }
+}
+
+void add_obstacles(Scene& scene, const DesignResult& design) {
+    for (const DesignObstacle& box : design.places.obstacles) {
+        std::vector<Eigen::Vector3d> corners;
+        for (int i = 0; i < 8; ++i) {
+            Eigen::Vector3d corner = box.low;
+            for (int axis = 0; axis < 3; ++axis)
+                if ((i >> axis) & 1) corner[axis] = box.high[axis];
+            corners.push_back(corner);
+        }
+        add_edges(scene, "obstacle:" + box.name, corners, 0.0);
+        scene.labels.push_back({box.name, corners.back(), 0.0, Role::quiet_text, 300});
+    }
+}
+
+/// Of those that were not chosen the best few by name; those chosen have the names of their instruments.
+void name_rows(Scene& scene, const DesignResult& design) {
+    std::vector<const DesignGain*> others;
+    for (const DesignGain& gain : design.gains)
+        if (gain.place && gain.gain && !gain.kept) others.push_back(&gain);
+    std::ranges::stable_sort(others,
+                             [](const DesignGain* a, const DesignGain* b) { return *a->gain > *b->gain; });
+    for (std::size_t i = 0; i < std::min<std::size_t>(others.size(), most_names); ++i)
+        scene.labels.push_back(
+            {running_text(others[i]->name) + ": " + format_significant(100.0 * *others[i]->gain, 2) + " %",
+             *others[i]->place, scene.map->radius, Role::quiet_text, 440});
+}
+
+}  // namespace
+
+Scene design_scene(const DesignResult& design, const SceneOptions& options) {
+    SceneOptions plain = options;
+    plain.ellipsoids = plain.clouds = plain.wall_histograms = false;
+    SceneSource source{&design.places.layout, nullptr, nullptr, nullptr, design.name};
+    const double extent = extent_of(design);
+    const bool of_rows =
+        std::ranges::any_of(design.gains, [](const DesignGain& gain) { return gain.place.has_value(); });
+    if (!stands_in_space(design) || !(extent > 0.0)) {
+        Scene scene = build_scene(source, plain);
+        scene.caption = design.found ? "nothing that this design chooses stands in space"
+                                     : "nothing that was tried has a result";
+        return scene;
+    }
+    const SceneMap map = of_rows ? map_of_rows(design, extent) : map_of_paths(design, extent);
+    source.map = &map;
+    Scene scene = build_scene(source, plain);
+    add_tracks(scene, design, extent);
+    add_obstacles(scene, design);
+    if (of_rows) {
+        name_rows(scene, design);
+        scene.legend.push_back({LegendMark::none, Role::quiet_text,
+                                "candidates; the larger " + std::to_string(design.rows.size()) + " of " +
+                                    std::to_string(design.candidates) + " are chosen"});
+        scene.caption =
+            "gain: by how much the uncertainty is smaller with this candidate than without it, "
+            "the others as chosen";
+    } else {
+        scene.legend.push_back(
+            {LegendMark::none, Role::quiet_text, "best so far, in the order of the search"});
+        scene.caption = "dashed: where it may stand";
+    }
+    detail::add_axes(scene);
+    return scene;
+}
+
+}  // namespace covaria
