@@ -15,9 +15,10 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr std::uint64_t preview_trials = 20'000;
+/// Twelve batches: with a control variate worth millions of plain trials.
+constexpr std::uint64_t preview_trials = 12'000;
 /// A preview is worth its time only before a run that takes much longer.
-constexpr std::uint64_t preview_worthwhile = 10 * preview_trials;
+constexpr std::uint64_t preview_worthwhile = 200'000;
 
 bool wants_preview(const EvaluationOptions& options) {
     return options.method == Method::adaptive ||

@@ -30,7 +30,7 @@ QString worth(const UncertaintyResult& result) {
     return tr(", worth %1").arg(count(static_cast<std::uint64_t>(std::floor(trials / unit) * unit)));
 }
 
-/// "Preview with 20 000 of 30 000 000 trials, worth 4 000 000"
+/// "Preview with 12 000 of 30 000 000 trials, worth 4 000 000"
 QString preview_words(const AnalysisStatus& status) {
     const EvaluationOptions& wanted = status.result_of->options;
     if (status.result->trials == 0) return tr("Preview by the law of propagation, without Monte Carlo");
