@@ -3,21 +3,17 @@
 
 #include <optional>
 
-#include "core/base/error.h"
 #include "core/result/result_style.h"
 
 namespace covaria {
 
 struct ProjectResults {
     ResultStyle style = {};
-    /// k for U = k u of the analyses that state none; empty: as they are.
+    /// k for U = k u of the analyses that state none, greater than zero; empty: as they are.
     std::optional<double> coverage_factor = {};
 
     bool empty() const { return *this == ProjectResults{}; }
     bool operator==(const ProjectResults&) const = default;
 };
-
-/// Paths from the root of the project.
-void check_project_results(const ProjectResults& results, Problems& problems);
 
 }  // namespace covaria

@@ -1,7 +1,5 @@
 #include "core/project/project_results_json.h"
 
-#include <cmath>
-
 namespace covaria {
 
 namespace {
@@ -41,7 +39,14 @@ ProjectResults project_results_from_json(const Json& value, const std::string& p
         else
             problems.error(reader.path_of("digits"), "'digits' must be 1 or 2 (JCGM 100 7.2.6)");
     }
-    results.coverage_factor = reader.number("coverageFactor");
+    if (const auto k = reader.number("coverageFactor")) {
+        if (*k > 0.0)
+            results.coverage_factor = *k;
+        else
+            problems.error(reader.path_of("coverageFactor"),
+                           "the coverage factor must be greater than zero; without one, k follows from the "
+                           "degrees of freedom or the coverage interval");
+    }
     reader.refuse_unknown_keys();
     return results;
 }
