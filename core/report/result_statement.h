@@ -10,8 +10,13 @@ namespace covaria {
 /// "(50.000 78 ± 0.000 41) mm": U with two significant digits and the estimate to match, common powers of ten
 /// outside. `with_unit` false: as a cell under a head that gives the unit.
 std::string value_statement(const OutputResult& output, bool with_unit = true);
+/// The same of any estimate and expanded uncertainty, SI, with these significant digits of U.
+std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits = 2,
+                            bool with_unit = true);
 /// "p = 95 %"'s probability: the one that was asked for, or that of [y - U, y + U] where k was fixed.
 double stated_probability(const OutputResult& output, const UncertaintyResult& result);
+/// Likewise of the result line by the law of propagation.
+double stated_probability(const FirstOrderOutput& first, const UncertaintyResult& result);
 /// "95 %", "95.45 %", "" if there is none.
 std::string probability_text(double probability);
 /// Degrees of freedom that k was taken for; infinite where k is not of a t distribution.

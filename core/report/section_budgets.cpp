@@ -6,6 +6,7 @@
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
+#include "core/report/result_statement.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -92,17 +93,15 @@ private:
     std::string result_line() const {
         const FirstOrderOutput& first = output_.first_order;
         const Unit& unit = output_.quantity.unit;
-        const double U = unit.interval_from_si(first.expanded_uncertainty);
-        const std::string symbol = unit == Unit{} ? "" : "\u00a0" + unit.display();
-        std::string line = output_label(output_.quantity) + " = (" +
-                           format_to_match(unit.from_si(first.estimate), U, digits_) + " ± " +
-                           format_significant(U, digits_) + ")" + symbol + ", u_c = " +
-                           format_significant(unit.interval_from_si(first.standard_uncertainty), digits_) +
-                           symbol;
+        const double u = unit.interval_from_si(first.standard_uncertainty);
+        std::string line = output_label(output_.quantity) + " = " +
+                           value_statement(first.estimate, first.expanded_uncertainty, unit, digits_) +
+                           ", u_c = " + format_significant(u, digits_) +
+                           (unit == Unit{} ? "" : "\u00a0" + unit.display());
         line +=
             ", effective degrees of freedom " + format_degrees_of_freedom(first.effective_degrees_of_freedom);
         return line + ", k = " + format_decimals(first.coverage_factor, 2) +
-               ", p = " + percent_text(result_.coverage_probability) + " (law of propagation).";
+               ", p = " + probability_text(stated_probability(first, result_)) + " (law of propagation).";
     }
 
     const UncertaintyResult& result_;

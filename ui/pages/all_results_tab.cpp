@@ -27,11 +27,12 @@ AllResultsTab::AllResultsTab(Document& document, AnalysisRunner& runner, QWidget
     count_ = new QLabel;
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 4, 2);
+    bar->setSpacing(8);
     bar->addWidget(filter_);
     bar->addWidget(only_not_met_);
     bar->addWidget(count_, 1);
     table_ = new SortableTable(model_, tr("all-results"));
-    table_->set_columns(QStringLiteral("all_results"), {tr("Name"), tr("k")});
+    table_->set_columns(QStringLiteral("all_results"), {tr("Output quantity"), tr("k")});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

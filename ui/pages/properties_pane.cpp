@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPointer>
-#include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -19,20 +18,10 @@
 #include "ui/pages/inputs_page.h"
 #include "ui/pages/notes_page.h"
 #include "ui/pages/project_page.h"
+#include "ui/pages/scrolled.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
-namespace {
-
-QScrollArea* scrolled(QWidget* content) {
-    auto* area = new QScrollArea;
-    area->setFrameShape(QFrame::NoFrame);
-    area->setWidgetResizable(true);
-    area->setWidget(content);
-    return area;
-}
-
-}  // namespace
 
 PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
                                QWidget* parent)

@@ -98,6 +98,11 @@ TEST(ProjectResults, TheFactorIsThatOfAnalysesThatStateNone) {
     EXPECT_NE(fingerprint(project), print) << "a number depends on it";
     const auto stated = evaluated(project);
     EXPECT_EQ(stated->outputs[0].coverage_factor, 3.0);
+    const auto made = MadeProject::make(project);
+    const std::string report =
+        to_markdown(build_report(*made, {{made->analysis(project.analyses[0].id), stated}}));
+    EXPECT_NE(report.find("k = 3.00, p = 99.18\u00a0%"), std::string::npos)
+        << "not the 99 % that were asked for: Student's t, 16.66 degrees of freedom";
     EXPECT_NE(stated->provenance.project_fingerprint, from_nu->provenance.project_fingerprint);
     project.analyses[0].options.coverage_factor = 2.0;
     EXPECT_EQ(evaluated(project)->outputs[0].coverage_factor, 2.0) << "its own counts";

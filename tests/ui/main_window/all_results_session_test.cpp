@@ -43,8 +43,8 @@ TEST_F(AllResultsSession, WhatIsNotMetInAnyAnalysisIsFoundAndGoneTo) {
     wait_until_idle();
     window_->results().tabs().setCurrentWidget(&tab());
     ASSERT_TRUE(wait_for([this] { return table().rowCount() == 2 * 78; })) << table().rowCount();
-    EXPECT_GE(column(QStringLiteral("95 % interval, low")), 0);
-    EXPECT_GE(column(QStringLiteral("95 % interval, high")), 0);
+    EXPECT_GE(column(QStringLiteral("95\u00a0% interval, low")), 0);
+    EXPECT_GE(column(QStringLiteral("95\u00a0% interval, high")), 0);
     EXPECT_EQ(column(QStringLiteral("Requirement")), -1) << "nothing is required";
     EXPECT_FALSE(tab().only_not_met().isEnabled());
 
