@@ -22,6 +22,7 @@ const std::vector<Definition>& definitions() {
     static const std::vector<Definition> all{
         {{"certificate", "what a calibration certificate says beside its results"}, "certificate"},
         {{"report", "what goes into the report"}, "report"},
+        {{"results", "units, digits and k of all results"}, "results"},
         {{"links", "input quantities taken from other analyses"}, "link"},
         {{"inputs", "edits of input quantities"}, "inputEdit"},
         {{"components", "components of uncertainty, in inputs"}, "component"},

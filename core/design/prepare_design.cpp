@@ -58,7 +58,8 @@ std::vector<DesignedOutput> designed_outputs(const AnalysisEntry& entry, const P
     std::vector<DesignedOutput> with_target, chosen;
     for (std::size_t j = 0; j < outputs.size(); ++j) {
         if (!wanted(j)) continue;
-        const DesignedOutput output{{outputs[j].group, outputs[j].symbol}, outputs[j], targets[j]};
+        DesignedOutput output{{outputs[j].group, outputs[j].symbol}, outputs[j], targets[j]};
+        take_style(output.quantity, analysis.style);
         if (targets[j]) with_target.push_back(output);
         if (!design.outputs.empty() || outputs[j].role == OutputRole::measurand) chosen.push_back(output);
     }

@@ -75,6 +75,8 @@ AnalysisMaking::AnalysisMaking(const MadeProject& project, std::size_t index, An
 
 std::shared_ptr<const MadeAnalysis> AnalysisMaking::make_own(making::Uses uses, AssetLibrary assets) {
     made_->name = entry_.name;
+    made_->options = effective_options(project_.project(), entry_);
+    made_->style = project_.project().results.style;
     made_->uses = std::move(uses);
     made_->assets = std::move(assets);
     if (!descriptor_) {
@@ -113,7 +115,7 @@ bool AnalysisMaking::chain_stays() const {
 }
 
 bool AnalysisMaking::choices_stay() const {
-    return before_.entry && before_.entry->options == entry_.options &&
+    return before_.entry && before_.made->options == made_->options && before_.made->style == made_->style &&
            before_.entry->requirements == entry_.requirements;
 }
 
@@ -221,7 +223,7 @@ void AnalysisMaking::prepare() {
         return;
     }
     Problems& problems = made_->problems;
-    if (descriptor_) check_options(entry_.options, problems);
+    if (descriptor_) check_options(made_->options, problems);
     problems.take(made_->of_own, "");
     problems.take(made_->of_chain, "");
     if (!made_->propagated) return;
@@ -243,9 +245,10 @@ std::shared_ptr<const PreparedAnalysis> AnalysisMaking::prepared() const {
                          .model = propagated.model(),
                          .inputs = propagated.inputs(),
                          .linked = linked_inputs(*propagated.model()),
-                         .options = entry_.options,
+                         .options = made_->options,
+                         .style = made_->style,
                          .numbers = std::make_shared<const AnalysisNumbers>(project_.snapshot(), entry_.id),
-                         .forecast = forecast_trials(propagated, entry_.options, problems)});
+                         .forecast = forecast_trials(propagated, made_->options, problems)});
 }
 
 void AnalysisMaking::check_studies() {

@@ -45,6 +45,8 @@ struct MadeAnalysis : MadeEntry {
     Problems of_model = {};                              ///< relative to the set-up
     std::shared_ptr<const InputSet> inputs = {};         ///< with edits applied; null after an exception
     Problems of_edits = {};
+    EvaluationOptions options = {};  ///< with what the project states for all
+    ResultStyle style = {};
     Problems of_own = {};  ///< both, and an unknown model; relative to the analysis
     // Behind the analyses that it takes inputs from; for one without links, itself.
     std::vector<UsedAnalysis> upstream = {};

@@ -17,6 +17,7 @@ Project AnalysisNumbers::part() const {
     for (const std::string& id : assets_used_by(*project_, entry))
         part.assets.push_back(*project_->find_asset(id));
     part.analyses.push_back(entry);
+    part.analyses.back().options = effective_options(*project_, entry);
     part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
     part.analyses.back().designs.clear();
     add_used_analyses(*project_, entry, part);
@@ -44,6 +45,7 @@ Result<UncertaintyResult> run_unguarded(const PreparedAnalysis& analysis, const 
     result->provenance.project_fingerprint = analysis.fingerprint();
     result->provenance.covaria_version = version();
     result->provenance.seed = analysis.options.seed;
+    take_style(*result, analysis.style);
     return result;
 }
 

@@ -46,6 +46,7 @@ struct PreparedAnalysis {
     const InputSet& inputs;                ///< the model's, with the analysis' edits and correlations applied
     std::vector<LinkedInput> linked = {};  ///< inputs taken from other analyses: they are not in `inputs`
     EvaluationOptions options;
+    ResultStyle style = {};  ///< that the project states
     std::shared_ptr<const AnalysisNumbers> numbers;
     std::string forecast = {};  ///< how many trials an adaptive run needs, in words; empty for other methods
 

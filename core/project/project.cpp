@@ -19,6 +19,12 @@ const AssetEntry* Project::find_asset(const std::string& id) const {
     return find_entry(assets, id);
 }
 
+EvaluationOptions effective_options(const Project& project, const AnalysisEntry& analysis) {
+    EvaluationOptions options = analysis.options;
+    if (!options.coverage_factor) options.coverage_factor = project.results.coverage_factor;
+    return options;
+}
+
 const AnalysisEntry* Project::find_analysis(const std::string& id) const {
     return find_entry(analyses, id);
 }

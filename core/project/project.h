@@ -8,6 +8,7 @@
 
 #include "core/project/certificate.h"
 #include "core/project/design.h"
+#include "core/project/project_results.h"
 #include "core/project/report_contents.h"
 #include "core/project/study.h"
 #include "core/propagation/options.h"
@@ -93,8 +94,11 @@ struct AnalysisEntry {
 struct Project {
     std::string title = {};
     std::string notes = {};
+    std::string author = {};
+    std::string number = {};  ///< by which the author's house knows it
     Certificate certificate = {};
     ReportContents report = {};
+    ProjectResults results = {};
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};
     std::filesystem::path directory = {};  ///< where CSV files are looked for; not saved, not compared
@@ -102,9 +106,13 @@ struct Project {
     const AssetEntry* find_asset(const std::string& id) const;
     const AnalysisEntry* find_analysis(const std::string& id) const;
     bool operator==(const Project& other) const {
-        return title == other.title && notes == other.notes && certificate == other.certificate &&
+        return title == other.title && notes == other.notes && author == other.author &&
+               number == other.number && results == other.results && certificate == other.certificate &&
                report == other.report && assets == other.assets && analyses == other.analyses;
     }
 };
+
+/// The options of an analysis with what the project states for all: what it is evaluated by.
+EvaluationOptions effective_options(const Project& project, const AnalysisEntry& analysis);
 
 }  // namespace covaria

@@ -11,6 +11,7 @@
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/migration.h"
+#include "core/project/project_results_json.h"
 #include "core/project/project_text.h"
 #include "core/project/report_contents_json.h"
 #include "core/project/setup_json.h"
@@ -49,11 +50,16 @@ public:
         reader.find("schemaVersion");
         project.title = reader.text("title", true);
         project.notes = reader.text("notes");
+        project.author = reader.text("author");
+        project.number = reader.text("number");
         if (const Json* certificate = reader.find("certificate"))
             project.certificate =
                 certificate_from_json(*certificate, reader.path_of("certificate"), context_.problems);
         if (const Json* report = reader.find("report"))
             project.report = report_contents_from_json(*report, reader.path_of("report"), context_.problems);
+        if (const Json* results = reader.find("results"))
+            project.results =
+                project_results_from_json(*results, reader.path_of("results"), context_.problems);
         read_entries(reader, "assets", project.assets);
         read_entries(reader, "analyses", project.analyses);
         reader.refuse_unknown_keys();

@@ -8,6 +8,7 @@
 #include "core/project/json_writer.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/project_file.h"
+#include "core/project/project_results_json.h"
 #include "core/project/project_text.h"
 #include "core/project/report_contents_json.h"
 #include "core/project/setup_json.h"
@@ -58,10 +59,11 @@ void keep_numbers(Setup& setup) {
 }
 
 Project numbers_only(Project project) {
-    project.title.clear();
-    project.notes.clear();
+    for (AnalysisEntry& analysis : project.analyses) analysis.options = effective_options(project, analysis);
+    project.title = project.notes = project.author = project.number = {};
     project.certificate = {};
     project.report = {};
+    project.results = {};
     std::ranges::sort(project.assets, {}, &AssetEntry::id);
     for (AssetEntry& asset : project.assets) {
         asset.name.clear();
@@ -100,6 +102,8 @@ WrittenProject write_project(const Project& project) {
     out.integer(project_schema_version);
     out.member("title", project.title);
     member_if_given(out, "notes", project.notes);
+    member_if_given(out, "author", project.author);
+    member_if_given(out, "number", project.number);
     if (!project.certificate.empty()) {
         out.key("certificate");
         write_certificate(out, project.certificate);
@@ -107,6 +111,10 @@ WrittenProject write_project(const Project& project) {
     if (!project.report.empty()) {
         out.key("report");
         write_report_contents(out, project.report);
+    }
+    if (!project.results.empty()) {
+        out.key("results");
+        write_project_results(out, project.results);
     }
     out.key("assets");
     out.begin_list();

@@ -44,6 +44,24 @@ struct Numbering {
     std::string figure() { return "Figure " + std::to_string(++figures) + ". "; }
 };
 
+/// Where a table shows two significant digits, those that the project states. Estimates are matched to them.
+struct UncertaintyDigits {
+    int digits = 2;
+
+    void operator()(TableBlock& block) const {
+        auto& columns = block.table.columns;
+        for (std::size_t c = 0; c < block.styles.size() && digits != 2; ++c) {
+            const int match = block.styles[c].match;
+            if (match >= 0 && columns[static_cast<std::size_t>(match)].digits == 2)
+                columns[c].digits = digits;
+        }
+        for (TableColumn& column : columns)
+            if (column.digits == 2) column.digits = digits;
+    }
+    template <class Other>
+    void operator()(Other&) const {}
+};
+
 /// Figures are files: every id is there once, whatever the names of groups become.
 struct FigureNaming {
     FileNames charts = {}, pictures = {};
@@ -85,6 +103,8 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
         std::move(part->begin(), part->end(), std::back_inserter(blocks));
     if (!chapters.annex.empty()) blocks.push_back(HeadingBlock{1, "Annex"});
     std::move(chapters.annex.begin(), chapters.annex.end(), std::back_inserter(blocks));
+    const UncertaintyDigits digits{project.results.style.digits.value_or(2)};
+    for (ReportBlock& block : document.blocks) std::visit(digits, block);
     Numbering numbering;
     for (ReportBlock& block : document.blocks) std::visit(numbering, block);
     FigureNaming naming;

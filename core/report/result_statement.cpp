@@ -25,8 +25,8 @@ struct Place {
 };
 
 /// Two digits of U cannot lose 5 % of it by rounding: nothing is rounded up (ILAC-P14 5.4).
-Place place_for(double estimate, double uncertainty, const NumberLocale& locale) {
-    const int decimals = decimals_for(uncertainty);
+Place place_for(double estimate, double uncertainty, int digits, const NumberLocale& locale) {
+    const int decimals = decimals_for(uncertainty, digits);
     const double largest = std::max(std::abs(estimate), uncertainty);
     if (decimals >= 0 && largest >= smallest_plain && largest < largest_plain) return {0, decimals, locale};
     const int exponent = -decimals_for(largest, 1);
@@ -51,13 +51,18 @@ std::string unit_words(const Unit& unit) {
 }  // namespace
 
 std::string value_statement(const OutputResult& output, bool with_unit, const NumberLocale& locale) {
-    const Unit& unit = output.quantity.unit;
-    const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
+    return value_statement(output.estimate, output.expanded_uncertainty, output.quantity.unit, 2, with_unit,
+                           locale);
+}
+
+std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits, bool with_unit,
+                            const NumberLocale& locale) {
+    const double y = unit.from_si(estimate), U = unit.interval_from_si(uncertainty);
     const std::string in_unit = with_unit ? unit_words(unit) : "";
     if (!has_interval(y, U))
         return typeset_number(format_typed(y), locale) + in_unit +
                (U == 0.0 ? " (exact)" : " (U not finite)");
-    const Place place = place_for(y, U, locale);
+    const Place place = place_for(y, U, digits, locale);
     const std::string pair = place(y) + " ± " + place(U), power = power_words(place.exponent);
     return in_unit.empty() && power.empty() ? pair : "(" + pair + ")" + power + in_unit;
 }
@@ -68,8 +73,12 @@ double stated_probability(const OutputResult& output, const UncertaintyResult& r
     // More decimals than trials tell would be noise.
     if (output.monte_carlo)
         return 1e-3 * std::round(1e3 * output.monte_carlo->distribution.inside(y - U, y + U));
-    return 1.0 - 2.0 * t_distribution_function(-output.coverage_factor,
-                                               output.first_order.effective_degrees_of_freedom);
+    return stated_probability(output.first_order, result);
+}
+
+double stated_probability(const FirstOrderOutput& first, const UncertaintyResult& result) {
+    if (expanded_by(result) != ExpandedBy::fixed_factor) return result.coverage_probability;
+    return 1.0 - 2.0 * t_distribution_function(-first.coverage_factor, first.effective_degrees_of_freedom);
 }
 
 std::string probability_text(double probability, const NumberLocale& locale) {
@@ -101,7 +110,7 @@ std::string skewed_interval(const OutputResult& output, const UncertaintyResult&
     const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);
     if (!output.monte_carlo || !has_interval(y, U) || std::abs(0.5 * (low + high) - y) <= skewed_from * U)
         return {};
-    const Place place = place_for(y, U, locale);
+    const Place place = place_for(y, U, 2, locale);
     const char* between = locale.decimal == "," ? "; " : ", ";
     return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) + unit_words(unit);
 }

@@ -12,8 +12,13 @@ namespace covaria {
 /// outside. `with_unit` false: as a cell under a head that gives the unit.
 std::string value_statement(const OutputResult& output, bool with_unit = true,
                             const NumberLocale& locale = {});
+/// The same of any estimate and expanded uncertainty, SI, with these significant digits of U.
+std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits = 2,
+                            bool with_unit = true, const NumberLocale& locale = {});
 /// "p = 95 %"'s probability: the one that was asked for, or that of [y - U, y + U] where k was fixed.
 double stated_probability(const OutputResult& output, const UncertaintyResult& result);
+/// Likewise of the result line by the law of propagation.
+double stated_probability(const FirstOrderOutput& first, const UncertaintyResult& result);
 /// "95 %", "95.45 %", "" if there is none.
 std::string probability_text(double probability, const NumberLocale& locale = {});
 /// Degrees of freedom that k was taken for; infinite where k is not of a t distribution.

@@ -6,6 +6,7 @@
 #include "core/report/plots.h"
 #include "core/report/report_parts.h"
 #include "core/report/result_columns.h"
+#include "core/report/result_statement.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
@@ -29,6 +30,7 @@ public:
     BudgetBlock(const EvaluatedAnalysis& evaluated, std::size_t output, std::size_t most_rows)
         : result_(*evaluated.result),
           most_rows_(most_rows),
+          digits_(evaluated.analysis->style.digits.value_or(2)),
           output_(result_.outputs[output]),
           places_(places_that_count(result_, output)),
           table_("budget-" + evaluated.analysis->id + "-" +
@@ -91,20 +93,20 @@ private:
     std::string result_line() const {
         const FirstOrderOutput& first = output_.first_order;
         const Unit& unit = output_.quantity.unit;
-        const double U = unit.interval_from_si(first.expanded_uncertainty);
-        const std::string symbol = unit == Unit{} ? "" : "\u00a0" + unit.display();
-        std::string line =
-            output_label(output_.quantity) + " = (" + format_to_match(unit.from_si(first.estimate), U) +
-            " ± " + format_significant(U, 2) + ")" + symbol +
-            ", u_c = " + format_significant(unit.interval_from_si(first.standard_uncertainty), 2) + symbol;
+        const double u = unit.interval_from_si(first.standard_uncertainty);
+        std::string line = output_label(output_.quantity) + " = " +
+                           value_statement(first.estimate, first.expanded_uncertainty, unit, digits_) +
+                           ", u_c = " + format_significant(u, digits_) +
+                           (unit == Unit{} ? "" : "\u00a0" + unit.display());
         line +=
             ", effective degrees of freedom " + format_degrees_of_freedom(first.effective_degrees_of_freedom);
         return line + ", k = " + format_decimals(first.coverage_factor, 2) +
-               ", p = " + percent_text(result_.coverage_probability) + " (law of propagation).";
+               ", p = " + probability_text(stated_probability(first, result_)) + " (law of propagation).";
     }
 
     const UncertaintyResult& result_;
     const std::size_t most_rows_;
+    const int digits_;  ///< of uncertainties
     const OutputResult& output_;
     std::vector<BudgetPlace> places_;
     std::vector<std::string> keys_ = {"quantity",

@@ -47,6 +47,9 @@ void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
 
 void add_title(Blocks& blocks, const ReportSource& source) {
     FactsBlock facts;
+    const Project& project = source.made.project();
+    if (!project.number.empty()) facts.facts.emplace_back("Number", project.number);
+    if (!project.author.empty()) facts.facts.emplace_back("Author", project.author);
     for (const EvaluatedAnalysis& evaluated : source.analyses)
         facts.facts.emplace_back(evaluated.analysis->name, analysis_text(evaluated));
     if (!source.analyses.empty())

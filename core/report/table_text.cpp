@@ -40,7 +40,8 @@ std::string cell_text(const TableBlock& block, std::size_t row, std::size_t colu
     if (style.match >= 0) {
         const auto other = static_cast<std::size_t>(style.match);
         if (const auto u = shown_number(cells[other], block.table.columns[other]))
-            return style.input ? format_estimate(*number, *u) : format_to_match(*number, *u);
+            return style.input ? format_estimate(*number, *u)
+                               : format_to_match(*number, *u, head.digits == 1 ? 1 : 2);
     }
     if (style.bare) {
         TableColumn plain = head;

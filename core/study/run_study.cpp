@@ -24,8 +24,10 @@ StudyResult frame_of(const StudyPlan& plan) {
         result.axes.push_back({title, given.unit, given.spacing == StudySpacing::logarithmic,
                                plan.values[axis], present_value(given, prepared.targets[axis])});
     }
-    for (const std::size_t output : plan.indices)
+    for (const std::size_t output : plan.indices) {
         result.outputs.push_back(prepared.analysis->model->outputs()[output]);
+        take_style(result.outputs.back(), prepared.analysis->style);
+    }
     result.triples = plan.triples;
     result.reasons = {""};
     result.trials = prepared.study.method == Method::first_order ? 0 : prepared.study.trials;

@@ -43,6 +43,7 @@ Project analysis_part(const Project& project, const AnalysisEntry& entry) {
     for (const std::string& id : assets_used_by(project, entry))
         part.assets.push_back(*project.find_asset(id));
     part.analyses.push_back(entry);
+    part.analyses.back().options = effective_options(project, entry);
     part.analyses.back().studies.clear();
     part.analyses.back().designs.clear();
     add_used_analyses(project, entry, part);

@@ -55,16 +55,22 @@ Problems UnreadTexts::problems(const Project& project) const {
 UnreadTexts::Held UnreadTexts::held(const Project& project) const {
     Held held;
     for (const auto& [place, text] : texts_) {
-        if (place.entry.owner == SetupOwner::project || !exists(project, place.entry)) continue;
+        const bool of_results =
+            place.entry.owner == SetupOwner::project && place.part.starts_with("/results/");
+        if ((place.entry.owner == SetupOwner::project && !of_results) || !exists(project, place.entry))
+            continue;
         const bool of_inquiry = place.part.starts_with("/studies/") || place.part.starts_with("/designs/");
         const bool of_analysis = place.entry.owner == SetupOwner::analysis;
         std::vector<std::string> users = of_analysis && !of_inquiry
                                              ? analyses_taking_from(project, place.entry.id)
                                              : std::vector<std::string>{};
-        if (of_analysis)
+        if (of_results) {
+            for (const AnalysisEntry& analysis : project.analyses) users.push_back(analysis.id);
+        } else if (of_analysis) {
             users.push_back(place.entry.id);
-        else
+        } else {
             users = analyses_using(project, place.entry.id);
+        }
         for (const std::string& id : users) {
             const QString reason = tr("What is typed in a field cannot be read. %1").arg(text.reason);
             held.inquiries.try_emplace(id, reason);

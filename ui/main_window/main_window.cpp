@@ -147,11 +147,14 @@ void MainWindow::arrange() {
     tabifyDockWidget(docks_[2], docks_[3]);
     tabifyDockWidget(docks_[3], docks_[4]);
     docks_[2]->raise();
-    const int names = std::clamp(project_->wanted_width(), 210, (27 * width()) / 100);
-    resizeDocks({docks_[0], docks_[1]}, {names, 350}, Qt::Horizontal);
+    resizeDocks({docks_[0], docks_[1]}, {room_for_names(), 350}, Qt::Horizontal);
     resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
     toolbar_->show();
+}
+
+int MainWindow::room_for_names() const {
+    return std::clamp(project_->wanted_width(), 210, (27 * width()) / 100);
 }
 
 void MainWindow::make_actions() {
@@ -399,6 +402,14 @@ void MainWindow::take_preferences() {
     if (std::exchange(font_points_, wanted.font_points) != wanted.font_points) {
         finish_typing();
         properties_->start_over();  // sizes of forms are those of their font
+        // Those of names as well, when all have taken it.
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                if (docks_[0]->width() < room_for_names())
+                    resizeDocks({docks_[0]}, {room_for_names()}, Qt::Horizontal);
+            },
+            Qt::QueuedConnection);
     }
     if (wanted.numbers == numbers_) return;
     finish_typing();  // what was typed is of the form before

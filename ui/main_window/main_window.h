@@ -68,6 +68,8 @@ private:
                           QWidget* content, QWidget* controls = nullptr);
     /// As at the first start.
     void arrange();
+    /// Of the project tree, within a share of the window.
+    int room_for_names() const;
     void count_problems();
     void make_menus();
     void make_actions();

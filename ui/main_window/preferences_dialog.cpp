@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/forms/unit_choices.h"
 #include "ui/theme/languages.h"
 #include "ui/theme/strings.h"
 
@@ -88,18 +89,9 @@ QSpinBox* PreferencesDialog::add_number(QFormLayout& form, const QString& title,
 }
 
 void PreferencesDialog::add_results(QFormLayout& form) {
-    const std::tuple<const char*, const char*, QString> dimensions[] = {{"lengths", "m", tr("Lengths")},
-                                                                        {"angles", "rad", tr("Angles")},
-                                                                        {"forces", "N", tr("Forces")},
-                                                                        {"moments", "N*m", tr("Moments")}};
-    for (const auto& [name, text, title] : dimensions) {
-        const Unit unit = Unit::parse(text).value_or(Unit());
-        QComboBox* box = add_box(form, title, name, tr("Of tables and charts of results"));
-        box->addItem(tr("As the model gives them"), QString());
-        for (const Unit& choice : DisplayUnits::choices(unit))
-            box->addItem(to_qt(choice.display()), to_qt(choice.text()));
-        units_.push_back({box, unit});
-    }
+    units_ =
+        new UnitChoices(form, tr("As the model gives them"), tr("Of tables and charts of results"), this);
+    connect(units_, &UnitChoices::edited, this, &PreferencesDialog::take);
     digits_ = add_box(form, tr("Digits of U"), "digits",
                       tr("Significant digits of uncertainties; estimates are rounded to match"));
     add_items(*digits_, {{1, tr("1")}, {2, tr("2")}});
@@ -141,15 +133,7 @@ void PreferencesDialog::add_window(QFormLayout& form) {
 
 void PreferencesDialog::take() {
     Preferences wanted = preferences_.now();
-    DisplayUnits units;
-    for (const Unit& chosen : wanted.units.chosen()) {
-        const auto has_box = [&](const UnitBox& one) { return one.unit.dimension() == chosen.dimension(); };
-        if (std::none_of(units_.begin(), units_.end(), has_box)) units.choose(chosen);
-    }
-    for (const UnitBox& one : units_)
-        if (const QString text = one.box->currentData().toString(); !text.isEmpty())
-            units.choose(Unit::parse(to_std(text)).value_or(one.unit));
-    wanted.units = units;
+    wanted.units = units_->units();
     wanted.digits = digits_->currentData().toInt();
     wanted.numbers = NumberForm(numbers_->currentData().toInt());
     const double k = factor_->currentData().toDouble();
@@ -164,12 +148,7 @@ void PreferencesDialog::take() {
 
 void PreferencesDialog::show_preferences() {
     const Preferences& now = preferences_.now();
-    for (const UnitBox& one : units_) {
-        const Unit& shown = now.units.of(one.unit);
-        const bool chosen = std::any_of(now.units.chosen().begin(), now.units.chosen().end(),
-                                        [&](const Unit& unit) { return unit == shown; });
-        one.box->setCurrentIndex(chosen ? std::max(0, one.box->findData(to_qt(shown.text()))) : 0);
-    }
+    units_->set_units(now.units);
     digits_->setCurrentIndex(digits_->findData(now.digits));
     numbers_->setCurrentIndex(numbers_->findData(int(now.numbers)));
     factor_->setCurrentIndex(now.coverage_factor ? 1 : 0);

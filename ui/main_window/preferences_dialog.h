@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDialog>
-#include <vector>
 
 #include "ui/theme/preferences.h"
 
@@ -11,6 +10,8 @@ class QFormLayout;
 class QSpinBox;
 
 namespace covaria::ui {
+
+class UnitChoices;
 
 class PreferencesDialog : public QDialog {
     Q_OBJECT
@@ -28,13 +29,8 @@ private:
     void take();
     void show_preferences();
 
-    /// The unit in which results of a dimension are shown.
-    struct UnitBox {
-        QComboBox* box;
-        Unit unit;  ///< of the dimension
-    };
     PreferenceStore& preferences_;
-    std::vector<UnitBox> units_;
+    UnitChoices* units_ = nullptr;
     QComboBox *language_ = nullptr, *digits_ = nullptr, *numbers_ = nullptr, *factor_ = nullptr,
               *theme_ = nullptr;
     QSpinBox *trials_ = nullptr, *autosave_ = nullptr, *font_ = nullptr;

@@ -7,6 +7,7 @@
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
+#include "core/project/stated_requirements.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/project_edits.h"
 #include "ui/models/roles.h"
@@ -195,17 +196,29 @@ QVariant ProjectTreeModel::asset_data(const AssetEntry& asset, int column, int r
            (problems.isEmpty() ? core_text(kind ? kind->title : asset.kind) : problems);
 }
 
+/// Of the requirements as they are now; empty where all that is required is met, or nothing is known.
+QString ProjectTreeModel::verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status) const {
+    if (analysis.requirements.empty() || !status.is_current()) return {};
+    const std::vector<RequirementResult> verdicts = judge(*status.result, analysis);
+    const auto not_met = std::count_if(verdicts.begin(), verdicts.end(),
+                                       [](const RequirementResult& verdict) { return !is_met(verdict); });
+    return not_met == 0 ? QString() : tr("%1 of %2 requirements not met").arg(not_met).arg(verdicts.size());
+}
+
 QVariant ProjectTreeModel::analysis_data(const AnalysisEntry& analysis, int column, int role) const {
     const AnalysisStatus& status = runner_.status(to_qt(analysis.id));
     if (role == state_role) return static_cast<int>(status.state);
+    if (role == verdict_role) return verdict_words(analysis, status);
     if (role == Qt::DisplayRole || role == Qt::EditRole)
         return column == name_column ? to_qt(analysis.name) : words(status.state);
     if (role != Qt::ToolTipRole) return {};
     if (status.state == RunState::failed || status.state == RunState::incomplete) return status.message;
     const ModelDescriptor* model = find_model(analysis.model);
     const QString problems = problems_of({SetupOwner::analysis, analysis.id});
+    const QString verdict = verdict_words(analysis, status);
     return to_qt(analysis.name) + QLatin1Char('\n') + core_text(model ? model->title : analysis.model) +
            QStringLiteral(": ") + words(status.state) +
+           (verdict.isEmpty() ? verdict : QLatin1Char('\n') + verdict) +
            (problems.isEmpty() ? problems : QLatin1Char('\n') + problems);
 }
 

@@ -49,6 +49,7 @@ private:
     QVariant category_data(int category, int column, int role) const;
     QVariant project_data(int column, int role) const;
     QVariant asset_data(const AssetEntry& asset, int column, int role) const;
+    QString verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status) const;
     QVariant analysis_data(const AnalysisEntry& analysis, int column, int role) const;
     std::vector<Problem> found_in(const SetupAddress& address) const;
     QString problems_of(const SetupAddress& address) const;

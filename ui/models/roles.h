@@ -18,6 +18,7 @@ enum Role : int {
     choices_role,     ///< QStringList of what the cell may be set to
     group_role,       ///< of an output or input quantity ("pose 7")
     exact_role,       ///< double: the number of the cell with full precision; invalid: it has none
+    verdict_role,     ///< how many requirements of an analysis are not met, in words; empty: none
     index_role,       ///< of an output among the result's outputs
 };
 

@@ -34,6 +34,7 @@ QString icon_of(const QModelIndex& index) {
         return index.data(worst_role).toInt() == static_cast<int>(Severity::error)
                    ? QStringLiteral("error")
                    : QStringLiteral("warning");
+    if (!index.data(verdict_role).toString().isEmpty()) return QStringLiteral("state-not-met");
     const QVariant state = index.data(state_role);
     return state.isValid() ? state_icon(static_cast<RunState>(state.toInt())) : QString();
 }

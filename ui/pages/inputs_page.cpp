@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
@@ -19,6 +18,7 @@
 #include "ui/forms/correlation_edit.h"
 #include "ui/forms/link_dialog.h"
 #include "ui/models/roles.h"
+#include "ui/pages/scrolled.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
@@ -40,12 +40,8 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     correlations_ = new CorrelationEdit(document_);
     auto* details = details_ = new QTabWidget;
     details->setDocumentMode(true);
-    auto* scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(components_);
-    details->addTab(scroll, tr("Components"));
-    details->addTab(correlations_, tr("Correlations"));
+    details->addTab(scrolled(components_), tr("Components"));
+    details->addTab(scrolled(correlations_), tr("Correlations"));
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(table_);

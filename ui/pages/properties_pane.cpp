@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPointer>
-#include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -18,20 +17,11 @@
 #include "ui/pages/field_help.h"
 #include "ui/pages/inputs_page.h"
 #include "ui/pages/notes_page.h"
+#include "ui/pages/project_page.h"
+#include "ui/pages/scrolled.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
-namespace {
-
-QScrollArea* scrolled(QWidget* content) {
-    auto* area = new QScrollArea;
-    area->setFrameShape(QFrame::NoFrame);
-    area->setWidgetResizable(true);
-    area->setWidget(content);
-    return area;
-}
-
-}  // namespace
 
 PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
                                QWidget* parent)
@@ -53,6 +43,7 @@ void PropertiesPane::rebuild() {
     delete tabs_;
     setup_ = nullptr;
     certificate_ = nullptr;
+    project_ = nullptr;
     inputs_ = nullptr;
     options_ = nullptr;
     studies_ = nullptr;
@@ -97,7 +88,8 @@ void PropertiesPane::start_over() {
 }
 
 void PropertiesPane::add_project_pages() {
-    tabs_->addTab(new NotesPage(document_, project_address), tr("Project"));
+    project_ = new ProjectPage(document_);
+    tabs_->addTab(scrolled(project_), tr("Project"));
     certificate_ = new CertificateForm(document_);
     tabs_->addTab(scrolled(certificate_), tr("Certificate"));
     tabs_->addTab(scrolled(new ReportForm(document_)), tr("Report"));
@@ -160,6 +152,7 @@ void PropertiesPane::focus_field(const QString& path) {
         if (!certificate_->focus_field(field)) certificate_->focus_next_missing();
         return;
     }
+    if (project_ && project_->focus_field(field)) return tabs_->setCurrentIndex(0);
     if (studies_ && studies_->focus_field(field)) return tabs_->setCurrentIndex(3);
     if (designs_ && designs_->focus_field(field)) return tabs_->setCurrentIndex(4);
     if (requirements_ && requirements_->focus_field(field)) return tabs_->setCurrentIndex(5);

@@ -19,6 +19,7 @@ class CertificateForm;
 class FieldHelp;
 class InputsPage;
 class OptionsForm;
+class ProjectPage;
 class RequirementsForm;
 class DesignsForm;
 class StudiesForm;
@@ -57,6 +58,7 @@ private:
     QTabWidget* tabs_ = nullptr;
     SetupForm* setup_ = nullptr;
     CertificateForm* certificate_ = nullptr;
+    ProjectPage* project_ = nullptr;
     InputsPage* inputs_ = nullptr;
     OptionsForm* options_ = nullptr;
     StudiesForm* studies_ = nullptr;

@@ -21,6 +21,7 @@
 #include "ui/charts/chart_view.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
+#include "ui/pages/all_results_tab.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
@@ -76,6 +77,9 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     tabs_->addTab(compare_, tr("Compare"));
     report_ = new ReportPreview(document, runner);
     tabs_->addTab(report_, tr("Report"));
+    all_ = new AllResultsTab(document, runner);
+    tabs_->addTab(all_, tr("All Results"));
+    connect(all_, &AllResultsTab::result_wanted, this, &ResultsPane::go_to_result);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -93,7 +97,7 @@ void ResultsPane::make_head() {
     row->setContentsMargins(0, 0, 0, 0);
     state_ = new QLabel;
     state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    units_ = new UnitButton(preferences_);
+    units_ = new UnitButton(document_, preferences_);
     output_ = new TypesetComboBox;
     output_->setToolTip(tr("Output quantity of the budget and the charts"));
     output_->setAccessibleName(tr("Output quantity"));
@@ -119,6 +123,7 @@ void ResultsPane::make_head() {
         result_model_.set_digits(digits);
         budget_model_.set_digits(digits);
         compare_->set_digits(digits);
+        all_->set_digits(digits);
     });
 }
 
@@ -228,7 +233,10 @@ void ResultsPane::connect_selection() {
     connect(&runner_, &AnalysisRunner::result_changed, this, take);
     connect(&runner_, &AnalysisRunner::state_changed, this, take);
     connect(&selection_, &Selection::analysis_changed, this, &ResultsPane::take_result);
-    connect(&document_, &Document::project_changed, this, &ResultsPane::take_requirements);
+    connect(&document_, &Document::project_changed, this, [this] {
+        if (!(document_.project().results.style == shown_style_)) take_preferences();
+        take_requirements();
+    });
     connect(&document_, &Document::problems_changed, this, &ResultsPane::show_next_step);
     connect(&selection_, &Selection::group_changed, this, &ResultsPane::show_group);
     connect(&selection_, &Selection::output_changed, this, &ResultsPane::show_output);
@@ -287,10 +295,12 @@ void ResultsPane::show_next_step() {
 }
 
 void ResultsPane::take_preferences() {
-    digits_->setValue(preferences_.now().digits);
+    shown_style_ = document_.project().results.style;
+    digits_->setValue(shown_style_.digits.value_or(preferences_.now().digits));
     result_model_.set_units(units_->units());
     budget_model_.set_units(units_->units());
     compare_->set_units(units_->units());
+    all_->set_units(units_->units());
     refresh_charts();
 }
 
@@ -332,6 +342,13 @@ void ResultsPane::show_output(int output) {
     }
     budget_model_.set_result(known ? result_ : nullptr, known ? std::size_t(output) : 0, current_);
     refresh_charts();
+}
+
+void ResultsPane::go_to_result(const QString& analysis, const QString& group, int output) {
+    selection_.select_entry({SetupOwner::analysis, to_std(analysis)});
+    selection_.select_group(group);
+    selection_.select_output(output);
+    tabs_->setCurrentIndex(0);
 }
 
 void ResultsPane::refresh_charts() {

@@ -27,6 +27,7 @@ struct PlotSpecification;
 namespace covaria::ui {
 
 class ChartView;
+class AllResultsTab;
 class CompareTab;
 class ReportPreview;
 class SortableTable;
@@ -58,6 +59,7 @@ public:
     StudyTab& study_tab() { return *study_; }
     DesignTab& design_tab() { return *design_; }
     CompareTab& compare_tab() { return *compare_; }
+    AllResultsTab& all_results_tab() { return *all_; }
 
     /// The one next step of an analysis that is not complete.
     QPushButton& next_step() { return *next_; }
@@ -82,6 +84,7 @@ private:
     void refresh_outputs();
     void show_group(const QString& group);
     void show_output(int output);
+    void go_to_result(const QString& analysis, const QString& group, int output);
     void refresh_charts();
     void show_chart(ChartView& view, PlotSpecification plot) const;
     QString state_words() const;
@@ -93,6 +96,7 @@ private:
     AnalysisRunner& runner_;
     Selection& selection_;
     PreferenceStore& preferences_;
+    ResultStyle shown_style_;  ///< of the project, that the tables have
     ResultPointer result_;
     bool current_ = true;
     bool shortest_ = false;  ///< coverage intervals, else probabilistically symmetric ones
@@ -121,6 +125,7 @@ private:
     StudyTab* study_ = nullptr;
     DesignTab* design_ = nullptr;
     CompareTab* compare_ = nullptr;
+    AllResultsTab* all_ = nullptr;
     ReportPreview* report_ = nullptr;
 };
 

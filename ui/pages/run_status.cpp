@@ -116,7 +116,8 @@ void RunStatus::show_state() {
     }
     const AnalysisStatus& status = runner_.status(id);
     QString words = ProjectTreeModel::words(status.state);
-    if (!status.prepared && status.state != RunState::failed) words = tr("has problems");
+    const bool said = status.state == RunState::failed || status.state == RunState::incomplete;
+    if (!status.prepared && !said) words = tr("has problems");
     if (status.state == RunState::up_to_date && status.result && status.result->trials > 0)
         words += tr(", %1 trials").arg(to_qt(count_text(status.result->trials)));
     const bool warned = status.state == RunState::up_to_date && !status.warnings.empty();

@@ -1,4 +1,4 @@
-// The choice is among the preferences.
+// The choice is kept where the fact is: in the project or among the preferences.
 #include "ui/pages/unit_button.h"
 
 #include <QMenu>
@@ -8,8 +8,8 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
-UnitButton::UnitButton(PreferenceStore& preferences, QWidget* parent)
-    : QToolButton(parent), preferences_(preferences) {
+UnitButton::UnitButton(Document& document, PreferenceStore& preferences, QWidget* parent)
+    : QToolButton(parent), document_(document), preferences_(preferences) {
     setText(tr("Units"));
     setIcon(ui::icon(QStringLiteral("units")));
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -52,17 +52,30 @@ void UnitButton::add_choices(QMenu& menu, const Unit& unit) {
     }
 }
 
+DisplayUnits UnitButton::units() const {
+    return with_preferred(document_.project().results.style.units, preferences_.now().units);
+}
+
 void UnitButton::choose(const Unit& unit) {
-    DisplayUnits wanted = units();
-    wanted.choose(unit);
-    take(std::move(wanted));
+    DisplayUnits stated = document_.project().results.style.units, preferred = preferences_.now().units;
+    if (has_unit(stated, unit.dimension())) {
+        stated.choose(unit);
+        return state(tr("Change unit of results"), stated);
+    }
+    preferred.choose(unit);
+    prefer(std::move(preferred));
 }
 
 void UnitButton::clear() {
-    take({});
+    if (!document_.project().results.style.units.chosen().empty()) state(tr("Clear units of results"), {});
+    prefer({});
 }
 
-void UnitButton::take(DisplayUnits units) {
+void UnitButton::state(const QString& words, const DisplayUnits& units) {
+    document_.apply(words, [&](Project& project) { project.results.style.units = units; });
+}
+
+void UnitButton::prefer(DisplayUnits units) {
     Preferences wanted = preferences_.now();
     wanted.units = std::move(units);
     preferences_.set(wanted);

@@ -5,6 +5,7 @@
 #include <QToolButton>
 
 #include "core/text/display_units.h"
+#include "ui/document/document.h"
 #include "ui/run/run_backend.h"
 #include "ui/theme/preferences.h"
 
@@ -15,20 +16,23 @@ namespace covaria::ui {
 class UnitButton : public QToolButton {
     Q_OBJECT
 public:
-    explicit UnitButton(PreferenceStore& preferences, QWidget* parent = nullptr);
+    UnitButton(Document& document, PreferenceStore& preferences, QWidget* parent = nullptr);
 
     void set_result(const ResultPointer& result);
-    const DisplayUnits& units() const { return preferences_.now().units; }
+    /// What the project states, else what the user prefers.
+    DisplayUnits units() const;
     void choose(const Unit& unit);
-    /// Every quantity in the unit of its model again.
+    /// Every quantity in the unit of its model again: neither stated nor preferred.
     void clear();
     /// Adds the units of the dimension of `unit` to a menu.
     void add_choices(QMenu& menu, const Unit& unit);
 
 private:
     void fill();
-    void take(DisplayUnits units);
+    void prefer(DisplayUnits units);
+    void state(const QString& words, const DisplayUnits& units);
 
+    Document& document_;
     PreferenceStore& preferences_;
     std::vector<Unit> shown_;  ///< one of each dimension in the result
 };

@@ -301,11 +301,13 @@ void AnalysisRunner::keep(const std::string& id, const PreparedPointer& analysis
 /// Names have no part in the numbers: a result stays current when something is renamed.
 void AnalysisRunner::take_present_names(AnalysisStatus& entry) {
     if (entry.result_of == entry.prepared) return;
-    const bool same_words = entry.result_of->propagated == entry.prepared->propagated;
+    const bool same_words = entry.result_of->propagated == entry.prepared->propagated &&
+                            entry.result_of->style == entry.prepared->style;
     entry.result_of = entry.prepared;
     if (same_words) return;
     auto renamed = std::make_shared<UncertaintyResult>(*entry.result);
     take_names(*renamed, entry.prepared->model->outputs(), entry.prepared->inputs);
+    take_style(*renamed, entry.prepared->style);
     entry.result = std::move(renamed);
 }
 

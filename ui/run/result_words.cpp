@@ -57,4 +57,10 @@ QString reservation(const AnalysisStatus& status) {
     return words;
 }
 
+QString unprepared_words(const AnalysisStatus& status) {
+    return status.state == RunState::incomplete
+               ? tr("The analysis is not complete yet: what must still be given is listed below.")
+               : tr("The analysis has problems; they are listed below.");
+}
+
 }  // namespace covaria::ui

@@ -12,4 +12,7 @@ QString result_words(const AnalysisStatus& status);
 /// What must be said wherever a part of the result goes that is no report; empty for a current result.
 QString reservation(const AnalysisStatus& status);
 
+/// Why an analysis that is not prepared shows nothing: it has problems, or something is not given yet.
+QString unprepared_words(const AnalysisStatus& status);
+
 }  // namespace covaria::ui

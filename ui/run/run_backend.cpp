@@ -10,6 +10,7 @@ namespace {
 Result<UncertaintyResult> first_order(const PreparedAnalysis& analysis) {
     auto result = guarded([&] { return evaluate_first_order(*analysis.propagated, analysis.options); });
     if (!result) return fail(result.error());
+    if (*result) take_style(**result, analysis.style);
     return *std::move(result);
 }
 

@@ -239,13 +239,13 @@ void ScenePanel::build_scene() {
         const bool of_equations = flat_->isVisibleTo(this) && equations_of_ == analysis_;
         if (of_equations || (below_ && !below_->isHidden())) {
             show_in_space(false);
-            return equations_->show_equations(tr("The analysis has problems; they are listed below."), {});
+            return equations_->show_equations(unprepared_words(status), {});
         }
         show_in_space(true);
         shown_number_ = ++number_;
         view_->set_empty_text(analysis_.isEmpty()
                                   ? tr("Select an analysis in the project tree to see its layout here.")
-                                  : tr("The analysis has problems; they are listed below."));
+                                  : unprepared_words(status));
         view_->show_scene(nullptr);
         return;
     }

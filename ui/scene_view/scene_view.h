@@ -33,6 +33,7 @@ public:
     const QString& selected() const { return selected_; }
     /// What is shown instead of a picture while there is no scene: what to do next.
     void set_empty_text(const QString& text);
+    const QString& empty_text() const { return empty_text_; }
 
     const QImage& image() const { return image_; }
     void copy_picture();

@@ -72,6 +72,10 @@ TEST_F(LibrarySession, WhatIsNotGivenIsIncompleteAndTheNextStepLeadsThere) {
     window_->selection().select_entry({SetupOwner::analysis, add_analysis(window_->document(), model)});
     wait_until_idle();
     EXPECT_EQ(status().state, RunState::incomplete);
+    EXPECT_TRUE(wait_for([this] {
+        return window_->scene().view().empty_text().startsWith(
+            QStringLiteral("The analysis is not complete yet"));
+    })) << to_std(window_->scene().view().empty_text());
     QPushButton& next = window_->results().next_step();
     ASSERT_TRUE(next.isVisibleTo(window_.get()));
     EXPECT_EQ(next.text(), QStringLiteral("Next: Base points"));
@@ -83,6 +87,9 @@ TEST_F(LibrarySession, WhatIsNotGivenIsIncompleteAndTheNextStepLeadsThere) {
     press_button("base_points", QStringLiteral("Add row"));
     wait_until_idle();
     EXPECT_EQ(status().state, RunState::failed) << "an empty row is wrong, not missing";
+    EXPECT_TRUE(wait_for([this] {
+        return window_->scene().view().empty_text().startsWith(QStringLiteral("The analysis has problems"));
+    })) << to_std(window_->scene().view().empty_text());
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// What a project states for the results of all its analyses.
+#pragma once
+
+#include <optional>
+
+#include "core/result/result_style.h"
+
+namespace covaria {
+
+struct ProjectResults {
+    ResultStyle style = {};
+    /// k for U = k u of the analyses that state none, greater than zero; empty: as they are.
+    std::optional<double> coverage_factor = {};
+
+    bool empty() const { return *this == ProjectResults{}; }
+    bool operator==(const ProjectResults&) const = default;
+};
+
+}  // namespace covaria

@@ -1,0 +1,67 @@
+// A user fills in the page of the project; the window, reports and files follow, in one step that can be
+// undone.
+#include <QComboBox>
+#include <QDir>
+
+#include "core/report/report.h"
+#include "tests/ui/main_window/session_fixture.h"
+#include "ui/models/roles.h"
+#include "ui/pages/sortable_table.h"
+#include "ui/pages/unit_button.h"
+
+namespace covaria::ui::project_page_session_test {
+namespace {
+
+class ProjectPageSession : public Session {
+protected:
+    QString cell_of(const char* head) {
+        const QAbstractItemModel& table = *window_->results().result_table().model();
+        for (int c = 0; c < table.columnCount(); ++c)
+            if (table.headerData(c, Qt::Horizontal, id_role).toString() == QLatin1String(head))
+                return table.index(0, c).data().toString();
+        return {};
+    }
+};
+
+TEST_F(ProjectPageSession, WhatTheProjectStatesIsObeyedAndUndone) {
+    open(project_copy());
+    const std::string before = bytes();
+    window_->document().apply(QStringLiteral("k from nu"), [](Project& project) {
+        for (AnalysisEntry& analysis : project.analyses) analysis.options.coverage_factor.reset();
+    });
+    window_->results().tabs().setCurrentIndex(0);
+    select(SetupOwner::analysis, "printed");
+    trigger(QStringLiteral("Run This Analysis"));
+    ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
+    const double k = status().result->outputs[0].coverage_factor;
+    window_->selection().select_entry(project_address);
+    show_tab(QStringLiteral("Project"));
+    type_into("project_author", QStringLiteral("A. Author"));
+    type_into("project_number", QStringLiteral("2026-17"));
+    choose("lengths", QStringLiteral("µm"));
+    ASSERT_TRUE(wait_for([this] { return cell_of("Unit") == QStringLiteral("µm"); }))
+        << to_std(cell_of("Unit"));
+    EXPECT_TRUE(status().is_current()) << "no number depends on a unit";
+    EXPECT_TRUE(wait_for([this] { return status().result->outputs[0].quantity.unit == Unit::of("um"); }));
+    window_->results().units().choose(Unit::of("nm"));
+    EXPECT_EQ(window_->document().project().results.style.units.of(Unit::of("m")), Unit::of("nm"))
+        << "where the project states a unit, the button edits the project";
+    EXPECT_TRUE(window_->preferences().now().units.chosen().empty());
+    window_->document().undo_stack().undo();
+    choose("project_digits", QStringLiteral("1"));
+    EXPECT_TRUE(wait_for([this] { return cell_of("U").trimmed().toDouble() > 0.0; }));
+    type_into("project_factor", QStringLiteral("3"));
+    EXPECT_NE(k, 3.0);
+    EXPECT_TRUE(wait_for([this] {
+        return status().is_current() && status().result->outputs[0].coverage_factor == 3.0;
+    })) << status().result->outputs[0].coverage_factor;
+    QDir().mkpath(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
+    settle();
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/project-page.png"));
+    while (window_->document().undo_stack().canUndo()) window_->document().undo_stack().undo();
+    EXPECT_EQ(bytes(), before);
+    ASSERT_TRUE(wait_for([this] { return cell_of("Unit") == QStringLiteral("mm"); }));
+}
+
+}  // namespace
+}  // namespace covaria::ui::project_page_session_test

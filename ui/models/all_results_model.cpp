@@ -1,0 +1,119 @@
+// Tables of results, each of one analysis, joined.
+#include "ui/models/all_results_model.h"
+
+#include <QGuiApplication>
+#include <QPalette>
+#include <algorithm>
+
+#include "core/report/result_columns.h"
+#include "core/text/numbers.h"
+#include "ui/models/roles.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+
+void AllResultsModel::set_analyses(std::vector<ShownAnalysis> analyses) {
+    analyses_ = std::move(analyses);
+    rebuild();
+}
+
+void AllResultsModel::set_filter(const QString& text, bool only_not_met) {
+    words_ = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    only_not_met_ = only_not_met;
+    rebuild();
+}
+
+bool AllResultsModel::is_wanted(const ShownAnalysis& analysis, std::size_t output) const {
+    const OutputQuantity& quantity = analysis.result->outputs[output].quantity;
+    if (quantity.role != OutputRole::measurand) return false;
+    const QStringList said{to_qt(analysis.name), to_qt(quantity.symbol),
+                           to_qt(to_unicode(symbol_text(quantity.symbol))), to_qt(quantity.name),
+                           to_qt(quantity.group)};
+    const QString text = said.join(QLatin1Char(' '));
+    const bool found = std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
+        return text.contains(word, Qt::CaseInsensitive);
+    });
+    return found && (!only_not_met_ || std::any_of(analysis.verdicts.begin(), analysis.verdicts.end(),
+                                                   [&](const RequirementResult& verdict) {
+                                                       return verdict.output == output && !is_met(verdict);
+                                                   }));
+}
+
+std::string AllResultsModel::interval_words() const {
+    const double p = analyses_.front().result->coverage_probability;
+    const bool one = std::all_of(analyses_.begin(), analyses_.end(), [p](const ShownAnalysis& analysis) {
+        return analysis.result->coverage_probability == p;
+    });
+    return to_std(one ? tr("%1 interval").arg(to_qt(percent_text(p))) : tr("Interval"));
+}
+
+Table AllResultsModel::joined(const std::vector<std::vector<std::size_t>>& outputs) const {
+    struct Part {
+        std::string name, state;
+        Table table;
+    };
+    auto parts = std::make_shared<std::vector<Part>>();
+    for (std::size_t i = 0; i < analyses_.size(); ++i)
+        parts->push_back({analyses_[i].name, to_std(analyses_[i].state),
+                          results_table(*analyses_[i].result, outputs[i], analyses_[i].verdicts)});
+    auto rows = std::make_shared<const std::vector<Row>>(rows_);
+    Table all{"all-results", "Results of all analyses", rows->size()};
+    all.add("analysis", [=](std::size_t row) -> Cell { return (*parts)[(*rows)[row].analysis].name; })
+        .window(to_std(tr("Analysis")));
+    for (const char* key : {"group", "symbol", "name", "estimate", "U", "unit", "k", "stated low",
+                            "stated high", "target", "U/target", "met"}) {
+        Column column = parts->front().table[key];
+        column.unit.reset();  // each row has its own
+        column.cell = [=](std::size_t row) {
+            return (*parts)[(*rows)[row].analysis].table.cell((*rows)[row].row, key);
+        };
+        all.columns.push_back(std::move(column));
+    }
+    const auto limit = [&](const char* key, const QString& which) {
+        const auto column = std::find_if(all.columns.begin(), all.columns.end(),
+                                         [&](const Column& one) { return one.key == key; });
+        column->window(interval_words() + to_std(which), to_std(tr("Coverage interval of the result line")))
+            .match("U");
+    };
+    limit("stated low", tr(", low"));
+    limit("stated high", tr(", high"));
+    all.add("state", [=](std::size_t row) -> Cell { return (*parts)[(*rows)[row].analysis].state; })
+        .window(to_std(tr("State")));
+    return all;
+}
+
+void AllResultsModel::rebuild() {
+    rows_.clear();
+    std::vector<std::vector<std::size_t>> outputs(analyses_.size());
+    bool required = false;
+    for (std::size_t i = 0; i < analyses_.size(); ++i) {
+        required = required || !analyses_[i].verdicts.empty();
+        for (std::size_t j = 0; j < analyses_[i].result->outputs.size(); ++j) {
+            if (!is_wanted(analyses_[i], j)) continue;
+            rows_.push_back({i, outputs[i].size(), j});
+            outputs[i].push_back(j);
+        }
+    }
+    if (analyses_.empty()) return set_contents({}, {}, {}, true);
+    std::vector<std::string> keys{"analysis", "group", "symbol", "name", "estimate", "U", "unit"};
+    if (required) keys.insert(keys.end(), {"target", "U/target", "met"});
+    keys.insert(keys.end(), {"stated low", "stated high", "k", "state"});
+    auto owner = std::make_shared<const std::vector<ShownAnalysis>>(analyses_);
+    set_contents(owner, joined(outputs), std::move(keys), true);
+}
+
+AllResultsModel::Place AllResultsModel::place_of(int row) const {
+    const Row& at = rows_[static_cast<std::size_t>(row)];
+    const ShownAnalysis& analysis = analyses_[at.analysis];
+    return {analysis.id, analysis.result->outputs[at.output].quantity.group, at.output};
+}
+
+QVariant AllResultsModel::extra(std::size_t row, std::size_t, int role) const {
+    const ShownAnalysis& analysis = analyses_[rows_[row].analysis];
+    if (role == Qt::ForegroundRole && !analysis.of_present)
+        return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
+    if (role == Qt::ToolTipRole) return tr("Double click: goes to the analysis");
+    return {};
+}
+
+}  // namespace covaria::ui
