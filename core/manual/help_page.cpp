@@ -5,6 +5,7 @@
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
 #include "core/manual/markdown.h"
+#include "core/project/certificate.h"
 #include "core/project/option_fields.h"
 #include "core/setup/field_words.h"
 
@@ -142,6 +143,26 @@ HelpPage options_page() {
     return page;
 }
 
+HelpPage certificate_page() {
+    HelpPage page{"certificate", "Certificate", {}};
+    page.blocks.push_back(HeadingBlock{1, page.title, page.id});
+    page.blocks.push_back(
+        ParagraphBlock{"What a calibration certificate says beside its results, with the clause of "
+                       "ISO/IEC 17025:2017 that asks for it."});
+    for (const CertificateSection& section : certificate_sections()) {
+        page.blocks.push_back(HeadingBlock{2, section.title, page.id + "-" + anchor_words(section.title)});
+        for (const CertificateField& field : section.fields) {
+            const std::string clause =
+                *field.clause ? std::string(field.required ? "required by " : "asked for by ") + field.clause
+                              : "optional";
+            ProseBlock block = stated(field.title, field.key, clause, field.help);
+            block.anchor = field_anchor(page.id, anchor_words(pointer_of(field)));
+            page.blocks.push_back(std::move(block));
+        }
+    }
+    return page;
+}
+
 Result<HelpPage> shipped_page(const std::string& id) {
     auto blocks = blocks_of_file(id + ".md", id);
     if (!blocks) return fail(blocks.error());
@@ -159,6 +180,7 @@ Result<std::vector<HelpPage>> help_pages() {
     for (const char* id : {"analysis", "results"})
         if (auto added = add(shipped_page(id)); !added) return fail(added.error());
     pages.push_back(options_page());
+    pages.push_back(certificate_page());
     for (const ModelDescriptor& model : model_registry())
         if (auto added = add(help_page(model)); !added) return fail(added.error());
     for (const AssetDescriptor& asset : asset_registry()) pages.push_back(help_page(asset));

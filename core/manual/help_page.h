@@ -21,6 +21,8 @@ Result<HelpPage> help_page(const ModelDescriptor& model);
 HelpPage help_page(const AssetDescriptor& asset);
 /// The options of the evaluation.
 HelpPage options_page();
+/// The texts of a certificate.
+HelpPage certificate_page();
 /// A file of resources/help, its id without ".md".
 Result<HelpPage> shipped_page(const std::string& id);
 

@@ -119,7 +119,8 @@ struct HtmlWriter {
                escape_html(heading.text) + "</" + name + ">\n";
     }
     void operator()(const ProseBlock& prose) {
-        const std::string mark = prose.mark.empty() ? "" : element("span", escape_html(prose.mark), "mark");
+        const std::string mark =
+            prose.mark.empty() ? "" : element("span", escape_html(prose.mark), "mark") + " ";
         out += std::string("<p") + (prose.mark.empty() ? "" : " class=\"item\"") + identity(prose.anchor) +
                ">" + target(prose.anchor) + mark + prose_html(prose.spans, Links::shown) + "</p>\n";
     }
@@ -243,15 +244,17 @@ std::string page_heads(const ReportDocument& document) {
 
 }  // namespace
 
+std::string html_body(const std::vector<ReportBlock>& blocks) {
+    HtmlWriter writer{blocks};
+    for (const ReportBlock& block : blocks) std::visit(writer, block);
+    return std::move(writer.out);
+}
+
 std::string to_html(const ReportDocument& document) {
-    HtmlWriter writer{document.blocks};
-    writer.out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                 escape_html(document.title) + "</title>\n<style>" + std::string(html_style) +
-                 page_heads(document) + "</style>\n</head>\n<body>\n<h1>" + escape_html(document.title) +
-                 "</h1>\n";
-    for (const ReportBlock& block : document.blocks) std::visit(writer, block);
-    writer.out += "</body>\n</html>\n";
-    return writer.out;
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+           escape_html(document.title) + "</title>\n<style>" + std::string(html_style) +
+           page_heads(document) + "</style>\n</head>\n<body>\n<h1>" + escape_html(document.title) +
+           "</h1>\n" + html_body(document.blocks) + "</body>\n</html>\n";
 }
 
 }  // namespace covaria

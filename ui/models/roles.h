@@ -18,6 +18,7 @@ enum Role : int {
     choices_role,     ///< QStringList of what the cell may be set to
     group_role,       ///< of an output or input quantity ("pose 7")
     exact_role,       ///< double: the number of the cell with full precision; invalid: it has none
+    help_role,        ///< where the help of the item is: an anchor of a page
     index_role,       ///< of an output among the result's outputs
 };
 
