@@ -1,53 +1,11 @@
 #include "app/schema_text.h"
 
-#include <cmath>
 #include <sstream>
 
-#include "core/text/numbers.h"
+#include "core/setup/field_words.h"
 
 namespace covaria {
 namespace {
-
-const char* kind_name(FieldKind kind) {
-    switch (kind) {
-        case FieldKind::number:
-            return "number";
-        case FieldKind::integer:
-            return "integer";
-        case FieldKind::choice:
-            return "choice";
-        case FieldKind::text:
-            return "text";
-        case FieldKind::flag:
-            return "flag";
-        case FieldKind::pose:
-            return "pose";
-        case FieldKind::table:
-            return "table";
-        case FieldKind::reference:
-            return "reference to an asset";
-    }
-    return "";
-}
-
-std::string value_text(const SetupValue& value) {
-    if (const auto* quantity = std::get_if<Quantity>(&value))
-        return format_short(quantity->value, 12) +
-               (quantity->unit == Unit() ? "" : " " + quantity->unit.text());
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (std::holds_alternative<PoseValue>(value)) return "identity";
-    return {};
-}
-
-std::string range_text(const Range& range, const Unit& unit) {
-    if (std::isinf(range.low) && std::isinf(range.high)) return {};
-    std::string text = range.low_open ? "(" : "[";
-    text += std::isinf(range.low) ? "-inf" : format_short(unit.from_si(range.low), 12);
-    text += ", ";
-    text += std::isinf(range.high) ? "inf" : format_short(unit.from_si(range.high), 12);
-    return text + (std::isinf(range.high) ? ")" : "]");
-}
 
 void write_choices(std::ostringstream& out, const std::vector<Choice>& choices, const std::string& indent) {
     for (const Choice& choice : choices) out << indent << choice.key << ": " << choice.title << '\n';
@@ -57,21 +15,21 @@ void write_column(std::ostringstream& out, const ColumnSpec& column) {
     out << "        " << column.key;
     if (column.kind == FieldKind::number && !(column.unit == Unit()))
         out << " [" << column.unit.text() << "]";
-    out << " (" << kind_name(column.kind) << (column.optional ? ", optional" : "") << ")";
-    const std::string range = range_text(column.range, column.unit);
+    out << " (" << kind_words(column.kind) << (column.optional ? ", optional" : "") << ")";
+    const std::string range = range_words(column.range, column.unit);
     if (!range.empty()) out << ' ' << range;
     out << (column.help.empty() ? "" : ": " + column.help) << '\n';
     write_choices(out, column.choices, "            ");
 }
 
 void write_field(std::ostringstream& out, const FieldSpec& field) {
-    out << "  " << field.key << " (" << kind_name(field.kind);
+    out << "  " << field.key << " (" << kind_words(field.kind);
     if (field.kind == FieldKind::number && !(field.unit == Unit())) out << ", " << field.unit.text();
     if (field.optional) out << ", optional";
     out << ")";
-    const std::string default_text = value_text(field.default_value);
+    const std::string default_text = value_words(field.default_value);
     if (!default_text.empty()) out << "  default " << default_text;
-    const std::string range = range_text(field.range, field.unit);
+    const std::string range = range_words(field.range, field.unit);
     if (!range.empty()) out << "  range " << range;
     out << '\n';
     write_wrapped(out, field.title + ". " + field.help, "      ");

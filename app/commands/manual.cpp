@@ -1,15 +1,20 @@
-// covaria manual: the command line described by itself, for man and for bash. What is packaged is made by it.
+// covaria manual: the manual as one document, and the command line described by itself, for man and for bash.
+// What is packaged is made by it.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/application.h"
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
+#include "app/terminal.h"
+#include "core/base/file_io.h"
 #include "core/base/version.h"
+#include "core/manual/manual.h"
+#include "core/report/report.h"
+#include "ui/print/pdf_report.h"
 
 namespace covaria {
 namespace {
@@ -49,14 +54,17 @@ std::vector<std::string> names_of(const CLI::Option& option) {
     return names;
 }
 
+/// "-o, --output FILE".
+std::string option_head(const CLI::Option& option) {
+    const std::vector<std::string> names = names_of(option);
+    if (names.empty()) return option.get_name(true);
+    return joined(names, ", ") + (option.get_items_expected_max() > 0 ? " " + option.get_type_name() : "");
+}
+
 std::string options_in_troff(const CLI::App& app) {
     std::string text;
     for (const CLI::Option* option : app.get_options()) {
-        const std::vector<std::string> names = names_of(*option);
-        const std::string value =
-            option->get_items_expected_max() > 0 && !names.empty() ? " " + option->get_type_name() : "";
-        const std::string head = names.empty() ? option->get_name(true) : joined(names, ", ") + value;
-        text += ".TP\n.B " + troff(head) + "\n" + troff(option->get_description()) + "\n";
+        text += ".TP\n.B " + troff(option_head(*option)) + "\n" + troff(option->get_description()) + "\n";
     }
     return text;
 }
@@ -98,20 +106,64 @@ std::string bash_completion(const CLI::App& app) {
            "complete -o filenames -F _covaria covaria\n";
 }
 
+std::vector<CommandWords> command_words(const CLI::App& app) {
+    std::vector<CommandWords> all;
+    for (const CLI::App* command : subcommands_of(app)) {
+        all.push_back({command->get_name(), command->get_description(), {}});
+        for (const CLI::Option* option : command->get_options())
+            all.back().options.emplace_back(option_head(*option), option->get_description());
+    }
+    return all;
+}
+
+Result<std::string> manual(const CLI::App& app, const std::string& form) {
+    const auto document = build_manual(command_words(app));
+    if (!document) return fail(document.error());
+    if (form == "html") return to_html(*document);
+    const auto application = make_application(Platform::offscreen);
+    return ui::pdf_bytes(*document, {});
+}
+
+struct ManualArguments {
+    std::string form, output;
+};
+
+Result<void> write_form(const CLI::App& app, const ManualArguments& wanted) {
+    const bool whole = wanted.form == "html" || wanted.form == "pdf";
+    const auto text = whole                       ? manual(app, wanted.form)
+                      : wanted.form == "man-page" ? Result<std::string>(man_page(app))
+                                                  : Result<std::string>(bash_completion(app));
+    if (!text) return fail(text.error());
+    if (!whole && wanted.output.empty()) {
+        std::fputs(text->c_str(), stdout);
+        return {};
+    }
+    const std::string file = wanted.output.empty() ? "covaria-manual." + wanted.form : wanted.output;
+    if (auto written = write_file_atomically(file, *text); !written) return written;
+    std::printf("the %s is in %s\n", whole ? "manual" : wanted.form.c_str(), file.c_str());
+    return {};
+}
+
 }  // namespace
 
 Command manual_command(CLI::App& app) {
-    static const std::map<std::string, std::function<std::string(const CLI::App&)>> forms = {
-        {"man-page", man_page}, {"bash-completion", bash_completion}};
-    CLI::App* command =
-        app.add_subcommand("manual", "Print the command line as a man page or as a completion for bash");
-    std::vector<std::string> names;
-    for (const auto& [name, form] : forms) names.push_back(name);
-    auto wanted = std::make_shared<std::string>();
-    command->add_option("FORM", *wanted, joined(names, " or "))->required()->check(CLI::IsMember(names));
+    CLI::App* command = app.add_subcommand(
+        "manual",
+        "Write the manual as HTML or PDF; print the command line as a man page or as a completion for bash");
+    const std::vector<std::string> forms = {"html", "pdf", "man-page", "bash-completion"};
+    auto wanted = std::make_shared<ManualArguments>();
+    command->add_option("FORM", wanted->form, "html, pdf, man-page or bash-completion")
+        ->required()
+        ->check(CLI::IsMember(forms));
+    command
+        ->add_option("-o,--output", wanted->output,
+                     "file to write; without it covaria-manual.html or .pdf here, and the others are printed")
+        ->type_name("FILE");
     return {command, [&app, wanted](const std::stop_token&) {
-                std::fputs(forms.at(*wanted)(app).c_str(), stdout);
-                return exit_success;
+                const auto written = write_form(app, *wanted);
+                if (written) return int(exit_success);
+                print_error(written.error());
+                return exit_status_of(written.error());
             }};
 }
 

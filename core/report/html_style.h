@@ -34,6 +34,11 @@ td.subhead { font-weight: 600; padding-top: 1.6mm; border-bottom: .4pt solid var
 .signature { display: flex; justify-content: space-between; margin-top: 10mm; break-inside: avoid; }
 .signature .line { border-top: .6pt solid var(--ink); width: 75mm; margin-top: 16mm; padding-top: 1mm; }
 .end { text-align: center; color: var(--quiet); border-top: .6pt solid var(--rule); padding-top: 2mm; }
+p.item { margin-left: 5mm; text-indent: -4mm; } p.item .mark { display: inline-block; width: 4mm; text-indent: 0; color: var(--quiet); }
+pre { background: #f4f6f8; padding: 2mm 3mm; overflow-x: auto; } code, pre { font: 8.5pt/1.4 "Liberation Mono", monospace; }
+nav input { width: 70mm; padding: 1mm 2mm; } nav ul { list-style: none; padding: 0; } nav li { margin: 0; }
+nav .level-1 { font-weight: 600; margin-top: 2mm; } nav .level-2 { margin-left: 5mm; } nav .level-3, nav .level-4 { margin-left: 10mm; }
+@media print { nav input { display: none; } }
 sub { font-size: 75%; line-height: 0; }
 figure { margin: 0 0 5mm; break-inside: avoid; } figure img { max-width: 100%; height: auto; }
 figcaption { font-size: 8.5pt; color: var(--quiet); }
@@ -44,6 +49,26 @@ body { max-width: none; margin: 0; padding: 0; } .wide { overflow: visible; }
 .print-smallest table { font-size: 4.5pt; }
 .print-smaller th, .print-smaller td, .print-across th, .print-across td { padding-left: 1mm; padding-right: 1mm; }
 }
+)";
+
+/// Contents that are searched: headings whose own words or those below them have all that is typed.
+inline constexpr std::string_view html_search = R"(<script>
+addEventListener("DOMContentLoaded", () => {
+    const nav = document.getElementById("contents"), items = [...nav.querySelectorAll("li")];
+    const shown = items.map(item => !item.hidden);
+    const words = items.map(item => {
+        const heading = document.getElementById(item.firstChild.hash.slice(1));
+        let text = heading.textContent;
+        for (let at = heading.nextElementSibling; at && !/^H[1-6]$/.test(at.tagName); at = at.nextElementSibling)
+            text += " " + at.textContent;
+        return text.toLowerCase();
+    });
+    nav.querySelector("input").addEventListener("input", event => {
+        const wanted = event.target.value.toLowerCase().split(/\s+/).filter(word => word);
+        items.forEach((item, i) => item.hidden = wanted.length ? !wanted.every(word => words[i].includes(word)) : !shown[i]);
+    });
+});
+</script>
 )";
 
 }  // namespace covaria

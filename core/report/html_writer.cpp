@@ -1,8 +1,11 @@
 // Report document as one HTML file with its style sheet inside; figures are files beside it.
 #include <algorithm>
+#include <cstdint>
 #include <sstream>
 
+#include "core/base/file_io.h"
 #include "core/report/html_style.h"
+#include "core/report/prose.h"
 #include "core/report/report.h"
 #include "core/report/table_text.h"
 #include "core/text/symbol.h"
@@ -84,12 +87,63 @@ std::string rich(const std::string& words) {
     return to_html(running_text(words));
 }
 
-struct HtmlWriter {
+std::string identity(const std::string& anchor) {
+    return anchor.empty() ? "" : " id=\"" + escape_html(anchor) + "\"";
+}
+
+/// Text browsers of the window find only these.
+std::string target(const std::string& anchor) {
+    return anchor.empty() ? "" : "<a name=\"" + escape_html(anchor) + "\"></a>";
+}
+
+std::string base64(const std::string& bytes) {
+    static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k) out += k <= count ? letters[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return out;
+}
+
+struct HtmlWriter {
+    const std::vector<ReportBlock>& blocks;
+    std::string out = {};
 
     void operator()(const HeadingBlock& heading) {
+        const std::string name = "h" + std::to_string(std::min(heading.level + 1, 6));
+        out += "<" + name + identity(heading.anchor) + ">" + target(heading.anchor) +
+               escape_html(heading.text) + "</" + name + ">\n";
+    }
+    void operator()(const ProseBlock& prose) {
+        const std::string mark =
+            prose.mark.empty() ? "" : element("span", escape_html(prose.mark), "mark") + " ";
+        out += std::string("<p") + (prose.mark.empty() ? "" : " class=\"item\"") + identity(prose.anchor) +
+               ">" + target(prose.anchor) + mark + prose_html(prose.spans, Links::shown) + "</p>\n";
+    }
+    void operator()(const CodeBlock& code) { out += element("pre", escape_html(code.text)) + "\n"; }
+    void operator()(const PictureBlock& picture) {
+        const auto bytes = read_file(picture.file);
+        if (!bytes) return;
+        out += "<figure><img src=\"data:image/png;base64," + base64(*bytes) + "\" alt=\"" +
+               escape_html(picture.caption) + "\">" + element("figcaption", escape_html(picture.caption)) +
+               "</figure>\n";
+    }
+    void operator()(const ContentsBlock& contents) {
         out +=
-            element("h" + std::to_string(std::min(heading.level + 1, 6)), escape_html(heading.text)) + "\n";
+            "<nav id=\"contents\"><input type=\"search\" placeholder=\"Search\" "
+            "aria-label=\"Search\">\n<ul>\n";
+        for (const ReportBlock& block : blocks) {
+            const auto* heading = std::get_if<HeadingBlock>(&block);
+            if (!heading || heading->anchor.empty()) continue;
+            out += "<li class=\"level-" + std::to_string(heading->level) + "\"" +
+                   (heading->level > contents.levels ? " hidden" : "") + "><a href=\"#" + heading->anchor +
+                   "\">" + escape_html(heading->text) + "</a></li>\n";
+        }
+        out += "</ul></nav>\n" + std::string(html_search);
     }
     void operator()(const ParagraphBlock& paragraph) {
         out += element("p", rich(paragraph.text), paragraph.note ? "note" : "") + "\n";
@@ -190,15 +244,17 @@ std::string page_heads(const ReportDocument& document) {
 
 }  // namespace
 
+std::string html_body(const std::vector<ReportBlock>& blocks) {
+    HtmlWriter writer{blocks};
+    for (const ReportBlock& block : blocks) std::visit(writer, block);
+    return std::move(writer.out);
+}
+
 std::string to_html(const ReportDocument& document) {
-    HtmlWriter writer;
-    writer.out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                 escape_html(document.title) + "</title>\n<style>" + std::string(html_style) +
-                 page_heads(document) + "</style>\n</head>\n<body>\n<h1>" + escape_html(document.title) +
-                 "</h1>\n";
-    for (const ReportBlock& block : document.blocks) std::visit(writer, block);
-    writer.out += "</body>\n</html>\n";
-    return writer.out;
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+           escape_html(document.title) + "</title>\n<style>" + std::string(html_style) +
+           page_heads(document) + "</style>\n</head>\n<body>\n<h1>" + escape_html(document.title) +
+           "</h1>\n" + html_body(document.blocks) + "</body>\n</html>\n";
 }
 
 }  // namespace covaria

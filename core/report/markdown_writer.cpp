@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/report/prose.h"
 #include "core/report/report.h"
 #include "core/report/table_text.h"
 #include "core/text/symbol.h"
@@ -70,6 +71,14 @@ struct MarkdownWriter {
         for (const std::string& item : list.items) out += "- " + escaped_block(item) + "\n";
         out += "\n";
     }
+    void operator()(const ProseBlock& prose) {
+        out += (prose.mark.empty() ? "" : "- ") + escaped_block(prose_words(prose.spans)) + "\n\n";
+    }
+    void operator()(const CodeBlock& code) { out += "```\n" + code.text + "\n```\n\n"; }
+    void operator()(const PictureBlock& picture) {
+        out += "![" + escaped(picture.caption) + "](" + picture.file.generic_string() + ")\n\n";
+    }
+    void operator()(const ContentsBlock&) {}  // readers of Markdown make them
     void operator()(const FactsBlock& facts) {
         out += "| | |\n|---|---|\n";
         for (const auto& [key, value] : facts.facts)

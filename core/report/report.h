@@ -83,7 +83,8 @@ std::vector<DataTable> asset_tables(const AssetLibrary& assets);
 
 std::string to_markdown(const ReportDocument& document);  ///< figures as "ID.png" / "ID.svg" beside the file
 std::string to_html(const ReportDocument& document);      ///< one file; figures beside it as in Markdown
-std::string to_csv(const DataTable& table);               ///< RFC 4180, full precision, units in the heads
+std::string html_body(const std::vector<ReportBlock>& blocks);  ///< what stands between <body> and </body>
+std::string to_csv(const DataTable& table);  ///< RFC 4180, full precision, units in the heads
 std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses,
                          const ResultListing& listing = {});  ///< DESIGN 9
 

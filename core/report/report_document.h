@@ -1,6 +1,7 @@
 // A report as a sequence of blocks; writers turn it into Markdown, HTML, CSV or (ui/print) PDF.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <variant>
@@ -15,6 +16,32 @@ namespace covaria {
 struct HeadingBlock {
     int level = 1;
     std::string text;
+    std::string anchor = {};   ///< by which contents and links find it; empty: they do not
+    bool begins_page = false;  ///< in print
+};
+/// A piece of a page of help.
+struct ProseSpan {
+    std::string text;  ///< with symbols, unless it is code
+    bool strong = false, emphasis = false, code = false;
+    std::string link = {};  ///< "#anchor" or an address
+};
+struct ProseBlock {
+    std::vector<ProseSpan> spans;
+    std::string mark = {};  ///< of an item of a list: "–", "2."
+    std::string anchor = {};
+};
+/// Lines as they stand.
+struct CodeBlock {
+    std::string text;
+};
+/// A picture that exists as a file.
+struct PictureBlock {
+    std::filesystem::path file;
+    std::string caption;
+};
+/// The headings of the document, with their pages in print.
+struct ContentsBlock {
+    int levels = 2;
 };
 struct ParagraphBlock {
     std::string text;
@@ -66,8 +93,9 @@ struct SceneBlock {
     std::string design = {};  ///< what this design of the analysis found, in place of the result
 };
 
-using ReportBlock = std::variant<HeadingBlock, ParagraphBlock, ListBlock, FactsBlock, EquationBlock,
-                                 TableBlock, PlotBlock, SceneBlock, SignatureBlock>;
+using ReportBlock =
+    std::variant<HeadingBlock, ParagraphBlock, ListBlock, FactsBlock, EquationBlock, TableBlock, PlotBlock,
+                 SceneBlock, SignatureBlock, ProseBlock, CodeBlock, PictureBlock, ContentsBlock>;
 
 struct ReportDocument {
     std::string title;

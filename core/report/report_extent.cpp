@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/in_quotes.h"
+#include "core/report/prose.h"
 
 namespace covaria::report_parts {
 
@@ -48,6 +49,14 @@ struct LineCount {
     }
     double operator()(const PlotBlock&) const { return 9.0; }  // two stand side by side
     double operator()(const SceneBlock&) const { return 28.0; }
+    double operator()(const ProseBlock& block) const {
+        return lines_of_text(prose_words(block.spans), letters_of_line) + 0.6;
+    }
+    double operator()(const CodeBlock& block) const {
+        return 1.6 + double(std::count(block.text.begin(), block.text.end(), '\n'));
+    }
+    double operator()(const PictureBlock&) const { return 28.0; }
+    double operator()(const ContentsBlock&) const { return 0.0; }  // not of reports
     double operator()(const SignatureBlock&) const { return 12.0; }
 };
 

@@ -26,6 +26,23 @@ TEST(Installed, TheCommandLineDescribesItself) {
     EXPECT_EQ(run_program({"manual", "poem"}).status, 2);
 }
 
+TEST(Installed, TheManualIsWrittenAsHtmlAndPdf) {
+    const fs::path folder = fresh_folder("manual");
+    const Outcome html = run_program({"manual", "html", "-o", (folder / "manual.html").string()});
+    ASSERT_EQ(html.status, 0) << html.err;
+    const std::string page = read_text(folder / "manual.html");
+    for (const char* text :
+         {"id=\"command-verify-report\"", "<code>--variance-reduction", "id=\"glossary-measurand\"",
+          "id=\"model-pose-from-points\"", "data:image/png;base64,"})
+        EXPECT_NE(page.find(text), std::string::npos) << text;
+    const Outcome pdf = run_program({"manual", "pdf", "-o", (folder / "manual.pdf").string()});
+    ASSERT_EQ(pdf.status, 0) << pdf.err;
+    const std::string printed = read_text(folder / "manual.pdf");
+    EXPECT_TRUE(printed.starts_with("%PDF-"));
+    EXPECT_GT(printed.size(), 500'000u) << "with its pictures";
+    EXPECT_EQ(run_program({"manual", "html", "-o", (folder / "nowhere/manual.html").string()}).status, 1);
+}
+
 TEST(Installed, BashCompletesCommandsAndOptions) {
     const fs::path folder = fresh_folder("completion");
     const Outcome script = run_program({"manual", "bash-completion"});

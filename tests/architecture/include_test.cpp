@@ -25,10 +25,10 @@ const fs::path root = COVARIA_SOURCE_DIR;
 // The folders from the bottom up. Within core and within ui, a folder may include those above it in this
 // list.
 const std::vector<std::string> core_order = {
-    "core/base",     "core/pdf",     "core/math",   "core/text",   "core/equation",    "core/random",
-    "core/quantity", "core/setup",   "core/model",  "core/result", "core/propagation", "core/kinds",
-    "core/project",  "core/readers", "core/made",   "core/parts",  "core/study",       "core/design",
-    "core/report",   "core/writers", "core/carried"};
+    "core/base",     "core/pdf",     "core/math",    "core/text",   "core/equation",    "core/random",
+    "core/quantity", "core/setup",   "core/model",   "core/result", "core/propagation", "core/kinds",
+    "core/project",  "core/readers", "core/made",    "core/parts",  "core/study",       "core/design",
+    "core/report",   "core/manual",  "core/writers", "core/carried"};
 // The families of core/kinds, likewise; models.cpp and assets.cpp beside them list all.
 const std::vector<std::string> family_order = {"core/kinds/points",
                                                "core/kinds/instruments",

@@ -5,6 +5,8 @@
 
 #include "core/kinds/assets.h"
 #include "core/kinds/models.h"
+#include "core/manual/help_page.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -99,6 +101,18 @@ SetupAddress address_of_path(const Project& project, const std::string& path) {
 
 bool exists(const Project& project, const SetupAddress& address) {
     return address.owner == SetupOwner::project || !entry_path(project, address).empty();
+}
+
+QString help_anchor(const Project& project, const SetupAddress& address, const std::string& field,
+                    const std::string& column) {
+    std::string page;
+    if (address.owner == SetupOwner::asset) {
+        if (const AssetEntry* asset = project.find_asset(address.id)) page = "asset-" + asset->kind;
+    } else if (const AnalysisEntry* analysis = project.find_analysis(address.id)) {
+        page = "model-" + analysis->model;
+    }
+    if (page.empty()) return {};
+    return to_qt(field.empty() ? page : field_anchor(page, field, column));
 }
 
 }  // namespace covaria::ui

@@ -1,6 +1,7 @@
 // Which set-up of the project a form or table edits, and where that is in the file.
 #pragma once
 
+#include <QString>
 #include <optional>
 #include <string>
 
@@ -42,5 +43,10 @@ SetupAddress address_of_path(const Project& project, const std::string& path);
 
 AssetEntry* find_asset_entry(Project& project, const std::string& id);
 AnalysisEntry* find_analysis_entry(Project& project, const std::string& id);
+
+/// Where the help of the entry, or of a field of its set-up, is on the pages of help; empty when the entry is
+/// gone.
+QString help_anchor(const Project& project, const SetupAddress& address, const std::string& field = {},
+                    const std::string& column = {});
 
 }  // namespace covaria::ui

@@ -3,9 +3,12 @@
 #include <QApplication>
 #include <algorithm>
 
+#include "core/manual/help_page.h"
+#include "core/manual/markdown.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/date_editor.h"
 #include "ui/forms/form_labels.h"
+#include "ui/forms/help_place.h"
 #include "ui/forms/prose_editor.h"
 #include "ui/forms/simple_editors.h"
 #include "ui/theme/core_text.h"
@@ -83,6 +86,7 @@ void CertificateForm::add_field(const CertificateField& field) {
     title->setToolTip(help_text(spec_of(field)));
     title->setBuddy(editor);
     layout_->addRow(title, editor);
+    set_help_place(*editor, to_qt(field_anchor("certificate", anchor_words(pointer_of(field)))));
     rows_.push_back({&field, editor});
     connect(editor, &FieldEditor::edited, this, [this, &field](const SetupValue& value) {
         const std::string* text = std::get_if<std::string>(&value);

@@ -5,7 +5,9 @@
 #include <QComboBox>
 #include <algorithm>
 
+#include "core/manual/help_page.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/help_place.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
@@ -75,6 +77,7 @@ void OptionsForm::add(const OptionField& field) {
         rows_.push_back(quantity_row(field));
     QWidget* editor = rows_.back().editor;
     editor->setObjectName(QString::fromUtf8(field.key));
+    set_help_place(*editor, to_qt(field_anchor("options", field.key)));
     editor->setAccessibleName(core_text(field.title));
 }
 

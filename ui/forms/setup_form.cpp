@@ -3,6 +3,7 @@
 
 #include "ui/document/missing_fields.h"
 #include "ui/forms/form_labels.h"
+#include "ui/forms/help_place.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
@@ -55,6 +56,7 @@ void SetupForm::add_field(const FieldSpec& field) {
     QLabel* title = make_form_label(field.title, this);
     title->setToolTip(help_text(field));
     title->setBuddy(editor);
+    set_help_place(*editor, help_anchor(document_.project(), address_, field.key));
     if (editor->is_wide()) {
         title->setWordWrap(false);
         title->setMinimumWidth(0);

@@ -1,20 +1,42 @@
-// Help: a page per measurement model, what the keys do, about.
+// Help: the menu, and the pane with the pages.
 #pragma once
+
+#include <QObject>
 
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 
+class QDockWidget;
+class QMainWindow;
 class QMenu;
-class QWidget;
 
 namespace covaria::ui {
 
-/// The pages are those of the registered models; the first entry opens the page of the selected analysis
-/// (F1).
-void add_help_actions(QMenu& menu, QWidget& window, Selection& selection, Document& document);
+class HelpPane;
 
-/// A model's page as Markdown: summary, equations, notes, references, and the text of resources/help.
-QString help_text(const std::string& model);
+class HelpActions : public QObject {
+    Q_OBJECT
+public:
+    HelpActions(QMainWindow& window, Selection& selection, Document& document);
+
+    void add_to(QMenu& menu);
+    /// F1: the field, cell or entry with the focus, else the model of the selected analysis, else the keys.
+    void show_help_on_focus();
+    /// A page or a place on one.
+    void show_place(const QString& anchor);
+    /// Made when it is first asked for.
+    HelpPane& pane();
+
+private:
+    void show_keys();
+    void show_dock();
+
+    QMainWindow& window_;
+    Selection& selection_;
+    Document& document_;
+    QDockWidget* dock_ = nullptr;
+    HelpPane* pane_ = nullptr;
+};
 
 /// Versions of Covaria and of what it is built on.
 QString about_text();

@@ -254,7 +254,8 @@ void MainWindow::make_view_menu() {
 }
 
 void MainWindow::make_help_menu() {
-    add_help_actions(*menuBar()->addMenu(tr("&Help")), *this, selection_, document_);
+    help_ = new HelpActions(*this, selection_, document_);
+    help_->add_to(*menuBar()->addMenu(tr("&Help")));
 }
 
 void MainWindow::connect_panes() {

@@ -19,6 +19,7 @@ namespace covaria::ui {
 
 class BudgetPage;
 class ExportActions;
+class HelpActions;
 class ImportActions;
 class LibraryBrowser;
 class LogPane;
@@ -50,6 +51,7 @@ public:
     BudgetPage& budget() { return *budget_; }
     ProjectPane& project_pane() { return *project_; }
     ExportActions& exports() { return *exports_; }
+    HelpActions& help() { return *help_; }
     PreferenceStore& preferences() { return preferences_; }
     void show_preferences();
     ImportActions& imports() { return *imports_; }
@@ -109,6 +111,7 @@ private:
     ImportActions* imports_ = nullptr;
     LibraryBrowser* library_ = nullptr;
     RunActions* run_ = nullptr;
+    HelpActions* help_ = nullptr;
     ThemeSwitch* theme_ = nullptr;
     QMenu* add_ = nullptr;
     QAction* undo_ = nullptr;

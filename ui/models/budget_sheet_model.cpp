@@ -244,6 +244,8 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
 QVariant BudgetSheetModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const int section = index.column();
+    if (role == help_role && (is_computed(section) || is_new_row(index.row())))
+        return QStringLiteral("glossary-uncertainty-budget");
     if (is_computed(section)) return computed(index.row(), section, role);
     if (!is_new_row(index.row())) return of_sheet(index.row(), section, role);
     if (role == Qt::ToolTipRole && section == symbol) return tr("Type a name here to add a quantity");

@@ -134,6 +134,8 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const {
             return static_cast<int>(index.internalId()) - 1;
         case path_role:
             return to_qt(entry_path(document_.project(), at));
+        case help_role:
+            return help_anchor(document_.project(), at);
         case problem_role:
             return problems_of(at);
         case worst_role:

@@ -19,6 +19,7 @@ enum Role : int {
     group_role,       ///< of an output or input quantity ("pose 7")
     exact_role,       ///< double: the number of the cell with full precision; invalid: it has none
     verdict_role,     ///< how many requirements of an analysis are not met, in words; empty: none
+    help_role,        ///< where the help of the item is: an anchor of a page
     index_role,       ///< of an output among the result's outputs
 };
 

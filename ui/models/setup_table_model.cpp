@@ -98,6 +98,8 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
         case path_role:
             return to_qt(setup_path(document_.project(), address_) + '/' + field_ + "/rows/" +
                          std::to_string(at.first) + '/' + std::to_string(at.second));
+        case help_role:
+            return help_anchor(document_.project(), address_, field_, spec.key);
         case choices_role: {
             QStringList titles;
             for (const Choice& choice : spec.choices) titles << core_text(choice.title);

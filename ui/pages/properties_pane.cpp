@@ -6,8 +6,10 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "ui/document/setup_address.h"
 #include "ui/forms/certificate_form.h"
 #include "ui/forms/designs_form.h"
+#include "ui/forms/help_place.h"
 #include "ui/forms/options_form.h"
 #include "ui/forms/report_form.h"
 #include "ui/forms/requirements_form.h"
@@ -68,6 +70,7 @@ void PropertiesPane::rebuild() {
         return;
     }
     setup_ = new SetupForm(document_, entry);
+    set_help_place(*this, help_anchor(document_.project(), entry));
     connect(setup_, &SetupForm::part_selected, this, [this](const QString& path) {
         following_ = true;
         selection_.select_field(path);
@@ -91,6 +94,7 @@ void PropertiesPane::add_project_pages() {
     project_ = new ProjectPage(document_);
     tabs_->addTab(scrolled(project_), tr("Project"));
     certificate_ = new CertificateForm(document_);
+    set_help_place(*certificate_, QStringLiteral("certificate"));
     tabs_->addTab(scrolled(certificate_), tr("Certificate"));
     tabs_->addTab(scrolled(new ReportForm(document_)), tr("Report"));
 }
@@ -110,6 +114,11 @@ void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
     designs_ = new DesignsForm(document_, runner_, selection_, entry.id);
     tabs_->addTab(scrolled(designs_), tr("Designs"));
     requirements_ = new RequirementsForm(document_, runner_, entry.id);
+    set_help_place(*inputs_, QStringLiteral("analysis-inputs"));
+    set_help_place(*options_, QStringLiteral("options"));
+    set_help_place(*studies_, QStringLiteral("analysis-studies"));
+    set_help_place(*designs_, QStringLiteral("analysis-designs"));
+    set_help_place(*requirements_, QStringLiteral("analysis-requirements"));
     tabs_->addTab(scrolled(requirements_), tr("Requirements"));
 }
 

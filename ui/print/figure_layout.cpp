@@ -11,6 +11,7 @@ namespace covaria::ui {
 namespace {
 
 constexpr double picture_dots_per_mm = 200.0 / 25.4;
+constexpr double least_dots_per_mm = 130.0 / 25.4;  // a small picture stays small
 
 RichText caption_of(const std::string& caption, const PageStyle& style, double width) {
     RichText text(style, TextRole::note, QString::fromStdString(escape_html(caption)));
@@ -79,10 +80,17 @@ void append_scene(std::vector<FlowItem>& items, const SceneBlock& scene, const P
                   const RenderScene& render_scene) {
     const double width = style.text_area().width();
     const double dots = picture_dots_per_mm * width / style.mm(1.0);
-    const QImage image = render_scene(scene, QSize(static_cast<int>(dots), static_cast<int>(0.625 * dots)));
+    append_picture(items, render_scene(scene, QSize(static_cast<int>(dots), static_cast<int>(0.625 * dots))),
+                   scene.caption, style);
+}
+
+void append_picture(std::vector<FlowItem>& items, const QImage& image, const std::string& caption_words,
+                    const PageStyle& style) {
+    const double width =
+        std::min(style.text_area().width(), image.width() * style.mm(1.0) / least_dots_per_mm);
     const std::string words =
-        image.isNull() ? scene.caption + " (The picture could not be drawn.)" : scene.caption;
-    const RichText caption = caption_of(words, style, width);
+        image.isNull() ? caption_words + " (The picture could not be drawn.)" : caption_words;
+    const RichText caption = caption_of(words, style, style.text_area().width());
     const double height = image.isNull() ? 0.0 : width * image.height() / image.width();
     const double space = style.points(3.0);
     const auto paint = [image, caption, width, height, space](QPainter& painter, QPointF at) {

@@ -22,4 +22,7 @@ void append_plots(std::vector<FlowItem>& items, const std::vector<const PlotBloc
 void append_scene(std::vector<FlowItem>& items, const SceneBlock& scene, const PageStyle& style,
                   const RenderScene& render_scene);
 
+void append_picture(std::vector<FlowItem>& items, const QImage& image, const std::string& caption,
+                    const PageStyle& style);
+
 }  // namespace covaria::ui

@@ -24,7 +24,8 @@ public:
         const double needed = starts_run ? run_height(items, i) : item.height;
         const bool whole_run_fits_a_page = needed <= page_height_;
         const double least = whole_run_fits_a_page ? needed : item.height;
-        if (!at_top() && y_ + item.space_before + least > page_height_) break_page(item);
+        if (!at_top() && (item.begins_page || y_ + item.space_before + least > page_height_))
+            break_page(item);
         if (!at_top()) y_ += item.space_before;
         if (!item.heading.empty()) pages_.headings.push_back({item.heading, item.heading_level, page_, y_});
         put(item.height, item.paint);

@@ -26,6 +26,7 @@ struct FlowItem {
     std::shared_ptr<const RepeatedHead> head = {};  ///< of the table the item is a row of
     std::string heading = {};                       ///< that a reader may go to
     int heading_level = 0;
+    bool begins_page = false;
 };
 
 struct PlacedItem {

@@ -2,7 +2,9 @@
 #include "ui/print/report_layout.h"
 
 #include <algorithm>
+#include <sstream>
 
+#include "core/report/prose.h"
 #include "core/text/symbol.h"
 #include "ui/print/rich_text.h"
 #include "ui/print/table_layout.h"
@@ -22,8 +24,13 @@ QString rich(const std::string& words) {
 
 class ReportLayout {
 public:
-    ReportLayout(const PageStyle& style, const FigurePainters& figures)
-        : style_(style), figures_(figures), width_(style.text_area().width()) {}
+    ReportLayout(const ReportDocument& document, const PageStyle& style, const FigurePainters& figures,
+                 HeadingPages pages)
+        : document_(document),
+          style_(style),
+          figures_(figures),
+          pages_(std::move(pages)),
+          width_(style.text_area().width()) {}
 
     void title(const std::string& text, const std::string& above) {
         RichText over(style_, TextRole::body, escaped(above));
@@ -67,6 +74,7 @@ public:
                          {}});
         items.back().heading = heading.text;
         items.back().heading_level = heading.level;
+        items.back().begins_page = heading.begins_page;
     }
 
     void operator()(const ParagraphBlock& paragraph) {
@@ -75,19 +83,45 @@ public:
     }
 
     void operator()(const ListBlock& list) {
-        const double indent = style_.mm(4.0);
-        for (const std::string& item : list.items) {
-            RichText mark(style_, TextRole::body, "–");
-            RichText text(style_, TextRole::body, rich(item));
-            text.set_width(width_ - indent);
+        for (const std::string& item : list.items) add_item("–", rich(item));
+    }
+
+    void operator()(const ProseBlock& prose) {
+        const QString html = to_qt(prose_html(prose.spans, Links::dropped));
+        if (prose.mark.empty())
+            add_text(TextRole::body, html, 0.0, PageStyle::ink());
+        else
+            add_item(to_qt(prose.mark), html);
+    }
+
+    void operator()(const CodeBlock& code) {
+        std::istringstream lines(code.text);
+        bool first = true;
+        for (std::string line; std::getline(lines, line); first = false) {
+            RichText text(style_, TextRole::table,
+                          QStringLiteral("<pre style='white-space: pre-wrap'>%1</pre>").arg(escaped(line)));
+            text.set_width(width_ - style_.mm(4.0));
             items.push_back({text.height(),
-                             style_.mm(1.0),
+                             first ? style_.mm(1.8) : 0.0,
                              false,
-                             [mark, text, indent](QPainter& p, QPointF at) {
-                                 mark.paint(p, at, PageStyle::quiet());
+                             [text, indent = style_.mm(4.0)](QPainter& p, QPointF at) {
                                  text.paint(p, at + QPointF(indent, 0.0));
                              },
                              {}});
+        }
+    }
+
+    void operator()(const PictureBlock& picture) {
+        append_picture(items, QImage(from_path(picture.file)), picture.caption, style_);
+    }
+
+    void operator()(const ContentsBlock& contents) {
+        std::size_t placed = 0;  // headings so far
+        for (const ReportBlock& block : document_.blocks) {
+            const auto* heading = std::get_if<HeadingBlock>(&block);
+            if (!heading || heading->text.empty()) continue;
+            if (heading->level <= contents.levels) add_contents_line(*heading, placed);
+            ++placed;
         }
     }
 
@@ -175,6 +209,40 @@ private:
         return true;
     }
 
+    void add_item(const QString& sign, const QString& html) {
+        const double indent = style_.mm(4.0);
+        RichText mark(style_, TextRole::body, sign.toHtmlEscaped());
+        RichText text(style_, TextRole::body, html);
+        text.set_width(width_ - indent);
+        items.push_back({text.height(),
+                         style_.mm(1.0),
+                         false,
+                         [mark, text, indent](QPainter& p, QPointF at) {
+                             mark.paint(p, at, PageStyle::quiet());
+                             text.paint(p, at + QPointF(indent, 0.0));
+                         },
+                         {}});
+    }
+
+    void add_contents_line(const HeadingBlock& heading, std::size_t index) {
+        const double indent = style_.mm(6.0) * (heading.level - 1), room = style_.mm(12.0);
+        const QString words = escaped(heading.text);
+        RichText text(style_, TextRole::body, heading.level == 1 ? "<b>" + words + "</b>" : words);
+        text.set_width(width_ - indent - room);
+        items.push_back({text.height(),
+                         style_.mm(heading.level == 1 ? 2.0 : 0.6),
+                         false,
+                         [text, indent, room, index, width = width_, pages = pages_, style = style_](
+                             QPainter& p, QPointF at) {
+                             text.paint(p, at + QPointF(indent, 0.0));
+                             const QString number = QString::number(pages->at(index) + 1);
+                             RichText page(style, TextRole::body, number, Qt::AlignRight);
+                             page.set_width(room);
+                             page.paint(p, at + QPointF(width - room, 0.0));
+                         },
+                         {}});
+    }
+
     void add_text(TextRole role, const QString& html, double indent, const QColor& color) {
         RichText text(style_, role, html);
         text.set_width(width_ - indent);
@@ -204,16 +272,18 @@ private:
                          {}});
     }
 
+    const ReportDocument& document_;
     const PageStyle& style_;
     const FigurePainters& figures_;
+    HeadingPages pages_;
     double width_;
 };
 
 }  // namespace
 
 std::vector<FlowItem> lay_out(const ReportDocument& document, const PageStyle& style,
-                              const FigurePainters& figures) {
-    ReportLayout layout(style, figures);
+                              const FigurePainters& figures, const HeadingPages& pages) {
+    ReportLayout layout(document, style, figures, pages);
     layout.title(document.title, document.over);
     for (std::size_t i = 0; i < document.blocks.size();) {
         std::vector<const PlotBlock*> run;

@@ -1,6 +1,7 @@
 // A report document as a flow of printed items.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/report/report_document.h"
@@ -15,7 +16,10 @@ struct FigurePainters {
     RenderScene render_scene;
 };
 
+/// Pages of the headings in their order, known when all is placed and before anything is painted.
+using HeadingPages = std::shared_ptr<std::vector<int>>;
+
 std::vector<FlowItem> lay_out(const ReportDocument& document, const PageStyle& style,
-                              const FigurePainters& figures);
+                              const FigurePainters& figures, const HeadingPages& pages);
 
 }  // namespace covaria::ui

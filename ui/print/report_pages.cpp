@@ -60,11 +60,12 @@ QImage blank_page(QSize size, int dots_per_inch) {
 }  // namespace
 
 ReportPages::ReportPages(const ReportDocument& document, const PdfOptions& options, QPaintDevice* device)
-    : document_(document),
-      options_(options),
-      style_(device, options.paper),
-      pages_(flow(lay_out(document, style_, {options.paint_plot, options.render_scene}),
-                  style_.text_area().height())) {}
+    : document_(document), options_(options), style_(device, options.paper) {
+    const auto heading_pages = std::make_shared<std::vector<int>>();
+    pages_ = flow(lay_out(document, style_, {options.paint_plot, options.render_scene}, heading_pages),
+                  style_.text_area().height());
+    for (const PlacedHeading& heading : pages_.headings) heading_pages->push_back(heading.page);
+}
 
 void ReportPages::paint(int page, QPainter& painter) const {
     PageFrame(document_, options_.foot, style_).paint(painter, page, pages_.pages);

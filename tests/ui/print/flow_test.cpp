@@ -38,6 +38,13 @@ TEST(Flow, HeadingsGoWithWhatFollows) {
     EXPECT_EQ(pages_of(flowed), (std::vector<int>{0, 1, 1, 1}));
 }
 
+TEST(Flow, PartsBeginAPage) {
+    FlowItem part = item(10, true);
+    part.begins_page = true;
+    const FlowedPages flowed = flow({part, item(10), part, item(10)}, 100.0);
+    EXPECT_EQ(pages_of(flowed), (std::vector<int>{0, 0, 1, 1}));
+}
+
 TEST(Flow, RunsTallerThanAPageBreakWhereTheyMust) {
     const FlowedPages flowed = flow({item(20), item(50, true), item(50, true), item(50)}, 100.0);
     EXPECT_EQ(pages_of(flowed), (std::vector<int>{0, 0, 1, 1}));
