@@ -105,7 +105,6 @@ TEST_F(HelpSession, ThePaneStandsBesideTheFormAndLeavesItTheFocus) {
     EXPECT_TRUE(before->isVisible());
     EXPECT_GT(pane().browser().viewport()->width(), 250);
     EXPECT_GT(pane().browser().viewport()->height(), 150);
-    if (qEnvironmentVariableIsSet("COVARIA_LOOK")) window_->grab().save(qEnvironmentVariable("COVARIA_LOOK"));
 }
 
 TEST_F(HelpSession, AnOptionAnswersWithItsOwn) {
