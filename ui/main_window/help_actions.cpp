@@ -22,10 +22,6 @@
 namespace covaria::ui {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("covaria::ui::Help", text);
-}
-
 QString keys_text() {
     return tr(
         "# Keys\n\n"

@@ -238,7 +238,7 @@ TEST_F(AnalysisRunnerTest, APreviewSaysWhatItIsWorth) {
     const QString words_of_plain =
         QStringLiteral("Preview with %1 of %2 trials").arg(count(20'000), count(1'000'000));
     EXPECT_EQ(words,
-              (std::vector{words_of_plain + QStringLiteral(", worth ") + count(4'000'000), words_of_plain,
+              (std::vector{words_of_plain + QStringLiteral(", worth ") + count(2'000'000), words_of_plain,
                            words_of_plain + QStringLiteral(", worth ") + count(1'000'000'000)}));
     EXPECT_EQ(reductions, std::vector(3, VarianceReduction::control_variate));
 }
