@@ -147,7 +147,7 @@ void MainWindow::arrange() {
     tabifyDockWidget(docks_[2], docks_[3]);
     tabifyDockWidget(docks_[3], docks_[4]);
     docks_[2]->raise();
-    resizeDocks({docks_[0], docks_[1]}, {room_for_names(), 350}, Qt::Horizontal);
+    resizeDocks({docks_[0], docks_[1]}, {room_for_names(), 395}, Qt::Horizontal);
     resizeDocks({docks_[2]}, {(45 * height()) / 100}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
     toolbar_->show();
