@@ -5,11 +5,11 @@
     <name>QObject</name>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover %1</translation>
     </message>
     <message>
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;%1 filas más; la tabla exportada las contiene todas.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -17,4423 +17,4423 @@
     <message>
         <source>Pose from points</source>
         <extracomment>Measurement model</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Pose a partir de puntos</translation>
     </message>
     <message>
         <source>Base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistema base</translation>
     </message>
     <message>
         <source>Base points</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos de la base</translation>
     </message>
     <message>
         <source>Nominal coordinates of the points in their own frame, and standard uncertainties of single coordinates where they differ from the common ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas nominales de los puntos en su propio sistema, e incertidumbres típicas de coordenadas individuales cuando difieren de las comunes.</translation>
     </message>
     <message>
         <source>name</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre</translation>
     </message>
     <message>
         <source>Name of the point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del punto.</translation>
     </message>
     <message>
         <source>Nominal coordinate x in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal x en el sistema propio del punto.</translation>
     </message>
     <message>
         <source>Nominal coordinate y in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal y en el sistema propio del punto.</translation>
     </message>
     <message>
         <source>Nominal coordinate z in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal z en el sistema propio del punto.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this x; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de esta x; vacío: la indicada para todos.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this y; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de esta y; vacío: la indicada para todos.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this z; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de esta z; vacío: la indicada para todos.</translation>
     </message>
     <message>
         <source>Frame from its points</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistema a partir de sus puntos</translation>
     </message>
     <message>
         <source>3-2-1: the origin from point 1, the x-axis from points 1 and 2, the xy-plane from points 1, 2 and 3. Least squares: the frame in which the nominal coordinates fit all points best.</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1: el origen con el punto 1, el eje x con los puntos 1 y 2, el plano xy con los puntos 1, 2 y 3. Mínimos cuadrados: el sistema en el que las coordenadas nominales se ajustan mejor a todos los puntos.</translation>
     </message>
     <message>
         <source>3-2-1</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1</translation>
     </message>
     <message>
         <source>least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>mínimos cuadrados</translation>
     </message>
     <message>
         <source>Side of point 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Lado del punto 3</translation>
     </message>
     <message>
         <source>On which side of the x-axis point 3 lies in the base frame b; this directs z.</source>
-        <translation type="unfinished"></translation>
+        <translation>A qué lado del eje x está el punto 3 en el sistema base b; determina el sentido de z.</translation>
     </message>
     <message>
         <source>negative y: z = (q3 − q1) × x</source>
-        <translation type="unfinished"></translation>
+        <translation>y negativa: z = (q3 − q1) × x</translation>
     </message>
     <message>
         <source>positive y: z = x × (q3 − q1)</source>
-        <translation type="unfinished"></translation>
+        <translation>y positiva: z = x × (q3 − q1)</translation>
     </message>
     <message>
         <source>Origin from point 1, x</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen desde el punto 1, x</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición del origen respecto del punto 1 según x del sistema base b (s de las ecs. 17 y 18).</translation>
     </message>
     <message>
         <source>Origin from point 1, y</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen desde el punto 1, y</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición del origen respecto del punto 1 según y del sistema base b (s de las ecs. 17 y 18).</translation>
     </message>
     <message>
         <source>Origin from point 1, z</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen desde el punto 1, z</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición del origen respecto del punto 1 según z del sistema base b (s de las ecs. 17 y 18).</translation>
     </message>
     <message>
         <source>Pose of the base in frame 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose de la base en el sistema 0</translation>
     </message>
     <message>
         <source>Where the base stands in the frame of the measurement (frame 0, the world of the picture). It matters only for an instrument that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está la base en el sistema de la medición (sistema 0, el sistema global de la imagen). Solo importa para un instrumento que tiene un emplazamiento.</translation>
     </message>
     <message>
         <source>Moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistema móvil</translation>
     </message>
     <message>
         <source>Points of the moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos del sistema móvil</translation>
     </message>
     <message>
         <source>On which side of the x-axis point 3 lies in the moving frame p; this directs z.</source>
-        <translation type="unfinished"></translation>
+        <translation>A qué lado del eje x está el punto 3 en el sistema móvil p; determina el sentido de z.</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición del origen respecto del punto 1 según x del sistema móvil p (s de las ecs. 17 y 18).</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición del origen respecto del punto 1 según y del sistema móvil p (s de las ecs. 17 y 18).</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición del origen respecto del punto 1 según z del sistema móvil p (s de las ecs. 17 y 18).</translation>
     </message>
     <message>
         <source>Poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluación</translation>
     </message>
     <message>
         <source>A priori: at the nominal coordinates. A posteriori: at the means of measured coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>A priori: en las coordenadas nominales. A posteriori: en las medias de las coordenadas medidas.</translation>
     </message>
     <message>
         <source>a priori (nominal poses)</source>
-        <translation type="unfinished"></translation>
+        <translation>a priori (poses nominales)</translation>
     </message>
     <message>
         <source>a posteriori (measured points)</source>
-        <translation type="unfinished"></translation>
+        <translation>a posteriori (puntos medidos)</translation>
     </message>
     <message>
         <source>Nominal poses of the moving frame in the base frame; angles are R = Rz(γ) Ry(β) Rx(α). All poses share the measurement of the base.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses nominales del sistema móvil en el sistema base; los ángulos son R = Rz(γ) Ry(β) Rx(α). Todas las poses comparten la medición de la base.</translation>
     </message>
     <message>
         <source>Name of the pose; groups its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la pose; agrupa sus resultados.</translation>
     </message>
     <message>
         <source>Position x in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición x en el sistema base.</translation>
     </message>
     <message>
         <source>Position y in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición y en el sistema base.</translation>
     </message>
     <message>
         <source>Position z in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición z en el sistema base.</translation>
     </message>
     <message>
         <source>Rotation about x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotación alrededor de x.</translation>
     </message>
     <message>
         <source>Rotation about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotación alrededor de y.</translation>
     </message>
     <message>
         <source>Rotation about z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotación alrededor de z.</translation>
     </message>
     <message>
         <source>Measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos medidos</translation>
     </message>
     <message>
         <source>Coordinates in one frame 0 for the base and every pose, typed or from a CSV file; the mean of the repeats is the estimate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas en un mismo sistema 0 para la base y todas las poses, tecleadas o de un archivo CSV; la media de las repeticiones es la estimación.</translation>
     </message>
     <message>
         <source>set</source>
-        <translation type="unfinished"></translation>
+        <translation>conjunto</translation>
     </message>
     <message>
         <source>&quot;base&quot;, or the name of a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;base&quot;, o el nombre de una pose.</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>punto</translation>
     </message>
     <message>
         <source>repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>repetición</translation>
     </message>
     <message>
         <source>Number of the repetition.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de la repetición.</translation>
     </message>
     <message>
         <source>Measured coordinate x in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida x en el sistema 0.</translation>
     </message>
     <message>
         <source>Measured coordinate y in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida y en el sistema 0.</translation>
     </message>
     <message>
         <source>Measured coordinate z in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida z en el sistema 0.</translation>
     </message>
     <message>
         <source>Orientation stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientación expresada como</translation>
     </message>
     <message>
         <source>Numbers in which the result states the orientation of the moving frame. Angles are undefined in gimbal lock; rotation vector and quaternion are not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Números con los que el resultado expresa la orientación del sistema móvil. Los ángulos no están definidos en el bloqueo de cardán; el vector de rotación y el cuaternión sí.</translation>
     </message>
     <message>
         <source>Z-Y-X angles (roll α, pitch β, yaw γ)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulos Z-Y-X (alabeo α, cabeceo β, guiñada γ)</translation>
     </message>
     <message>
         <source>Z-Y-Z angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulos Z-Y-Z</translation>
     </message>
     <message>
         <source>rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>vector de rotación</translation>
     </message>
     <message>
         <source>unit quaternion</source>
-        <translation type="unfinished"></translation>
+        <translation>cuaternión unitario</translation>
     </message>
     <message>
         <source>Uncertainty: Base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre: sistema base</translation>
     </message>
     <message>
         <source>Uncertainty of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de los puntos</translation>
     </message>
     <message>
         <source>Standard uncertainties typed here, or those that an artefact or an instrument of the project gives.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbres típicas tecleadas aquí, o las que da un artefacto o un instrumento del proyecto.</translation>
     </message>
     <message>
         <source>typed</source>
-        <translation type="unfinished"></translation>
+        <translation>tecleada</translation>
     </message>
     <message>
         <source>artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>artefacto o instrumento</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along x of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de las coordenadas de los puntos según x del sistema base b.</translation>
     </message>
     <message>
         <source>u_x is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_x es común</translation>
     </message>
     <message>
         <source>One and the same deviation along x for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una misma desviación según x para todos los puntos de la base, en lugar de desviaciones independientes.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along y of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de las coordenadas de los puntos según y del sistema base b.</translation>
     </message>
     <message>
         <source>u_y is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_y es común</translation>
     </message>
     <message>
         <source>One and the same deviation along y for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una misma desviación según y para todos los puntos de la base, en lugar de desviaciones independientes.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along z of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de las coordenadas de los puntos según z del sistema base b.</translation>
     </message>
     <message>
         <source>u_z is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_z es común</translation>
     </message>
     <message>
         <source>One and the same deviation along z for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una misma desviación según z para todos los puntos de la base, en lugar de desviaciones independientes.</translation>
     </message>
     <message>
         <source>Their distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Su distribución</translation>
     </message>
     <message>
         <source>The distribution of typed deviations of the points; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución de las desviaciones tecleadas de los puntos; lo que se indica es su incertidumbre típica, sea cual sea la forma.</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>normal</translation>
     </message>
     <message>
         <source>rectangular: limits ± √3 u</source>
-        <translation type="unfinished"></translation>
+        <translation>rectangular: límites ± √3 u</translation>
     </message>
     <message>
         <source>triangular: limits ± √6 u</source>
-        <translation type="unfinished"></translation>
+        <translation>triangular: límites ± √6 u</translation>
     </message>
     <message>
         <source>arc sine: limits ± √2 u</source>
-        <translation type="unfinished"></translation>
+        <translation>arcoseno: límites ± √2 u</translation>
     </message>
     <message>
         <source>Artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Artefacto o instrumento</translation>
     </message>
     <message>
         <source>Gives the uncertainty of the coordinates of the points of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da la incertidumbre de las coordenadas de los puntos del sistema base b.</translation>
     </message>
     <message>
         <source>Uncertainty: Moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre: sistema móvil</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along x of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de las coordenadas de los puntos según x del sistema móvil p.</translation>
     </message>
     <message>
         <source>One and the same deviation along x for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una misma desviación según x para todos los puntos del sistema móvil, en todas las poses, en lugar de desviaciones independientes.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along y of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de las coordenadas de los puntos según y del sistema móvil p.</translation>
     </message>
     <message>
         <source>One and the same deviation along y for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una misma desviación según y para todos los puntos del sistema móvil, en todas las poses, en lugar de desviaciones independientes.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along z of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de las coordenadas de los puntos según z del sistema móvil p.</translation>
     </message>
     <message>
         <source>One and the same deviation along z for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una misma desviación según z para todos los puntos del sistema móvil, en todas las poses, en lugar de desviaciones independientes.</translation>
     </message>
     <message>
         <source>Gives the uncertainty of the coordinates of the points of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da la incertidumbre de las coordenadas de los puntos del sistema móvil p.</translation>
     </message>
     <message>
         <source>Uncertainties along</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbres según</translation>
     </message>
     <message>
         <source>Along which axes the typed uncertainties of the moving points lie: those of the moving frame, which turn with it, or those of the base frame, the same in all poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Según qué ejes se dan las incertidumbres tecleadas de los puntos móviles: los del sistema móvil, que giran con él, o los del sistema base, iguales en todas las poses.</translation>
     </message>
     <message>
         <source>the axes of the moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>los ejes del sistema móvil</translation>
     </message>
     <message>
         <source>the axes of the base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>los ejes del sistema base</translation>
     </message>
     <message>
         <source>Points from sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos a partir de sensores</translation>
     </message>
     <message>
         <source>Network</source>
-        <translation type="unfinished"></translation>
+        <translation>Red</translation>
     </message>
     <message>
         <source>Sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensores</translation>
     </message>
     <message>
         <source>The instruments of the network, each an instrument of the project that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los instrumentos de la red, cada uno un instrumento del proyecto que tiene un emplazamiento.</translation>
     </message>
     <message>
         <source>sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>sensor</translation>
     </message>
     <message>
         <source>An instrument of the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un instrumento del proyecto.</translation>
     </message>
     <message>
         <source>Targets</source>
-        <translation type="unfinished"></translation>
+        <translation>Dianas</translation>
     </message>
     <message>
         <source>Points to be localised, at their nominal coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos que se han de localizar, en sus coordenadas nominales.</translation>
     </message>
     <message>
         <source>Name of the target, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la diana, único.</translation>
     </message>
     <message>
         <source>Nominal coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal x.</translation>
     </message>
     <message>
         <source>Nominal coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal y.</translation>
     </message>
     <message>
         <source>Nominal coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal z.</translation>
     </message>
     <message>
         <source>new set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>nuevo estacionamiento</translation>
     </message>
     <message>
         <source>The sensors were located anew before this target: it and those below share the deviations of the stations with each other, not with the targets above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los sensores se localizaron de nuevo antes de esta diana: esta y las de abajo comparten entre sí las desviaciones de las estaciones, pero no con las dianas de arriba.</translation>
     </message>
     <message>
         <source>Distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancias</translation>
     </message>
     <message>
         <source>Distances between targets that are measurands too, for instance of a scale bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancias entre dianas que también son mensurandos, por ejemplo de una barra de escala.</translation>
     </message>
     <message>
         <source>from</source>
-        <translation type="unfinished"></translation>
+        <translation>desde</translation>
     </message>
     <message>
         <source>Name of a target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de una diana.</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>hasta</translation>
     </message>
     <message>
         <source>Name of another target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de otra diana.</translation>
     </message>
     <message>
         <source>Angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulos</translation>
     </message>
     <message>
         <source>Angles at a target between the directions to two others, measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulos en una diana entre las direcciones a otras dos, también mensurandos.</translation>
     </message>
     <message>
         <source>at</source>
-        <translation type="unfinished"></translation>
+        <translation>en</translation>
     </message>
     <message>
         <source>Name of the target where the angle is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la diana donde está el ángulo.</translation>
     </message>
     <message>
         <source>Name of a third target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de una tercera diana.</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistemas</translation>
     </message>
     <message>
         <source>Frames on three targets (3-2-1), whose position and Z-Y-X angles in the world are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistemas definidos por tres dianas (3-2-1), cuya posición y ángulos Z-Y-X en el sistema global también son mensurandos.</translation>
     </message>
     <message>
         <source>Name of the frame, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del sistema, único.</translation>
     </message>
     <message>
         <source>origin</source>
-        <translation type="unfinished"></translation>
+        <translation>origen</translation>
     </message>
     <message>
         <source>Target at its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diana en su origen.</translation>
     </message>
     <message>
         <source>on x</source>
-        <translation type="unfinished"></translation>
+        <translation>en x</translation>
     </message>
     <message>
         <source>Target on its positive x-axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diana en su semieje x positivo.</translation>
     </message>
     <message>
         <source>in xy</source>
-        <translation type="unfinished"></translation>
+        <translation>en xy</translation>
     </message>
     <message>
         <source>Target in its xy-plane, at positive y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diana en su plano xy, con y positiva.</translation>
     </message>
     <message>
         <source>Calibrated lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitudes calibradas</translation>
     </message>
     <message>
         <source>Scale bars and other calibrated distances between two targets: compared with the network, or a constraint of the estimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Barras de escala y otras distancias calibradas entre dos dianas: se comparan con la red o son una restricción de la estimación.</translation>
     </message>
     <message>
         <source>length</source>
-        <translation type="unfinished"></translation>
+        <translation>longitud</translation>
     </message>
     <message>
         <source>Calibrated length; empty in a design: the distance of the nominal targets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud calibrada; vacío en un diseño: la distancia entre las dianas nominales.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length as it is during the measurement, with temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la longitud tal como es durante la medición, con la temperatura.</translation>
     </message>
     <message>
         <source>role</source>
-        <translation type="unfinished"></translation>
+        <translation>función</translation>
     </message>
     <message>
         <source>Check: the difference between network and calibration is a measurand. Constraint: the length is adjusted with the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comprobación: la diferencia entre red y calibración es un mensurando. Restricción: la longitud se compensa junto con las lecturas.</translation>
     </message>
     <message>
         <source>check</source>
-        <translation type="unfinished"></translation>
+        <translation>comprobación</translation>
     </message>
     <message>
         <source>constraint</source>
-        <translation type="unfinished"></translation>
+        <translation>restricción</translation>
     </message>
     <message>
         <source>distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>distribución</translation>
     </message>
     <message>
         <source>The distribution that has the standard uncertainty u; empty: normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución que tiene la incertidumbre típica u; vacío: normal.</translation>
     </message>
     <message>
         <source>Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas</translation>
     </message>
     <message>
         <source>A priori: the readings are those of the nominal targets. A posteriori: the readings are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>A priori: las lecturas son las de las dianas nominales. A posteriori: las lecturas están dadas.</translation>
     </message>
     <message>
         <source>a priori (design: nominal targets)</source>
-        <translation type="unfinished"></translation>
+        <translation>a priori (diseño: dianas nominales)</translation>
     </message>
     <message>
         <source>a posteriori (given readings)</source>
-        <translation type="unfinished"></translation>
+        <translation>a posteriori (lecturas dadas)</translation>
     </message>
     <message>
         <source>What the sensors read, one row for a sensor and a target, typed or from a CSV file; leave empty what was not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que leen los sensores, una fila por sensor y diana, tecleado o de un archivo CSV; deje vacío lo que no se leyó.</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>diana</translation>
     </message>
     <message>
         <source>Name of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la diana.</translation>
     </message>
     <message>
         <source>The instrument that read it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El instrumento que la leyó.</translation>
     </message>
     <message>
         <source>distance</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia</translation>
     </message>
     <message>
         <source>Slope distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia inclinada.</translation>
     </message>
     <message>
         <source>azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>acimut</translation>
     </message>
     <message>
         <source>Horizontal angle from the sensor&apos;s x-axis, positive towards y; whole turns do not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo horizontal desde el eje x del sensor, positivo hacia y; las vueltas completas no importan.</translation>
     </message>
     <message>
         <source>elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>elevación</translation>
     </message>
     <message>
         <source>Vertical angle above the sensor&apos;s xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo vertical sobre el plano xy del sensor.</translation>
     </message>
     <message>
         <source>Estimation</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación</translation>
     </message>
     <message>
         <source>Estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimador</translation>
     </message>
     <message>
         <source>How a target&apos;s coordinates follow from its readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se obtienen las coordenadas de una diana a partir de sus lecturas.</translation>
     </message>
     <message>
         <source>non-linear weighted least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>mínimos cuadrados ponderados no lineales</translation>
     </message>
     <message>
         <source>linearised equations: OLS, then GLS (Eqs 1-4 of the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>ecuaciones linealizadas: OLS, luego GLS (ecs. 1-4 del artículo)</translation>
     </message>
     <message>
         <source>linearised equations: OLS alone (Eq 3 of the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>ecuaciones linealizadas: solo OLS (ec. 3 del artículo)</translation>
     </message>
     <message>
         <source>Weights</source>
-        <translation type="unfinished"></translation>
+        <translation>Pesos</translation>
     </message>
     <message>
         <source>What the weights of the equations account for. Weights from the readings alone, as in the paper, are not the best where the stations are uncertain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué tienen en cuenta los pesos de las ecuaciones. Los pesos de las lecturas solas, como en el artículo, no son los mejores si las estaciones son inciertas.</translation>
     </message>
     <message>
         <source>readings and stations, all targets of a set-up at once</source>
-        <translation type="unfinished"></translation>
+        <translation>lecturas y estaciones, todas las dianas de un estacionamiento a la vez</translation>
     </message>
     <message>
         <source>readings alone, each target by itself (the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>solo lecturas, cada diana por separado (el artículo)</translation>
     </message>
     <message>
         <source>TCP from ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>TCP con barras de bolas</translation>
     </message>
     <message>
         <source>Measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Medición</translation>
     </message>
     <message>
         <source>Ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>Barras de bolas</translation>
     </message>
     <message>
         <source>The set of telescopic ballbars that measures the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>El conjunto de barras de bolas telescópicas que mide los puntos.</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot</translation>
     </message>
     <message>
         <source>Gives the repeatability with which the robot goes to the points; none: an ideal robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da la repetibilidad con la que el robot va a los puntos; ninguno: un robot ideal.</translation>
     </message>
     <message>
         <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation type="unfinished"></translation>
+        <translation>El punto central de la herramienta a partir de un procedimiento planificado o de puntos medidos; o solo los puntos tal como los miden las barras de bolas.</translation>
     </message>
     <message>
         <source>tool centre point, planned procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>punto central de la herramienta, procedimiento planificado</translation>
     </message>
     <message>
         <source>tool centre point, measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>punto central de la herramienta, puntos medidos</translation>
     </message>
     <message>
         <source>points alone</source>
-        <translation type="unfinished"></translation>
+        <translation>solo puntos</translation>
     </message>
     <message>
         <source>Procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>Procedimiento</translation>
     </message>
     <message>
         <source>Flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Brida</translation>
     </message>
     <message>
         <source>Pose of the flange in the robot&apos;s frame before it turns; its origin is the centre of the sphere on which the ball moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose de la brida en el sistema del robot antes de girar; su origen es el centro de la esfera sobre la que se mueve la bola.</translation>
     </message>
     <message>
         <source>Tool x</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramienta x</translation>
     </message>
     <message>
         <source>Nominal coordinate x of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal x del punto central de la herramienta en el sistema de la brida.</translation>
     </message>
     <message>
         <source>Tool y</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramienta y</translation>
     </message>
     <message>
         <source>Nominal coordinate y of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal y del punto central de la herramienta en el sistema de la brida.</translation>
     </message>
     <message>
         <source>Tool z</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramienta z</translation>
     </message>
     <message>
         <source>Nominal coordinate z of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada nominal z del punto central de la herramienta en el sistema de la brida.</translation>
     </message>
     <message>
         <source>Rotations</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotaciones</translation>
     </message>
     <message>
         <source>Two or three rotations of the flange about its own axes, its origin held in place: the ball traces an arc in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos o tres rotaciones de la brida alrededor de sus propios ejes, con el origen fijo: la bola describe un arco en cada una.</translation>
     </message>
     <message>
         <source>axis</source>
-        <translation type="unfinished"></translation>
+        <translation>eje</translation>
     </message>
     <message>
         <source>Axis of the flange about which the robot turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eje de la brida alrededor del cual gira el robot.</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>inicio</translation>
     </message>
     <message>
         <source>Angle at the first point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo en el primer punto.</translation>
     </message>
     <message>
         <source>span</source>
-        <translation type="unfinished"></translation>
+        <translation>amplitud</translation>
     </message>
     <message>
         <source>Angle from the first point to the last; negative: turned the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo del primer punto al último; negativo: giro en sentido contrario.</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>puntos</translation>
     </message>
     <message>
         <source>Number of points, equally spaced from the first to the last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de puntos, equiespaciados del primero al último.</translation>
     </message>
     <message>
         <source>Points as measured, each with the axis of its rotation and the commanded angle, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos medidos, cada uno con el eje de su rotación y el ángulo ordenado, tecleados o de un archivo CSV.</translation>
     </message>
     <message>
         <source>angle</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo</translation>
     </message>
     <message>
         <source>Commanded angle of rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de rotación ordenado.</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x en el sistema de las barras de bolas.</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y en el sistema de las barras de bolas.</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z en el sistema de las barras de bolas.</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos</translation>
     </message>
     <message>
         <source>Places of the ball that are measured, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugares de la bola que se miden, tecleados o de un archivo CSV.</translation>
     </message>
     <message>
         <source>Name of the point, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del punto, único.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuste</translation>
     </message>
     <message>
         <source>Axes of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejes de la brida</translation>
     </message>
     <message>
         <source>Measured axes are not exactly perpendicular: which one is kept as measured. A third measured axis then only helps the sphere and the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los ejes medidos no son exactamente perpendiculares: cuál se mantiene como se midió. Un tercer eje medido solo ayuda entonces a la esfera y a la media.</translation>
     </message>
     <message>
         <source>y as measured, x nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>y como se midió, x lo más cerca posible</translation>
     </message>
     <message>
         <source>x as measured, y nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>x como se midió, y lo más cerca posible</translation>
     </message>
     <message>
         <source>z as measured, x nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>z como se midió, x lo más cerca posible</translation>
     </message>
     <message>
         <source>nearest to all measured axes</source>
-        <translation type="unfinished"></translation>
+        <translation>lo más cerca de todos los ejes medidos</translation>
     </message>
     <message>
         <source>Centre of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Centro de la brida</translation>
     </message>
     <message>
         <source>Sphere through all points by linear least squares, or refined to least distances from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esfera por todos los puntos por mínimos cuadrados lineales, o refinada a las menores distancias a ella.</translation>
     </message>
     <message>
         <source>sphere, geometric fit from the linear one</source>
-        <translation type="unfinished"></translation>
+        <translation>esfera, ajuste geométrico desde el lineal</translation>
     </message>
     <message>
         <source>sphere, linear fit</source>
-        <translation type="unfinished"></translation>
+        <translation>esfera, ajuste lineal</translation>
     </message>
     <message>
         <source>Robot pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose de un robot</translation>
     </message>
     <message>
         <source>The arm, with its parameters and their uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>El brazo, con sus parámetros y la incertidumbre de estos.</translation>
     </message>
     <message>
         <source>Components of a parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Componentes de un parámetro</translation>
     </message>
     <message>
         <source>Each by itself, so that the budget tells the sources apart; or combined into one normal deviation, which needs fewer draws.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada una por separado, de modo que el balance distinga las fuentes; o combinadas en una desviación normal, que necesita menos extracciones.</translation>
     </message>
     <message>
         <source>each by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>cada una por separado</translation>
     </message>
     <message>
         <source>combined into one</source>
-        <translation type="unfinished"></translation>
+        <translation>combinadas en una</translation>
     </message>
     <message>
         <source>Correlation of the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Correlación de los parámetros</translation>
     </message>
     <message>
         <source>Used as the robot states it; or ignored, as in the paper, to see what that does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se usa tal como la indica el robot; o se ignora, como en el artículo, para ver qué efecto tiene.</translation>
     </message>
     <message>
         <source>used</source>
-        <translation type="unfinished"></translation>
+        <translation>utilizada</translation>
     </message>
     <message>
         <source>ignored (the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>ignorada (el artículo)</translation>
     </message>
     <message>
         <source>Poses by joint readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses por lecturas articulares</translation>
     </message>
     <message>
         <source>Readings of the joints, typed or from a CSV file. An empty cell is the zero reading of the joint; a robot with fewer joints leaves the last columns empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas de las articulaciones, tecleadas o de un archivo CSV. Una celda vacía es la lectura cero de la articulación; un robot con menos articulaciones deja vacías las últimas columnas.</translation>
     </message>
     <message>
         <source>Name of the pose, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la pose, único.</translation>
     </message>
     <message>
         <source>Reading of joint 1, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 1, si gira.</translation>
     </message>
     <message>
         <source>Reading of joint 2, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 2, si gira.</translation>
     </message>
     <message>
         <source>Reading of joint 3, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 3, si gira.</translation>
     </message>
     <message>
         <source>Reading of joint 4, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 4, si gira.</translation>
     </message>
     <message>
         <source>Reading of joint 5, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 5, si gira.</translation>
     </message>
     <message>
         <source>Reading of joint 6, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 6, si gira.</translation>
     </message>
     <message>
         <source>Reading of joint 7, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 7, si gira.</translation>
     </message>
     <message>
         <source>Reading of joint 1, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 1, si desliza.</translation>
     </message>
     <message>
         <source>Reading of joint 2, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 2, si desliza.</translation>
     </message>
     <message>
         <source>Reading of joint 3, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 3, si desliza.</translation>
     </message>
     <message>
         <source>Reading of joint 4, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 4, si desliza.</translation>
     </message>
     <message>
         <source>Reading of joint 5, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 5, si desliza.</translation>
     </message>
     <message>
         <source>Reading of joint 6, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 6, si desliza.</translation>
     </message>
     <message>
         <source>Reading of joint 7, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 7, si desliza.</translation>
     </message>
     <message>
         <source>Poses by place</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses por lugar</translation>
     </message>
     <message>
         <source>Places of the tool in the robot&apos;s base frame; the readings follow by inverse kinematics, within the limits and near those of the pose before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugares de la herramienta en el sistema base del robot; las lecturas se obtienen por cinemática inversa, dentro de los límites y cerca de las de la pose anterior.</translation>
     </message>
     <message>
         <source>Name, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre, único.</translation>
     </message>
     <message>
         <source>Coordinate x of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x de la herramienta.</translation>
     </message>
     <message>
         <source>Coordinate y of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y de la herramienta.</translation>
     </message>
     <message>
         <source>Coordinate z of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z de la herramienta.</translation>
     </message>
     <message>
         <source>Orientation, R = Rz(gamma) Ry(beta) Rx(alpha); all three empty: any orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientación, R = Rz(gamma) Ry(beta) Rx(alpha); los tres vacíos: cualquier orientación.</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados</translation>
     </message>
     <message>
         <source>Numbers that state the orientation of the tool; none: the position alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Números que expresan la orientación de la herramienta; ninguno: solo la posición.</translation>
     </message>
     <message>
         <source>none (position alone)</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno (solo la posición)</translation>
     </message>
     <message>
         <source>Results in</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados en</translation>
     </message>
     <message>
         <source>The frame in which position and orientation are stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistema en el que se expresan la posición y la orientación.</translation>
     </message>
     <message>
         <source>the base frame of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>el sistema base del robot</translation>
     </message>
     <message>
         <source>the world frame</source>
-        <translation type="unfinished"></translation>
+        <translation>el sistema global</translation>
     </message>
     <message>
         <source>Robot by joint trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot por trayectorias articulares</translation>
     </message>
     <message>
         <source>Nominal robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot nominal</translation>
     </message>
     <message>
         <source>The arm as designed: directions of the frames, definitions of base and last link, and the arm of a simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>El brazo según su diseño: direcciones de los sistemas, definiciones de la base y del último eslabón, y el brazo de una simulación.</translation>
     </message>
     <message>
         <source>Points are</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen de los puntos</translation>
     </message>
     <message>
         <source>Measured: a table. Simulated: those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>Medición: una tabla. Simulación: los del robot nominal, para ver qué daría un experimento.</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>medición</translation>
     </message>
     <message>
         <source>simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>simulación</translation>
     </message>
     <message>
         <source>Points of the ball at the flange in the order in which they were measured, joint by joint, in the frame of the instrument&apos;s world; typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos de la bola en la brida en el orden en que se midieron, articulación por articulación, en el sistema global del instrumento; tecleados o de un archivo CSV.</translation>
     </message>
     <message>
         <source>joint</source>
-        <translation type="unfinished"></translation>
+        <translation>articulación</translation>
     </message>
     <message>
         <source>Number of the joint that turned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de la articulación que giró.</translation>
     </message>
     <message>
         <source>Reading of that joint; says which way round the points run. Empty: with the joint&apos;s positive direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de esa articulación; indica en qué sentido se recorren los puntos. Vacío: en el sentido positivo de la articulación.</translation>
     </message>
     <message>
         <source>Coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x.</translation>
     </message>
     <message>
         <source>Coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y.</translation>
     </message>
     <message>
         <source>Coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z.</translation>
     </message>
     <message>
         <source>Range of each joint, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>Intervalo de cada articulación, ±</translation>
     </message>
     <message>
         <source>Each joint turns from its zero reading less this to its zero reading plus this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada articulación gira desde su lectura cero menos esto hasta su lectura cero más esto.</translation>
     </message>
     <message>
         <source>Points for each joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos por articulación</translation>
     </message>
     <message>
         <source>Number of points, evenly spaced over the range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de puntos, equiespaciados en el intervalo.</translation>
     </message>
     <message>
         <source>Ball</source>
-        <translation type="unfinished"></translation>
+        <translation>Bola</translation>
     </message>
     <message>
         <source>Where the ball is in the frame of the last link. On the axis of a joint it draws no circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está la bola en el sistema del último eslabón. Sobre el eje de una articulación no describe ningún círculo.</translation>
     </message>
     <message>
         <source>A standard uncertainty of every coordinate, or an instrument of the project that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una incertidumbre típica de cada coordenada, o un instrumento del proyecto que tiene un emplazamiento.</translation>
     </message>
     <message>
         <source>typed: alike for all coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>tecleada: igual para todas las coordenadas</translation>
     </message>
     <message>
         <source>an instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>un instrumento</translation>
     </message>
     <message>
         <source>Standard uncertainty of a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una coordenada</translation>
     </message>
     <message>
         <source>Of every coordinate of every point, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>De cada coordenada de cada punto, independiente de todas las demás.</translation>
     </message>
     <message>
         <source>The distribution of the coordinates&apos; deviations; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución de las desviaciones de las coordenadas; lo que se indica es su incertidumbre típica, sea cual sea la forma.</translation>
     </message>
     <message>
         <source>Instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Instrumento</translation>
     </message>
     <message>
         <source>What measured the points: each reading deviates by itself, its scale and its station alike for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que midió los puntos: cada lectura se desvía por sí misma; su escala y su estación, igual para todos los puntos.</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>Método</translation>
     </message>
     <message>
         <source>Plane of a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Plano de un círculo</translation>
     </message>
     <message>
         <source>Total least squares fits any plane. Eq 1 of the paper has no plane through the origin and fails near it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los mínimos cuadrados totales se ajustan a cualquier plano. La ec. 1 del artículo no admite planos por el origen y falla cerca de él.</translation>
     </message>
     <message>
         <source>total least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>mínimos cuadrados totales</translation>
     </message>
     <message>
         <source>A x + B y + C z + 1 = 0 (Eq 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>A x + B y + C z + 1 = 0 (ec. 1)</translation>
     </message>
     <message>
         <source>Axes are parallel below</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejes paralelos por debajo de</translation>
     </message>
     <message>
         <source>Angle between two axes below which they are described by beta and not by their common perpendicular, whose place is then hardly determined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo entre dos ejes por debajo del cual se describen con beta y no con su perpendicular común, cuyo lugar apenas queda determinado.</translation>
     </message>
     <message>
         <source>Robot from measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot a partir de poses medidas</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the poses cannot tell, uncertainty of the readings of its joints, and the arm of a simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>El brazo según su diseño: inicio del ajuste, valores de lo que las poses no pueden revelar, incertidumbre de las lecturas de sus articulaciones, y el brazo de una simulación.</translation>
     </message>
     <message>
         <source>Poses are</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen de las poses</translation>
     </message>
     <message>
         <source>Measured is</source>
-        <translation type="unfinished"></translation>
+        <translation>Se mide</translation>
     </message>
     <message>
         <source>The position of a ball alone, or position and orientation of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo la posición de una bola, o posición y orientación de la herramienta.</translation>
     </message>
     <message>
         <source>the position</source>
-        <translation type="unfinished"></translation>
+        <translation>la posición</translation>
     </message>
     <message>
         <source>position and orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>posición y orientación</translation>
     </message>
     <message>
         <source>Measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses medidas</translation>
     </message>
     <message>
         <source>Readings of the joints and the place of the ball or tool that was measured there; typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas de las articulaciones y el lugar de la bola o de la herramienta que se midió con ellas; tecleado o de un archivo CSV.</translation>
     </message>
     <message>
         <source>use</source>
-        <translation type="unfinished"></translation>
+        <translation>uso</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the fit tells a pose that it has not seen. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>ajuste: entra en el ajuste. comprobación: se reserva, para ver con qué acierto predice el ajuste una pose que no ha visto. Vacío: ajuste.</translation>
     </message>
     <message>
         <source>fit</source>
-        <translation type="unfinished"></translation>
+        <translation>ajuste</translation>
     </message>
     <message>
         <source>Reading of joint 1; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 1; vacío: su lectura cero.</translation>
     </message>
     <message>
         <source>Reading of joint 2; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 2; vacío: su lectura cero.</translation>
     </message>
     <message>
         <source>Reading of joint 3; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 3; vacío: su lectura cero.</translation>
     </message>
     <message>
         <source>Reading of joint 4; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 4; vacío: su lectura cero.</translation>
     </message>
     <message>
         <source>Reading of joint 5; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 5; vacío: su lectura cero.</translation>
     </message>
     <message>
         <source>Reading of joint 6; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 6; vacío: su lectura cero.</translation>
     </message>
     <message>
         <source>Reading of joint 7; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación 7; vacío: su lectura cero.</translation>
     </message>
     <message>
         <source>Measured coordinate x in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida x en el sistema global del instrumento.</translation>
     </message>
     <message>
         <source>Measured coordinate y in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida y en el sistema global del instrumento.</translation>
     </message>
     <message>
         <source>Measured coordinate z in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida z en el sistema global del instrumento.</translation>
     </message>
     <message>
         <source>Measured orientation, R = Rz(gamma) Ry(beta) Rx(alpha), where poses are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientación medida, R = Rz(gamma) Ry(beta) Rx(alpha), cuando se miden poses.</translation>
     </message>
     <message>
         <source>Number of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de poses</translation>
     </message>
     <message>
         <source>Poses of the simulated experiment, spread over the range of all joints, always the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses del experimento simulado, repartidas por el intervalo de todas las articulaciones, siempre las mismas.</translation>
     </message>
     <message>
         <source>From the zero reading on, as far as the limits of the joint allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde la lectura cero, hasta donde lo permiten los límites de la articulación.</translation>
     </message>
     <message>
         <source>Standard uncertainty of an orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una orientación</translation>
     </message>
     <message>
         <source>Of the rotation of the measured tool about each of its axes, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>De la rotación de la herramienta medida alrededor de cada uno de sus ejes, independientes.</translation>
     </message>
     <message>
         <source>Ball or tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Bola o herramienta</translation>
     </message>
     <message>
         <source>Where it is in the frame of the last link: exactly, or as a start of the fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está en el sistema del último eslabón: exactamente, o como inicio del ajuste.</translation>
     </message>
     <message>
         <source>Place of the ball or tool is</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar de la bola o herramienta</translation>
     </message>
     <message>
         <source>Found by the fit together with the parameters, or known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hallado en el ajuste junto con los parámetros, o conocido.</translation>
     </message>
     <message>
         <source>found by the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>hallado en el ajuste</translation>
     </message>
     <message>
         <source>known exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>conocido exactamente</translation>
     </message>
     <message>
         <source>Place of the base is</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar de la base</translation>
     </message>
     <message>
         <source>Found by the fit: the instrument stands anywhere. Known: the base stands where the robot says it stands in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hallado en el ajuste: el instrumento está en cualquier sitio. Conocido: la base está donde el robot indica que está en el sistema global.</translation>
     </message>
     <message>
         <source>Parameters held</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros fijados</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the poses could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros que siguen siendo nominales aunque las poses podrían revelarlos.</translation>
     </message>
     <message>
         <source>parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>parámetro</translation>
     </message>
     <message>
         <source>A parameter by its symbol, such as d_3 or alpha_4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un parámetro por su símbolo, como d_3 o alpha_4.</translation>
     </message>
     <message>
         <source>Channels of a force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Canales de un sensor de fuerza/momento</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor</translation>
     </message>
     <message>
         <source>The calibrated multi-axis sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>El sensor multieje calibrado.</translation>
     </message>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>Uso</translation>
     </message>
     <message>
         <source>Loads on the other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargas en los otros ejes</translation>
     </message>
     <message>
         <source>What acts on the other axes while a channel is read. Unknown loads are rectangular between minus and plus the rated load, one and the same for all channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que actúa en los otros ejes mientras se lee un canal. Las cargas desconocidas son rectangulares entre menos y más la carga nominal, las mismas para todos los canales.</translation>
     </message>
     <message>
         <source>none: one component alone</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna: una sola componente</translation>
     </message>
     <message>
         <source>unknown on one axis, that with the largest interference</source>
-        <translation type="unfinished"></translation>
+        <translation>desconocida en un eje, el de mayor interferencia</translation>
     </message>
     <message>
         <source>unknown on all other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>desconocida en todos los otros ejes</translation>
     </message>
     <message>
         <source>Repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>Repetibilidad</translation>
     </message>
     <message>
         <source>The largest standard deviation of all steps, as in the paper, or that pooled over the steps, which has more degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>La mayor desviación típica de todos los escalones, como en el artículo, o la combinada de los escalones, que tiene más grados de libertad.</translation>
     </message>
     <message>
         <source>largest of the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>la mayor de los escalones</translation>
     </message>
     <message>
         <source>pooled over the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>combinada de los escalones</translation>
     </message>
     <message>
         <source>Type A in Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo A en Monte Carlo</translation>
     </message>
     <message>
         <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9). With n = 3 the latter has no standard deviation: only coverage intervals then mean something.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal, con sus grados de libertad en la ley de propagación, o una distribución t (JCGM 101 6.4.9). Con n = 3 esta no tiene desviación típica: solo los intervalos de cobertura significan entonces algo.</translation>
     </message>
     <message>
         <source>scaled and shifted t</source>
-        <translation type="unfinished"></translation>
+        <translation>t escalada y desplazada</translation>
     </message>
     <message>
         <source>Coverage factor of the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de cobertura de la comparación</translation>
     </message>
     <message>
         <source>k of the GUM&apos;s columns in the table beside the paper&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>k de las columnas de la GUM en la tabla, junto a las del artículo.</translation>
     </message>
     <message>
         <source>Forces and moments by the calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas y momentos por la matriz de calibración</translation>
     </message>
     <message>
         <source>Cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Casos</translation>
     </message>
     <message>
         <source>Cases are given by</source>
-        <translation type="unfinished"></translation>
+        <translation>Casos dados por</translation>
     </message>
     <message>
         <source>Readings that were taken, or loads whose uncertainty is wanted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas que se tomaron, o cargas cuya incertidumbre se busca.</translation>
     </message>
     <message>
         <source>readings</source>
-        <translation type="unfinished"></translation>
+        <translation>lecturas</translation>
     </message>
     <message>
         <source>loads</source>
-        <translation type="unfinished"></translation>
+        <translation>cargas</translation>
     </message>
     <message>
         <source>Net readings of all channels, the unloaded readings subtracted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas netas de todos los canales, restadas las lecturas sin carga.</translation>
     </message>
     <message>
         <source>Names the case in results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombra el caso en los resultados.</translation>
     </message>
     <message>
         <source>Fx</source>
-        <translation type="unfinished"></translation>
+        <translation>Fx</translation>
     </message>
     <message>
         <source>Net reading of this channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura neta de este canal.</translation>
     </message>
     <message>
         <source>Fy</source>
-        <translation type="unfinished"></translation>
+        <translation>Fy</translation>
     </message>
     <message>
         <source>Fz</source>
-        <translation type="unfinished"></translation>
+        <translation>Fz</translation>
     </message>
     <message>
         <source>Mx</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx</translation>
     </message>
     <message>
         <source>My</source>
-        <translation type="unfinished"></translation>
+        <translation>My</translation>
     </message>
     <message>
         <source>Mz</source>
-        <translation type="unfinished"></translation>
+        <translation>Mz</translation>
     </message>
     <message>
         <source>Loads</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargas</translation>
     </message>
     <message>
         <source>Forces and moments that act together; the readings follow from the calibration matrix. An empty cell is zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas y momentos que actúan juntos; las lecturas se obtienen de la matriz de calibración. Una celda vacía es cero.</translation>
     </message>
     <message>
         <source>Load on this axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Carga en este eje.</translation>
     </message>
     <message>
         <source>Calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Matriz de calibración</translation>
     </message>
     <message>
         <source>Least squares through zero over the increasing readings: slopes alone, or with the squares of the loads.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mínimos cuadrados por cero con las lecturas crecientes: solo pendientes, o también con los cuadrados de las cargas.</translation>
     </message>
     <message>
         <source>linear</source>
-        <translation type="unfinished"></translation>
+        <translation>lineal</translation>
     </message>
     <message>
         <source>with quadratic terms</source>
-        <translation type="unfinished"></translation>
+        <translation>con términos cuadráticos</translation>
     </message>
     <message>
         <source>Repeatability of a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Repetibilidad de una lectura</translation>
     </message>
     <message>
         <source>The largest standard deviation of all steps, or that pooled over the steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>La mayor desviación típica de todos los escalones, o la combinada de los escalones.</translation>
     </message>
     <message>
         <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with n = 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal, con sus grados de libertad en la ley de propagación, o una distribución t (JCGM 101 6.4.9), que con n = 3 no tiene desviación típica.</translation>
     </message>
     <message>
         <source>Hysteresis of a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Histéresis de una lectura</translation>
     </message>
     <message>
         <source>Rectangular over the width of the loop: in proportion to the load on the channel&apos;s axis, or the full width at any load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rectangular sobre la anchura del ciclo: proporcional a la carga en el eje del canal, o la anchura completa con cualquier carga.</translation>
     </message>
     <message>
         <source>in proportion to the load</source>
-        <translation type="unfinished"></translation>
+        <translation>proporcional a la carga</translation>
     </message>
     <message>
         <source>full at any load</source>
-        <translation type="unfinished"></translation>
+        <translation>completa con cualquier carga</translation>
     </message>
     <message>
         <source>Measurement equation</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecuación de medida</translation>
     </message>
     <message>
         <source>Equations</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecuaciones</translation>
     </message>
     <message>
         <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una ecuación por línea: y = x_1*x_2 + 3 [mm]. Los nombres sin ecuación son magnitudes de entrada. &apos;solve y = 1: y^2 = x&apos; halla y en cada prueba, desde su valor inicial. &apos;#&apos; inicia un comentario.</translation>
     </message>
     <message>
         <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se comunica y en qué unidad. Sin filas: todos los nombres que una ecuación define y ninguna otra usa, en unidades SI.</translation>
     </message>
     <message>
         <source>symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>símbolo</translation>
     </message>
     <message>
         <source>Name that an equation defines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre que define una ecuación.</translation>
     </message>
     <message>
         <source>What it is, for tables and reports.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué es, para tablas e informes.</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad</translation>
     </message>
     <message>
         <source>Unit of the result; empty: the SI unit that follows from the equations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad del resultado; vacío: la unidad SI que resulta de las ecuaciones.</translation>
     </message>
     <message>
         <source>Measurands have coverage regions together; empty: measurand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los mensurandos tienen regiones de cobertura conjuntas; vacío: mensurando.</translation>
     </message>
     <message>
         <source>measurand</source>
-        <translation type="unfinished"></translation>
+        <translation>mensurando</translation>
     </message>
     <message>
         <source>intermediate</source>
-        <translation type="unfinished"></translation>
+        <translation>intermedia</translation>
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished"></translation>
+        <translation>grupo</translation>
     </message>
     <message>
         <source>Results of one group have a joint coverage region.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los resultados de un grupo tienen una región de cobertura conjunta.</translation>
     </message>
     <message>
         <source>Quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitudes</translation>
     </message>
     <message>
         <source>One row for each component of uncertainty. The first row of a symbol has its value and unit; further rows of the same symbol add components and have no value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila por cada componente de incertidumbre. La primera fila de un símbolo lleva su valor y su unidad; las demás filas del mismo símbolo añaden componentes y no llevan valor.</translation>
     </message>
     <message>
         <source>Name that the equations use: x_1, alpha_s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre que usan las ecuaciones: x_1, alpha_s.</translation>
     </message>
     <message>
         <source>What it is, or what the component is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué es, o qué es la componente.</translation>
     </message>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
+        <translation>valor</translation>
     </message>
     <message>
         <source>Estimate, in the row&apos;s unit; empty where observations or limits give it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación, en la unidad de la fila; vacío si la dan observaciones o límites.</translation>
     </message>
     <message>
         <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad de valor, a y b; vacío: 1. Una diferencia de temperaturas se da en K.</translation>
     </message>
     <message>
         <source>stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>indicada como</translation>
     </message>
     <message>
         <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se conoce su incertidumbre; a y b son entonces: u; U y k; U y p en %; semiamplitud (e inexactitud, o razón entre techo y base); límites inferior y superior; escalón de la indicación; error permitido y % del valor; número de recuentos; número de observaciones de la media (combinadas). Vacío: una constante.</translation>
     </message>
     <message>
         <source>constant</source>
-        <translation type="unfinished"></translation>
+        <translation>constante</translation>
     </message>
     <message>
         <source>standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbre típica</translation>
     </message>
     <message>
         <source>certificate, U and k</source>
-        <translation type="unfinished"></translation>
+        <translation>certificado, U y k</translation>
     </message>
     <message>
         <source>certificate, U and p</source>
-        <translation type="unfinished"></translation>
+        <translation>certificado, U y p</translation>
     </message>
     <message>
         <source>rectangular</source>
-        <translation type="unfinished"></translation>
+        <translation>rectangular</translation>
     </message>
     <message>
         <source>limits from a to b</source>
-        <translation type="unfinished"></translation>
+        <translation>límites de a a b</translation>
     </message>
     <message>
         <source>limits inexactly known</source>
-        <translation type="unfinished"></translation>
+        <translation>límites conocidos con inexactitud</translation>
     </message>
     <message>
         <source>trapezoidal</source>
-        <translation type="unfinished"></translation>
+        <translation>trapezoidal</translation>
     </message>
     <message>
         <source>triangular</source>
-        <translation type="unfinished"></translation>
+        <translation>triangular</translation>
     </message>
     <message>
         <source>arc sine</source>
-        <translation type="unfinished"></translation>
+        <translation>arcoseno</translation>
     </message>
     <message>
         <source>resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>resolución</translation>
     </message>
     <message>
         <source>maximum permissible error</source>
-        <translation type="unfinished"></translation>
+        <translation>error máximo permitido</translation>
     </message>
     <message>
         <source>exponential</source>
-        <translation type="unfinished"></translation>
+        <translation>exponencial</translation>
     </message>
     <message>
         <source>counts</source>
-        <translation type="unfinished"></translation>
+        <translation>recuentos</translation>
     </message>
     <message>
         <source>observations (Type A)</source>
-        <translation type="unfinished"></translation>
+        <translation>observaciones (Tipo A)</translation>
     </message>
     <message>
         <source>pooled observations (Type A)</source>
-        <translation type="unfinished"></translation>
+        <translation>observaciones combinadas (Tipo A)</translation>
     </message>
     <message>
         <source>reading of an instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>lectura de un instrumento</translation>
     </message>
     <message>
         <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Primera cifra de la indicación, en la unidad de la fila.</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Segunda cifra de la indicación.</translation>
     </message>
     <message>
         <source>Degrees of freedom; empty: infinite, or those of the observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Grados de libertad; vacío: infinitos, o los de las observaciones.</translation>
     </message>
     <message>
         <source>Relative uncertainty of u instead of degrees of freedom (JCGM 100 G.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre relativa de u en lugar de grados de libertad (JCGM 100 G.3).</translation>
     </message>
     <message>
         <source>source</source>
-        <translation type="unfinished"></translation>
+        <translation>fuente</translation>
     </message>
     <message>
         <source>Where the figure comes from: certificate, data sheet, handbook.</source>
-        <translation type="unfinished"></translation>
+        <translation>De dónde procede la cifra: certificado, hoja de datos, manual.</translation>
     </message>
     <message>
         <source>instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento</translation>
     </message>
     <message>
         <source>Instrument of the project that reads the quantity, a distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Instrumento del proyecto que lee la magnitud, una distancia.</translation>
     </message>
     <message>
         <source>Observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones</translation>
     </message>
     <message>
         <source>Repeated observations for Type A evaluations, typed, pasted or from a CSV file. Observations of several quantities with the same numbers were made together: their means are then correlated (JCGM 100 5.2.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones repetidas para evaluaciones de Tipo A, tecleadas, pegadas o de un archivo CSV. Las observaciones de varias magnitudes con los mismos números se hicieron a la vez: sus medias están entonces correlacionadas (JCGM 100 5.2.3).</translation>
     </message>
     <message>
         <source>quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>magnitud</translation>
     </message>
     <message>
         <source>Symbol of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Símbolo de la magnitud.</translation>
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished"></translation>
+        <translation>número</translation>
     </message>
     <message>
         <source>Number of the simultaneous observation; empty: the quantity was observed by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de la observación simultánea; vacío: la magnitud se observó por separado.</translation>
     </message>
     <message>
         <source>series</source>
-        <translation type="unfinished"></translation>
+        <translation>serie</translation>
     </message>
     <message>
         <source>Name of an earlier series of the same procedure, for a pooled standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de una serie anterior del mismo procedimiento, para una desviación típica combinada.</translation>
     </message>
     <message>
         <source>Observed value, in the unit of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor observado, en la unidad de la magnitud.</translation>
     </message>
     <message>
         <source>Means of observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Medias de observaciones</translation>
     </message>
     <message>
         <source>Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of the observations (JCGM 101 6.4.9), or normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución de una media en las pruebas de Monte Carlo: t de Student con los grados de libertad de las observaciones (JCGM 101 6.4.9), o normal.</translation>
     </message>
     <message>
         <source>Student t</source>
-        <translation type="unfinished"></translation>
+        <translation>t de Student</translation>
     </message>
     <message>
         <source>Calibration curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Curva de calibración</translation>
     </message>
     <message>
         <source>Unit of x</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad de x</translation>
     </message>
     <message>
         <source>Unit in which x is given. A difference of temperatures, a correction of a thermometer too, is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad en la que se da x. Una diferencia de temperaturas, también la corrección de un termómetro, se da en K.</translation>
     </message>
     <message>
         <source>Unit of y</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad de y</translation>
     </message>
     <message>
         <source>Unit in which y is given. A difference of temperatures, a correction of a thermometer too, is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad en la que se da y. Una diferencia de temperaturas, también la corrección de un termómetro, se da en K.</translation>
     </message>
     <message>
         <source>Points of the calibration, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos de la calibración, tecleados, pegados o de un archivo CSV.</translation>
     </message>
     <message>
         <source>Independent quantity, in its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud independiente, en su unidad.</translation>
     </message>
     <message>
         <source>Standard uncertainty of x; empty: none. Used with stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de x; vacío: ninguna. Se usa con incertidumbres indicadas.</translation>
     </message>
     <message>
         <source>Observed quantity, in its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud observada, en su unidad.</translation>
     </message>
     <message>
         <source>Standard uncertainty of y. Used, and needed, with stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de y. Se usa, y es necesaria, con incertidumbres indicadas.</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Curva</translation>
     </message>
     <message>
         <source>Degree</source>
-        <translation type="unfinished"></translation>
+        <translation>Grado</translation>
     </message>
     <message>
         <source>Of the polynomial: 1 is a straight line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Del polinomio: 1 es una recta.</translation>
     </message>
     <message>
         <source>Origin x_0</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen x_0</translation>
     </message>
     <message>
         <source>The polynomial is one of x - x_0, in the unit of x. In the middle of the points the coefficients are hardly correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>El polinomio lo es en x - x_0, en la unidad de x. En el centro de los puntos los coeficientes apenas están correlacionados.</translation>
     </message>
     <message>
         <source>Through the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Por el origen</translation>
     </message>
     <message>
         <source>No constant term: the curve is zero at x_0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin término constante: la curva es cero en x_0.</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre</translation>
     </message>
     <message>
         <source>From the scatter of the residuals about the curve (JCGM 100 H.3), or as stated for each point.</source>
-        <translation type="unfinished"></translation>
+        <translation>De la dispersión de los residuos en torno a la curva (JCGM 100 H.3), o la indicada para cada punto.</translation>
     </message>
     <message>
         <source>from the residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>de los residuos</translation>
     </message>
     <message>
         <source>as stated for x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>la indicada para x e y</translation>
     </message>
     <message>
         <source>Use of the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Uso de la curva</translation>
     </message>
     <message>
         <source>Where the value of the curve is wanted, with its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde se busca el valor de la curva, con su incertidumbre.</translation>
     </message>
     <message>
         <source>In the unit of x.</source>
-        <translation type="unfinished"></translation>
+        <translation>En la unidad de x.</translation>
     </message>
     <message>
         <source>Inverse use</source>
-        <translation type="unfinished"></translation>
+        <translation>Uso inverso</translation>
     </message>
     <message>
         <source>Observed values of y whose x is wanted, with its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores observados de y cuya x se busca, con su incertidumbre.</translation>
     </message>
     <message>
         <source>Observed, in the unit of y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Observado, en la unidad de y.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the observed y; empty: none beside that of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la y observada; vacío: ninguna aparte de la de las lecturas.</translation>
     </message>
     <message>
         <source>The observed y is the mean of so many readings, which scatter as the points of the calibration do. With the uncertainty from the residuals only.</source>
-        <translation type="unfinished"></translation>
+        <translation>La y observada es la media de este número de lecturas, que se dispersan como los puntos de la calibración. Solo con la incertidumbre de los residuos.</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished"></translation>
+        <translation>cerca de</translation>
     </message>
     <message>
         <source>Of several x that give this y, the one nearest to here, in the unit of x. Needed where the curve reaches y more than once between its points.</source>
-        <translation type="unfinished"></translation>
+        <translation>De varias x que dan esta y, la más cercana a este valor, en la unidad de x. Necesario si la curva alcanza y más de una vez entre sus puntos.</translation>
     </message>
     <message>
         <source>Observations in groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones en grupos</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>Símbolo</translation>
     </message>
     <message>
         <source>Of the measured quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>De la magnitud medida.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>What is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se mide.</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>In which the observations are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>En la que se dan las observaciones.</translation>
     </message>
     <message>
         <source>Data</source>
-        <translation type="unfinished"></translation>
+        <translation>Datos</translation>
     </message>
     <message>
         <source>Every observation, or mean and standard deviation of each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las observaciones, o media y desviación típica de cada grupo.</translation>
     </message>
     <message>
         <source>observations</source>
-        <translation type="unfinished"></translation>
+        <translation>observaciones</translation>
     </message>
     <message>
         <source>means and standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>medias y desviaciones típicas</translation>
     </message>
     <message>
         <source>Observations with the day, instrument or operator they belong to, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones con el día, instrumento u operador al que pertenecen, tecleadas, pegadas o de un archivo CSV.</translation>
     </message>
     <message>
         <source>Day, instrument or operator.</source>
-        <translation type="unfinished"></translation>
+        <translation>Día, instrumento u operador.</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupos</translation>
     </message>
     <message>
         <source>Mean and experimental standard deviation of the observations of each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>Media y desviación típica experimental de las observaciones de cada grupo.</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation type="unfinished"></translation>
+        <translation>media</translation>
     </message>
     <message>
         <source>Of the observations of the group, in the unit of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>De las observaciones del grupo, en la unidad de la magnitud.</translation>
     </message>
     <message>
         <source>Experimental standard deviation of a single observation of the group.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación típica experimental de una sola observación del grupo.</translation>
     </message>
     <message>
         <source>Number of observations in the group; empty: observations per group, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de observaciones del grupo; vacío: observaciones por grupo, como abajo.</translation>
     </message>
     <message>
         <source>Observations per group</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones por grupo</translation>
     </message>
     <message>
         <source>Number of observations in each group whose row does not say it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de observaciones de cada grupo cuya fila no lo indica.</translation>
     </message>
     <message>
         <source>Effect of the groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Efecto de los grupos</translation>
     </message>
     <message>
         <source>Included: u of the mean of the groups&apos; means from their scatter. By components of variance: the same for groups of one size, else groups with more observations have more weight. Not included: all observations count as independent, which the F-test in the evaluation must allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incluido: u de la media de las medias de los grupos a partir de su dispersión. Por componentes de varianza: lo mismo para grupos de igual tamaño; si no, los grupos con más observaciones tienen más peso. No incluido: todas las observaciones cuentan como independientes, lo que la prueba F de la evaluación debe permitir.</translation>
     </message>
     <message>
         <source>included</source>
-        <translation type="unfinished"></translation>
+        <translation>incluido</translation>
     </message>
     <message>
         <source>by components of variance</source>
-        <translation type="unfinished"></translation>
+        <translation>por componentes de varianza</translation>
     </message>
     <message>
         <source>not included</source>
-        <translation type="unfinished"></translation>
+        <translation>no incluido</translation>
     </message>
     <message>
         <source>Artefact with calibrated points</source>
-        <translation type="unfinished"></translation>
+        <translation>Artefacto con puntos calibrados</translation>
     </message>
     <message>
         <source>Artefact</source>
-        <translation type="unfinished"></translation>
+        <translation>Artefacto</translation>
     </message>
     <message>
         <source>Calibrated points</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos calibrados</translation>
     </message>
     <message>
         <source>The artefact&apos;s points with their calibrated coordinates in the artefact&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los puntos del artefacto con sus coordenadas calibradas en el sistema del artefacto.</translation>
     </message>
     <message>
         <source>Calibrated coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada calibrada x.</translation>
     </message>
     <message>
         <source>Calibrated coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada calibrada y.</translation>
     </message>
     <message>
         <source>Calibrated coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada calibrada z.</translation>
     </message>
     <message>
         <source>defines</source>
-        <translation type="unfinished"></translation>
+        <translation>define</translation>
     </message>
     <message>
         <source>Coordinates that define the frame (&quot;xyz&quot;, &quot;yz&quot;), when they are named by point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas que definen el sistema (&quot;xyz&quot;, &quot;yz&quot;), cuando se nombran por punto.</translation>
     </message>
     <message>
         <source>Evaluate from</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluar a partir de</translation>
     </message>
     <message>
         <source>Repeated measurements of the artefact, or the components of uncertainty as a report prints them (Table 1 of the paper).</source>
-        <translation type="unfinished"></translation>
+        <translation>Mediciones repetidas del artefacto, o las componentes de incertidumbre tal como las imprime un informe (tabla 1 del artículo).</translation>
     </message>
     <message>
         <source>components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>componentes de incertidumbre</translation>
     </message>
     <message>
         <source>Measured coordinates in the artefact&apos;s frame: one row for each point and run, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas medidas en el sistema del artefacto: una fila por cada punto y pasada, tecleadas o de un archivo CSV.</translation>
     </message>
     <message>
         <source>Name of a calibrated point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de un punto calibrado.</translation>
     </message>
     <message>
         <source>run</source>
-        <translation type="unfinished"></translation>
+        <translation>pasada</translation>
     </message>
     <message>
         <source>Indicated coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x indicada.</translation>
     </message>
     <message>
         <source>Indicated coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y indicada.</translation>
     </message>
     <message>
         <source>Indicated coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z indicada.</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Componentes de incertidumbre</translation>
     </message>
     <message>
         <source>One row for each coordinate, as Table 1 of the paper prints them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila por cada coordenada, como las imprime la tabla 1 del artículo.</translation>
     </message>
     <message>
         <source>coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenada</translation>
     </message>
     <message>
         <source>Coordinate of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada de la fila.</translation>
     </message>
     <message>
         <source>Calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibración.</translation>
     </message>
     <message>
         <source>Temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatura.</translation>
     </message>
     <message>
         <source>Variability: standard deviation of the errors of indication.</source>
-        <translation type="unfinished"></translation>
+        <translation>Variabilidad: desviación típica de los errores de indicación.</translation>
     </message>
     <message>
         <source>Bias: mean of the errors of indication.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sesgo: media de los errores de indicación.</translation>
     </message>
     <message>
         <source>Number of observations, where it is known; gives the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de observaciones, si se conoce; da los grados de libertad.</translation>
     </message>
     <message>
         <source>Coordinates that define the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas que definen el sistema</translation>
     </message>
     <message>
         <source>Errors of these coordinates are zero by construction of the frame and are left out of the statistics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los errores de estas coordenadas son cero por construcción del sistema y se excluyen de la estadística.</translation>
     </message>
     <message>
         <source>first point x, y, z; second y, z; third z</source>
-        <translation type="unfinished"></translation>
+        <translation>primer punto x, y, z; segundo y, z; tercero z</translation>
     </message>
     <message>
         <source>as the points&apos; column &apos;defines&apos; says</source>
-        <translation type="unfinished"></translation>
+        <translation>según la columna &apos;define&apos; de los puntos</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>Systematic error of indication</source>
-        <translation type="unfinished"></translation>
+        <translation>Error sistemático de indicación</translation>
     </message>
     <message>
         <source>What becomes of the mean error b. The paper leaves it uncorrected and counts |b| as a standard uncertainty; JCGM 100 3.2.4 asks for a correction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se hace con el error medio b. El artículo lo deja sin corregir y toma |b| como incertidumbre típica; JCGM 100 3.2.4 pide una corrección.</translation>
     </message>
     <message>
         <source>counts as a standard uncertainty (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>cuenta como incertidumbre típica (artículo)</translation>
     </message>
     <message>
         <source>ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>ignorado</translation>
     </message>
     <message>
         <source>corrected, the uncertainty of the correction remains</source>
-        <translation type="unfinished"></translation>
+        <translation>corregido, queda la incertidumbre de la corrección</translation>
     </message>
     <message>
         <source>Systematic parts are common to all points</source>
-        <translation type="unfinished"></translation>
+        <translation>Partes sistemáticas comunes a todos los puntos</translation>
     </message>
     <message>
         <source>Calibration, temperature and bias are drawn once for all points instead of independently for each, as the paper does.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibración, la temperatura y el sesgo se extraen una vez para todos los puntos, en lugar de independientemente para cada uno, como hace el artículo.</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibración</translation>
     </message>
     <message>
         <source>Standard uncertainty of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de calibración</translation>
     </message>
     <message>
         <source>Largest standard uncertainty of the calibrated values, from the certificate (U divided by its k).</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor incertidumbre típica de los valores calibrados, según el certificado (U dividida por su k).</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatura</translation>
     </message>
     <message>
         <source>Coefficient of thermal expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de dilatación térmica</translation>
     </message>
     <message>
         <source>Linear expansion of the artefact&apos;s material; aluminium has about 23e-6 1/K.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dilatación lineal del material del artefacto; el aluminio tiene unos 23e-6 1/K.</translation>
     </message>
     <message>
         <source>Temperature of the artefact</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatura del artefacto</translation>
     </message>
     <message>
         <source>Whether indications are corrected to 20 °C with a measured temperature. If not, the largest deviation from 20 °C is a component of uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si las indicaciones se corrigen a 20 °C con una temperatura medida. Si no, la mayor desviación respecto de 20 °C es una componente de incertidumbre.</translation>
     </message>
     <message>
         <source>not corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>sin corrección</translation>
     </message>
     <message>
         <source>corrected to 20 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>con corrección a 20 °C</translation>
     </message>
     <message>
         <source>Largest deviation from 20 °C, or U of the temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor desviación respecto de 20 °C, o U de la temperatura</translation>
     </message>
     <message>
         <source>ΔT of Eqs 3 and 6: without correction the largest absolute deviation from 20 °C, with correction the expanded uncertainty of the measured temperature. Half-width of a rectangular distribution.</source>
-        <translation type="unfinished"></translation>
+        <translation>ΔT de las ecs. 3 y 6: sin corrección, la mayor desviación absoluta respecto de 20 °C; con corrección, la incertidumbre expandida de la temperatura medida. Semiamplitud de una distribución rectangular.</translation>
     </message>
     <message>
         <source>Measured temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatura medida</translation>
     </message>
     <message>
         <source>Temperature of the artefact during the measurement; indications are divided by 1 + α (T − 20 °C).</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatura del artefacto durante la medición; las indicaciones se dividen por 1 + α (T − 20 °C).</translation>
     </message>
     <message>
         <source>Length for the thermal expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud para la dilatación térmica</translation>
     </message>
     <message>
         <source>L_max of Eq 3. The paper&apos;s figures result with the largest distance between two points; its text says the largest value of the coordinate, which gives 0 for a flat artefact&apos;s z.</source>
-        <translation type="unfinished"></translation>
+        <translation>L_max de la ec. 3. Las cifras del artículo resultan con la mayor distancia entre dos puntos; su texto dice el mayor valor de la coordenada, lo que da 0 para la z de un artefacto plano.</translation>
     </message>
     <message>
         <source>largest distance between two points</source>
-        <translation type="unfinished"></translation>
+        <translation>mayor distancia entre dos puntos</translation>
     </message>
     <message>
         <source>largest value of the coordinate (text of Eq 3)</source>
-        <translation type="unfinished"></translation>
+        <translation>mayor valor de la coordenada (texto de la ec. 3)</translation>
     </message>
     <message>
         <source>Length standard</source>
-        <translation type="unfinished"></translation>
+        <translation>Patrón de longitud</translation>
     </message>
     <message>
         <source>Calibrated length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud calibrada</translation>
     </message>
     <message>
         <source>Distance between the two nests, from the certificate. It should be like the largest distance between the points of both frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia entre los dos nidos, según el certificado. Debería parecerse a la mayor distancia entre los puntos de ambos sistemas.</translation>
     </message>
     <message>
         <source>Repeated measurements of the artefact, or the components of uncertainty as a report prints them (Table 2 of the paper).</source>
-        <translation type="unfinished"></translation>
+        <translation>Mediciones repetidas del artefacto, o las componentes de incertidumbre tal como las imprime un informe (tabla 2 del artículo).</translation>
     </message>
     <message>
         <source>Measured lengths: one row for each position and run, typed or from a CSV file. The paper proposes at least 14 positions of three runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitudes medidas: una fila por cada posición y pasada, tecleadas o de un archivo CSV. El artículo propone al menos 14 posiciones de tres pasadas.</translation>
     </message>
     <message>
         <source>position</source>
-        <translation type="unfinished"></translation>
+        <translation>posición</translation>
     </message>
     <message>
         <source>Where the standard stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde estaba el patrón.</translation>
     </message>
     <message>
         <source>Indicated length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud indicada.</translation>
     </message>
     <message>
         <source>One row, as Table 2 of the paper prints it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila, como la imprime la tabla 2 del artículo.</translation>
     </message>
     <message>
         <source>Uncertainty of a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de una coordenada</translation>
     </message>
     <message>
         <source>A length is the difference of two points, so u of a length is √2 times u of a coordinate. The paper uses the length&apos;s figure unchanged, which is cautious.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una longitud es la diferencia de dos puntos, de modo que u de una longitud es √2 veces u de una coordenada. El artículo usa la cifra de la longitud sin cambios, lo que es prudente.</translation>
     </message>
     <message>
         <source>that of the length (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>la de la longitud (artículo)</translation>
     </message>
     <message>
         <source>that of the length divided by √2</source>
-        <translation type="unfinished"></translation>
+        <translation>la de la longitud dividida por √2</translation>
     </message>
     <message>
         <source>Tracker, total station, camera or distance meter</source>
-        <translation type="unfinished"></translation>
+        <translation>Seguidor, estación total, cámara o distanciómetro</translation>
     </message>
     <message>
         <source>Station</source>
-        <translation type="unfinished"></translation>
+        <translation>Estación</translation>
     </message>
     <message>
         <source>Where the instrument stands in the world frame: the point where its axes meet. x is the zero of the azimuth (the optical axis of a camera), z the vertical axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está el instrumento en el sistema global: el punto donde se cortan sus ejes. x es el cero del acimut (el eje óptico de una cámara), z el eje vertical.</translation>
     </message>
     <message>
         <source>The angles are</source>
-        <translation type="unfinished"></translation>
+        <translation>Los ángulos son</translation>
     </message>
     <message>
         <source>How the three angles of the station turn its axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo giran sus ejes los tres ángulos de la estación.</translation>
     </message>
     <message>
         <source>α, β, γ: R = Rz(γ) Ry(β) Rx(α)</source>
-        <translation type="unfinished"></translation>
+        <translation>α, β, γ: R = Rz(γ) Ry(β) Rx(α)</translation>
     </message>
     <message>
         <source>ω, φ, κ: R = Rx(ω) Ry(φ) Rz(κ), photogrammetric</source>
-        <translation type="unfinished"></translation>
+        <translation>ω, φ, κ: R = Rx(ω) Ry(φ) Rz(κ), fotogramétricos</translation>
     </message>
     <message>
         <source>What the instrument reads, and how it is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué lee el instrumento y cómo se dibuja.</translation>
     </message>
     <message>
         <source>total station: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>estación total: distancia y dos ángulos</translation>
     </message>
     <message>
         <source>laser tracker: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>seguidor láser: distancia y dos ángulos</translation>
     </message>
     <message>
         <source>laser scanner: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>escáner láser: distancia y dos ángulos</translation>
     </message>
     <message>
         <source>camera: two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>cámara: dos ángulos</translation>
     </message>
     <message>
         <source>distance meter: distance only</source>
-        <translation type="unfinished"></translation>
+        <translation>distanciómetro: solo distancia</translation>
     </message>
     <message>
         <source>other: chosen readings</source>
-        <translation type="unfinished"></translation>
+        <translation>otro: lecturas elegidas</translation>
     </message>
     <message>
         <source>Reads the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Lee la distancia</translation>
     </message>
     <message>
         <source>Whether the sensor reads a distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si el sensor lee una distancia.</translation>
     </message>
     <message>
         <source>Reads the azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Lee el acimut</translation>
     </message>
     <message>
         <source>Whether the sensor reads a horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si el sensor lee un ángulo horizontal.</translation>
     </message>
     <message>
         <source>Reads the elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Lee la elevación</translation>
     </message>
     <message>
         <source>Whether the sensor reads a vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si el sensor lee un ángulo vertical.</translation>
     </message>
     <message>
         <source>Specification</source>
-        <translation type="unfinished"></translation>
+        <translation>Especificación</translation>
     </message>
     <message>
         <source>Distance: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia: parte constante a</translation>
     </message>
     <message>
         <source>Part of the distance&apos;s figure that does not depend on the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte de la cifra de la distancia que no depende de la distancia.</translation>
     </message>
     <message>
         <source>Distance: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia: parte b por longitud</translation>
     </message>
     <message>
         <source>Part of the distance&apos;s figure in proportion to the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte de la cifra de la distancia proporcional a la distancia.</translation>
     </message>
     <message>
         <source>Azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Acimut</translation>
     </message>
     <message>
         <source>Figure for the horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra para el ángulo horizontal.</translation>
     </message>
     <message>
         <source>Elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevación</translation>
     </message>
     <message>
         <source>Figure for the vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra para el ángulo vertical.</translation>
     </message>
     <message>
         <source>Angles: constant part across</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulos: parte constante transversal</translation>
     </message>
     <message>
         <source>Part of both angles&apos; figures that is a length across the line of sight, as trackers state it (15 µm + 6 µm/m); an angle&apos;s figure is this over the distance plus its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte de las cifras de ambos ángulos que es una longitud transversal a la línea de visión, como la indican los seguidores (15 µm + 6 µm/m); la cifra de un ángulo es esta dividida por la distancia más la suya propia.</translation>
     </message>
     <message>
         <source>The figures are</source>
-        <translation type="unfinished"></translation>
+        <translation>Las cifras son</translation>
     </message>
     <message>
         <source>What the data sheet states: a standard uncertainty, an expanded one, or a limit that is not exceeded (maximum permissible error).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que indica la hoja de datos: una incertidumbre típica, una expandida, o un límite que no se supera (error máximo permitido).</translation>
     </message>
     <message>
         <source>standard uncertainty (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbre típica (normal)</translation>
     </message>
     <message>
         <source>expanded uncertainty, k = 2 (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbre expandida, k = 2 (normal)</translation>
     </message>
     <message>
         <source>limit (MPE), rectangular: divided by √3</source>
-        <translation type="unfinished"></translation>
+        <translation>límite (MPE), rectangular: dividido por √3</translation>
     </message>
     <message>
         <source>limit (MPE), triangular: divided by √6</source>
-        <translation type="unfinished"></translation>
+        <translation>límite (MPE), triangular: dividido por √6</translation>
     </message>
     <message>
         <source>limit (MPE), arc sine: divided by √2</source>
-        <translation type="unfinished"></translation>
+        <translation>límite (MPE), arcoseno: dividido por √2</translation>
     </message>
     <message>
         <source>Range and field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Alcance y campo de visión</translation>
     </message>
     <message>
         <source>Shortest distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia mínima</translation>
     </message>
     <message>
         <source>Targets nearer than this are not measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las dianas más cercanas no se miden.</translation>
     </message>
     <message>
         <source>Longest distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia máxima</translation>
     </message>
     <message>
         <source>Targets farther than this are not measured; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las dianas más lejanas no se miden; vacío: sin límite.</translation>
     </message>
     <message>
         <source>Horizontal field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Campo de visión horizontal</translation>
     </message>
     <message>
         <source>Full angle, half of it to either side of the sensor&apos;s x-axis; empty: all round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo completo, la mitad a cada lado del eje x del sensor; vacío: todo alrededor.</translation>
     </message>
     <message>
         <source>Vertical field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Campo de visión vertical</translation>
     </message>
     <message>
         <source>Full angle, half of it above the sensor&apos;s xy-plane and half below; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo completo, la mitad por encima del plano xy del sensor y la mitad por debajo; vacío: sin límite.</translation>
     </message>
     <message>
         <source>Shared by all readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Común a todas las lecturas</translation>
     </message>
     <message>
         <source>Scale of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Escala de las distancias</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale, which all distances share: wavelength, refractive index, temperature of a scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la escala, que comparten todas las distancias: longitud de onda, índice de refracción, temperatura de una regla.</translation>
     </message>
     <message>
         <source>Zero offset of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación de cero de las distancias</translation>
     </message>
     <message>
         <source>Standard uncertainty of the constant offset of all distances: home position, reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la desviación constante de todas las distancias: posición de referencia, reflector.</translation>
     </message>
     <message>
         <source>Index of the elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Índice de la elevación</translation>
     </message>
     <message>
         <source>Standard uncertainty of the zero of the vertical circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica del cero del círculo vertical.</translation>
     </message>
     <message>
         <source>Collimation</source>
-        <translation type="unfinished"></translation>
+        <translation>Colimación</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle between beam and tilting axis off square: the azimuth changes by it over the cosine of the elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la falta de perpendicularidad entre el haz y el eje de basculamiento: el acimut cambia en ella dividida por el coseno de la elevación.</translation>
     </message>
     <message>
         <source>Squareness of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Perpendicularidad de los ejes</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle between the two axes off square: the azimuth changes by it times the tangent of the elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la falta de perpendicularidad entre los dos ejes: el acimut cambia en ella multiplicada por la tangente de la elevación.</translation>
     </message>
     <message>
         <source>Offset of the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>Descentrado del haz</translation>
     </message>
     <message>
         <source>Standard uncertainty of the distance by which the beam misses the vertical axis sideways: the azimuth changes by it over the horizontal distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la distancia lateral con que el haz pasa junto al eje vertical: el acimut cambia en ella dividida por la distancia horizontal.</translation>
     </message>
     <message>
         <source>Coefficient of refraction</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de refracción</translation>
     </message>
     <message>
         <source>Standard uncertainty of k: the elevation changes by k L/(2 × 6371 km) over a distance L.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de k: la elevación cambia en k L/(2 × 6371 km) en una distancia L.</translation>
     </message>
     <message>
         <source>The distribution of what all readings share; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución de lo que comparten todas las lecturas; lo que se indica es su incertidumbre típica, sea cual sea la forma.</translation>
     </message>
     <message>
         <source>Uncertainty of the station</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de la estación</translation>
     </message>
     <message>
         <source>position x</source>
-        <translation type="unfinished"></translation>
+        <translation>posición x</translation>
     </message>
     <message>
         <source>Standard uncertainty of this coordinate of the station, shared by everything measured from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de esta coordenada de la estación, compartida por todo lo que se mide desde ella.</translation>
     </message>
     <message>
         <source>position y</source>
-        <translation type="unfinished"></translation>
+        <translation>posición y</translation>
     </message>
     <message>
         <source>position z</source>
-        <translation type="unfinished"></translation>
+        <translation>posición z</translation>
     </message>
     <message>
         <source>rotation about x</source>
-        <translation type="unfinished"></translation>
+        <translation>rotación alrededor de x</translation>
     </message>
     <message>
         <source>rotation about y</source>
-        <translation type="unfinished"></translation>
+        <translation>rotación alrededor de y</translation>
     </message>
     <message>
         <source>rotation about z</source>
-        <translation type="unfinished"></translation>
+        <translation>rotación alrededor de z</translation>
     </message>
     <message>
         <source>The distribution of the coordinates of the station; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución de las coordenadas de la estación; lo que se indica es su incertidumbre típica, sea cual sea la forma.</translation>
     </message>
     <message>
         <source>Correlation of the station&apos;s coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Correlación de las coordenadas de la estación</translation>
     </message>
     <message>
         <source>Correlation coefficients from the adjustment that located the station; pairs left out are uncorrelated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficientes de correlación de la compensación que localizó la estación; los pares omitidos no están correlacionados.</translation>
     </message>
     <message>
         <source>first</source>
-        <translation type="unfinished"></translation>
+        <translation>primera</translation>
     </message>
     <message>
         <source>A coordinate of the station.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una coordenada de la estación.</translation>
     </message>
     <message>
         <source>second</source>
-        <translation type="unfinished"></translation>
+        <translation>segunda</translation>
     </message>
     <message>
         <source>Correlation coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlación.</translation>
     </message>
     <message>
         <source>Network of sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Red de sensores</translation>
     </message>
     <message>
         <source>What the weights of the readings account for. With the stations, all points of one analysis are estimated together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué tienen en cuenta los pesos de las lecturas. Con las estaciones, todos los puntos de un análisis se estiman conjuntamente.</translation>
     </message>
     <message>
         <source>readings and stations, all points at once</source>
-        <translation type="unfinished"></translation>
+        <translation>lecturas y estaciones, todos los puntos a la vez</translation>
     </message>
     <message>
         <source>readings alone, each point by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>solo lecturas, cada punto por separado</translation>
     </message>
     <message>
         <source>Specification of a measured point</source>
-        <translation type="unfinished"></translation>
+        <translation>Especificación de un punto medido</translation>
     </message>
     <message>
         <source>Figure of the data sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra de la hoja de datos</translation>
     </message>
     <message>
         <source>The uncertainty or limit that the manufacturer states, the same for x, y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>La incertidumbre o el límite que indica el fabricante, igual para x, y y z.</translation>
     </message>
     <message>
         <source>The figure applies to</source>
-        <translation type="unfinished"></translation>
+        <translation>La cifra se refiere a</translation>
     </message>
     <message>
         <source>A coordinate of a point, or a length between two points; a length is the difference of two points, so a coordinate has 1/√2 of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una coordenada de un punto, o una longitud entre dos puntos; una longitud es la diferencia de dos puntos, de modo que a una coordenada le corresponde 1/√2 de ella.</translation>
     </message>
     <message>
         <source>a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>una coordenada</translation>
     </message>
     <message>
         <source>a length between two points</source>
-        <translation type="unfinished"></translation>
+        <translation>una longitud entre dos puntos</translation>
     </message>
     <message>
         <source>Telescopic ballbars (multilateration)</source>
-        <translation type="unfinished"></translation>
+        <translation>Barras de bolas telescópicas (multilateración)</translation>
     </message>
     <message>
         <source>Supports</source>
-        <translation type="unfinished"></translation>
+        <translation>Soportes</translation>
     </message>
     <message>
         <source>Support 1 to support 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Soporte 1 a soporte 2</translation>
     </message>
     <message>
         <source>Measured length between supports 1 and 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud medida entre los soportes 1 y 2.</translation>
     </message>
     <message>
         <source>Support 1 to support 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Soporte 1 a soporte 3</translation>
     </message>
     <message>
         <source>Measured length between supports 1 and 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud medida entre los soportes 1 y 3.</translation>
     </message>
     <message>
         <source>Support 2 to support 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Soporte 2 a soporte 3</translation>
     </message>
     <message>
         <source>Measured length between supports 2 and 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud medida entre los soportes 2 y 3.</translation>
     </message>
     <message>
         <source>Further supports</source>
-        <translation type="unfinished"></translation>
+        <translation>Otros soportes</translation>
     </message>
     <message>
         <source>Supports 4, 5 ...: their lengths to the first three, and their height above the plane of these. More than three lengths are adjusted by least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soportes 4, 5 ...: sus longitudes a los tres primeros y su altura sobre el plano de estos. Más de tres longitudes se compensan por mínimos cuadrados.</translation>
     </message>
     <message>
         <source>Length to this support.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud a este soporte.</translation>
     </message>
     <message>
         <source>Height above the first three supports.</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura sobre los tres primeros soportes.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the height.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la altura.</translation>
     </message>
     <message>
         <source>The ball is</source>
-        <translation type="unfinished"></translation>
+        <translation>La bola está</translation>
     </message>
     <message>
         <source>Three lengths meet in two points, mirror images in the plane of the supports: on which side of it the ball is (sign of the root of Eq 3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Tres longitudes se cortan en dos puntos, simétricos respecto del plano de los soportes: a qué lado de él está la bola (signo de la raíz de la ec. 3).</translation>
     </message>
     <message>
         <source>on the side of +z</source>
-        <translation type="unfinished"></translation>
+        <translation>en el lado de +z</translation>
     </message>
     <message>
         <source>on the side of −z</source>
-        <translation type="unfinished"></translation>
+        <translation>en el lado de −z</translation>
     </message>
     <message>
         <source>Placement</source>
-        <translation type="unfinished"></translation>
+        <translation>Emplazamiento</translation>
     </message>
     <message>
         <source>Place in the robot&apos;s frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar en el sistema del robot</translation>
     </message>
     <message>
         <source>Where the instrument&apos;s frame is in the robot&apos;s: origin in support 1, x towards support 2, z normal to the plane of the first three supports, on the left of the way 1-2-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está el sistema del instrumento en el del robot: origen en el soporte 1, x hacia el soporte 2, z normal al plano de los tres primeros soportes, a la izquierda del recorrido 1-2-3.</translation>
     </message>
     <message>
         <source>Uncertainty of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de una longitud</translation>
     </message>
     <message>
         <source>To the ball: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>A la bola: parte constante a</translation>
     </message>
     <message>
         <source>Figure for one reading of a bar to the ball, the part that does not depend on the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra para una lectura de una barra a la bola, la parte que no depende de la longitud.</translation>
     </message>
     <message>
         <source>To the ball: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>A la bola: parte b por longitud</translation>
     </message>
     <message>
         <source>Figure for one reading of a bar to the ball, the part in proportion to the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra para una lectura de una barra a la bola, la parte proporcional a la longitud.</translation>
     </message>
     <message>
         <source>Between supports: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>Entre soportes: parte constante a</translation>
     </message>
     <message>
         <source>Figure for a length between two supports, which one measurement gives for all points: the part that does not depend on the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra para una longitud entre dos soportes, que una medición da para todos los puntos: la parte que no depende de la longitud.</translation>
     </message>
     <message>
         <source>Between supports: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>Entre soportes: parte b por longitud</translation>
     </message>
     <message>
         <source>Figure for a length between two supports, the part in proportion to the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra para una longitud entre dos soportes, la parte proporcional a la longitud.</translation>
     </message>
     <message>
         <source>Shared by all lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Común a todas las longitudes</translation>
     </message>
     <message>
         <source>Scale of all lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Escala de todas las longitudes</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale that all lengths share: wavelength, refractive index.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la escala que comparten todas las longitudes: longitud de onda, índice de refracción.</translation>
     </message>
     <message>
         <source>Constant of each bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Constante de cada barra</translation>
     </message>
     <message>
         <source>Standard uncertainty of the constant of a bar, the same in all its readings to the ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la constante de una barra, la misma en todas sus lecturas a la bola.</translation>
     </message>
     <message>
         <source>The distribution of scale and constants; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución de la escala y las constantes; lo que se indica es su incertidumbre típica, sea cual sea la forma.</translation>
     </message>
     <message>
         <source>Robot: repeatability of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot: repetibilidad de una pose</translation>
     </message>
     <message>
         <source>Positioning</source>
-        <translation type="unfinished"></translation>
+        <translation>Posicionamiento</translation>
     </message>
     <message>
         <source>The robot&apos;s figure for the scatter of a position that it is sent to again and again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cifra del robot para la dispersión de una posición a la que se le envía una y otra vez.</translation>
     </message>
     <message>
         <source>The figure is</source>
-        <translation type="unfinished"></translation>
+        <translation>La cifra es</translation>
     </message>
     <message>
         <source>A largest distance from the mean position, or RP of ISO 9283: the mean distance plus three times its standard deviation. A normal law has no largest distance, so its figure is always RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una distancia máxima a la posición media, o RP de ISO 9283: la distancia media más tres veces su desviación típica. Una ley normal no tiene distancia máxima, así que su cifra es siempre RP.</translation>
     </message>
     <message>
         <source>the largest distance r</source>
-        <translation type="unfinished"></translation>
+        <translation>la distancia máxima r</translation>
     </message>
     <message>
         <source>RP of ISO 9283: mean + 3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>RP de ISO 9283: media + 3 s</translation>
     </message>
     <message>
         <source>Deviation of a position</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación de una posición</translation>
     </message>
     <message>
         <source>How the distance from the mean position is distributed; all directions are equally probable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se distribuye la distancia a la posición media; todas las direcciones son igualmente probables.</translation>
     </message>
     <message>
         <source>rectangular in [0, r] in a random direction</source>
-        <translation type="unfinished"></translation>
+        <translation>rectangular en [0, r] en una dirección aleatoria</translation>
     </message>
     <message>
         <source>anywhere in a ball of radius r</source>
-        <translation type="unfinished"></translation>
+        <translation>en cualquier lugar de una bola de radio r</translation>
     </message>
     <message>
         <source>always r, in a random direction</source>
-        <translation type="unfinished"></translation>
+        <translation>siempre r, en una dirección aleatoria</translation>
     </message>
     <message>
         <source>normal along each axis</source>
-        <translation type="unfinished"></translation>
+        <translation>normal según cada eje</translation>
     </message>
     <message>
         <source>Orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientación</translation>
     </message>
     <message>
         <source>Figure for the scatter of the orientation about each axis of the flange; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifra para la dispersión de la orientación alrededor de cada eje de la brida; 0: ninguna.</translation>
     </message>
     <message>
         <source>The angle is</source>
-        <translation type="unfinished"></translation>
+        <translation>El ángulo es</translation>
     </message>
     <message>
         <source>A standard uncertainty, RP of ISO 9283 for an angle (three times its standard deviation), or a limit that is not exceeded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una incertidumbre típica, RP de ISO 9283 para un ángulo (tres veces su desviación típica), o un límite que no se supera.</translation>
     </message>
     <message>
         <source>RP of ISO 9283: ± 3 s (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>RP de ISO 9283: ± 3 s (normal)</translation>
     </message>
     <message>
         <source>limit, rectangular: divided by √3</source>
-        <translation type="unfinished"></translation>
+        <translation>límite, rectangular: dividido por √3</translation>
     </message>
     <message>
         <source>Serial robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot serie</translation>
     </message>
     <message>
         <source>Geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>Geometría</translation>
     </message>
     <message>
         <source>Convention</source>
-        <translation type="unfinished"></translation>
+        <translation>Convención</translation>
     </message>
     <message>
         <source>How the parameters of a row lead from one joint&apos;s frame to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo llevan los parámetros de una fila del sistema de una articulación al siguiente.</translation>
     </message>
     <message>
         <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta para articulaciones paralelas</translation>
     </message>
     <message>
         <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</translation>
     </message>
     <message>
         <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation type="unfinished"></translation>
+        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; la fila i lleva alpha y a antes de la articulación i</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Articulaciones</translation>
     </message>
     <message>
         <source>One row for each joint from the base to the tool, in the chosen convention.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila por cada articulación, de la base a la herramienta, en la convención elegida.</translation>
     </message>
     <message>
         <source>Joint angle where the reading is the zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de la articulación cuando la lectura es la lectura cero.</translation>
     </message>
     <message>
         <source>Offset along the joint&apos;s axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desplazamiento según el eje de la articulación.</translation>
     </message>
     <message>
         <source>Length of the common perpendicular.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de la perpendicular común.</translation>
     </message>
     <message>
         <source>Twist about x between two axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torsión alrededor de x entre dos ejes.</translation>
     </message>
     <message>
         <source>Twist about y, of a joint whose axis is parallel to the next: d is then 0 by definition. Empty: the axes are not parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torsión alrededor de y, de una articulación cuyo eje es paralelo al siguiente: d es entonces 0 por definición. Vacío: los ejes no son paralelos.</translation>
     </message>
     <message>
         <source>Reading of the joint at which theta holds; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de la articulación para la que vale theta; vacío: 0.</translation>
     </message>
     <message>
         <source>direction</source>
-        <translation type="unfinished"></translation>
+        <translation>dirección</translation>
     </message>
     <message>
         <source>Whether the joint angle grows or falls with the reading; empty: grows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si el ángulo de la articulación crece o decrece con la lectura; vacío: crece.</translation>
     </message>
     <message>
         <source>with the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>con la lectura</translation>
     </message>
     <message>
         <source>against the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>contra la lectura</translation>
     </message>
     <message>
         <source>Lowest reading; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura mínima; vacío: sin límite.</translation>
     </message>
     <message>
         <source>Highest reading; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura máxima; vacío: sin límite.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a reading by the joint&apos;s encoder, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una lectura del codificador de la articulación, extraída de nuevo en cada pose.</translation>
     </message>
     <message>
         <source>Standard uncertainty by which the joint comes back to a reading, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica con la que la articulación vuelve a una lectura, extraída de nuevo en cada pose.</translation>
     </message>
     <message>
         <source>type</source>
-        <translation type="unfinished"></translation>
+        <translation>tipo</translation>
     </message>
     <message>
         <source>A joint that turns has readings q, which add to theta; one that slides has readings s, which add to d. Empty: it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una articulación que gira tiene lecturas q, que se suman a theta; una que desliza tiene lecturas s, que se suman a d. Vacío: gira.</translation>
     </message>
     <message>
         <source>turns about its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>gira alrededor de su eje</translation>
     </message>
     <message>
         <source>slides along its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>desliza a lo largo de su eje</translation>
     </message>
     <message>
         <source>Reading of a sliding joint at which d holds; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura de una articulación deslizante para la que vale d; vacío: 0.</translation>
     </message>
     <message>
         <source>Lowest reading of a sliding joint; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura mínima de una articulación deslizante; vacío: sin límite.</translation>
     </message>
     <message>
         <source>Highest reading of a sliding joint; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura máxima de una articulación deslizante; vacío: sin límite.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una lectura de la regla de una articulación deslizante, extraída de nuevo en cada pose.</translation>
     </message>
     <message>
         <source>Standard uncertainty by which a sliding joint comes back to a reading, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica con la que una articulación deslizante vuelve a una lectura, extraída de nuevo en cada pose.</translation>
     </message>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Base</translation>
     </message>
     <message>
         <source>Where frame 0 of the robot stands in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está el sistema 0 del robot en el sistema global.</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramienta</translation>
     </message>
     <message>
         <source>Where the tool is in the frame of the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está la herramienta en el sistema del último eslabón.</translation>
     </message>
     <message>
         <source>Standard uncertainties of the parameters by source. A row for a joint and a source; components of one parameter combine in quadrature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbres típicas de los parámetros por fuente. Una fila por articulación y fuente; las componentes de un parámetro se combinan cuadráticamente.</translation>
     </message>
     <message>
         <source>Where the figures come from: repeatability, sampling, range, certificate ...</source>
-        <translation type="unfinished"></translation>
+        <translation>De dónde proceden las cifras: repetibilidad, muestreo, intervalo, certificado ...</translation>
     </message>
     <message>
         <source>Number of the joint; empty: all joints, each with a deviation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de la articulación; vacío: todas las articulaciones, cada una con su propia desviación.</translation>
     </message>
     <message>
         <source>Standard uncertainty of theta from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de theta debida a esta fuente; vacío: ninguna.</translation>
     </message>
     <message>
         <source>Standard uncertainty of d from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de d debida a esta fuente; vacío: ninguna.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de a debida a esta fuente; vacío: ninguna.</translation>
     </message>
     <message>
         <source>Standard uncertainty of alpha from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de alpha debida a esta fuente; vacío: ninguna.</translation>
     </message>
     <message>
         <source>Standard uncertainty of beta from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de beta debida a esta fuente; vacío: ninguna.</translation>
     </message>
     <message>
         <source>Degrees of freedom of the figures; empty: infinitely many.</source>
-        <translation type="unfinished"></translation>
+        <translation>Grados de libertad de las cifras; vacío: infinitos.</translation>
     </message>
     <message>
         <source>Form of the distribution with this standard uncertainty; empty: normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Forma de la distribución con esta incertidumbre típica; vacío: normal.</translation>
     </message>
     <message>
         <source>Correlation coefficients from the identification; pairs left out are uncorrelated. A correlated parameter has one component.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficientes de correlación de la identificación; los pares omitidos no están correlacionados. Un parámetro correlacionado tiene una sola componente.</translation>
     </message>
     <message>
         <source>Tool, position</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramienta, posición</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the tool in the frame of the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de cada coordenada de la herramienta en el sistema del último eslabón.</translation>
     </message>
     <message>
         <source>Tool, orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramienta, orientación</translation>
     </message>
     <message>
         <source>Standard uncertainty of each rotation of the tool about its own axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de cada rotación de la herramienta alrededor de sus propios ejes.</translation>
     </message>
     <message>
         <source>Robot identified by joint trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot identificado por trayectorias articulares</translation>
     </message>
     <message>
         <source>Robot identified from measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot identificado a partir de poses medidas</translation>
     </message>
     <message>
         <source>Force/moment calibration machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Máquina de calibración de fuerza/momento</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado</translation>
     </message>
     <message>
         <source>Uncertainty of its loads</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de sus cargas</translation>
     </message>
     <message>
         <source>One row for each axis that the machine loads: the relative expanded uncertainty of its certificate and the coverage factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila por cada eje que carga la máquina: la incertidumbre expandida relativa de su certificado y el factor de cobertura.</translation>
     </message>
     <message>
         <source>Force or moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerza o momento.</translation>
     </message>
     <message>
         <source>Relative expanded uncertainty of the load: a ratio, not %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida relativa de la carga: una razón, no %.</translation>
     </message>
     <message>
         <source>Coverage factor; empty: 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de cobertura; vacío: 2.</translation>
     </message>
     <message>
         <source>Multi-axis force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor multieje de fuerza/momento</translation>
     </message>
     <message>
         <source>Channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Canales</translation>
     </message>
     <message>
         <source>The forces and moments that the sensor measures, with their rated loads.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las fuerzas y los momentos que mide el sensor, con sus cargas nominales.</translation>
     </message>
     <message>
         <source>Force or moment that the channel measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerza o momento que mide el canal.</translation>
     </message>
     <message>
         <source>rated force</source>
-        <translation type="unfinished"></translation>
+        <translation>fuerza nominal</translation>
     </message>
     <message>
         <source>Rated load of Fx, Fy or Fz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Carga nominal de Fx, Fy o Fz.</translation>
     </message>
     <message>
         <source>rated moment</source>
-        <translation type="unfinished"></translation>
+        <translation>momento nominal</translation>
     </message>
     <message>
         <source>Rated load of Mx, My or Mz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Carga nominal de Mx, My o Mz.</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar</translation>
     </message>
     <message>
         <source>Where the sensor&apos;s axes are; loads are along and about them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde están los ejes del sensor; las cargas actúan según ellos y alrededor de ellos.</translation>
     </message>
     <message>
         <source>Diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Diámetro</translation>
     </message>
     <message>
         <source>Of its housing, for the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>De su carcasa, para la imagen.</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura</translation>
     </message>
     <message>
         <source>Indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>Indicador</translation>
     </message>
     <message>
         <source>Resolution of the indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>Resolución del indicador</translation>
     </message>
     <message>
         <source>Smallest step of the indicated value, r of Eq 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escalón más pequeño del valor indicado, r de la ec. 6.</translation>
     </message>
     <message>
         <source>Range of the indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>Alcance del indicador</translation>
     </message>
     <message>
         <source>Largest value that it can indicate; a reading there is refused as saturated. Empty: only readings that stand still while the load rises are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor valor que puede indicar; una lectura en él se rechaza por saturada. Vacío: solo se rechazan las lecturas que no varían mientras la carga aumenta.</translation>
     </message>
     <message>
         <source>Calibration machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Máquina de calibración</translation>
     </message>
     <message>
         <source>What loaded the sensor; its relative uncertainty enters by Eq 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que cargó el sensor; su incertidumbre relativa entra por la ec. 5.</translation>
     </message>
     <message>
         <source>Raw readings, from which everything follows, or what an evaluation states.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas brutas, de las que se obtiene todo, o lo que indica una evaluación.</translation>
     </message>
     <message>
         <source>raw readings</source>
-        <translation type="unfinished"></translation>
+        <translation>lecturas brutas</translation>
     </message>
     <message>
         <source>summary tables</source>
-        <translation type="unfinished"></translation>
+        <translation>tablas resumen</translation>
     </message>
     <message>
         <source>Indicated values of all channels at each step, the unloaded value not subtracted; typed or from a CSV file, whose columns may have other names.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores indicados de todos los canales en cada escalón, sin restar el valor sin carga; tecleados o de un archivo CSV, cuyas columnas pueden tener otros nombres.</translation>
     </message>
     <message>
         <source>Axis on which the machine&apos;s load acts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eje sobre el que actúa la carga de la máquina.</translation>
     </message>
     <message>
         <source>Preloading or calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Precarga o calibración.</translation>
     </message>
     <message>
         <source>preload</source>
-        <translation type="unfinished"></translation>
+        <translation>precarga</translation>
     </message>
     <message>
         <source>calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>calibración</translation>
     </message>
     <message>
         <source>phase</source>
-        <translation type="unfinished"></translation>
+        <translation>fase</translation>
     </message>
     <message>
         <source>Unloaded before, preload, increasing or decreasing load, unloaded after.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin carga antes, precarga, carga creciente o decreciente, sin carga después.</translation>
     </message>
     <message>
         <source>zero before</source>
-        <translation type="unfinished"></translation>
+        <translation>cero antes</translation>
     </message>
     <message>
         <source>load</source>
-        <translation type="unfinished"></translation>
+        <translation>carga</translation>
     </message>
     <message>
         <source>increasing</source>
-        <translation type="unfinished"></translation>
+        <translation>creciente</translation>
     </message>
     <message>
         <source>decreasing</source>
-        <translation type="unfinished"></translation>
+        <translation>decreciente</translation>
     </message>
     <message>
         <source>zero after</source>
-        <translation type="unfinished"></translation>
+        <translation>cero después</translation>
     </message>
     <message>
         <source>step</source>
-        <translation type="unfinished"></translation>
+        <translation>escalón</translation>
     </message>
     <message>
         <source>Number of the step: 0 without load, the same number for increasing and decreasing load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número del escalón: 0 sin carga, el mismo número para carga creciente y decreciente.</translation>
     </message>
     <message>
         <source>Load in the unit of the next column.</source>
-        <translation type="unfinished"></translation>
+        <translation>Carga en la unidad de la columna siguiente.</translation>
     </message>
     <message>
         <source>load unit</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad de carga</translation>
     </message>
     <message>
         <source>N, kN, Nm ...; empty: N for forces and N·m for moments.</source>
-        <translation type="unfinished"></translation>
+        <translation>N, kN, Nm ...; vacío: N para fuerzas y N·m para momentos.</translation>
     </message>
     <message>
         <source>Time of the reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hora de la lectura.</translation>
     </message>
     <message>
         <source>Indicated value of this channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor indicado de este canal.</translation>
     </message>
     <message>
         <source>Summary</source>
-        <translation type="unfinished"></translation>
+        <translation>Resumen</translation>
     </message>
     <message>
         <source>What an evaluation states of each channel, like Tables 1 and 3 of the paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que una evaluación indica de cada canal, como las tablas 1 y 3 del artículo.</translation>
     </message>
     <message>
         <source>Channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Canal.</translation>
     </message>
     <message>
         <source>rated output</source>
-        <translation type="unfinished"></translation>
+        <translation>salida nominal</translation>
     </message>
     <message>
         <source>Mean net reading at the rated load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lectura neta media a la carga nominal.</translation>
     </message>
     <message>
         <source>non-zero error</source>
-        <translation type="unfinished"></translation>
+        <translation>error de cero</translation>
     </message>
     <message>
         <source>Non-zero error: change of the unloaded reading over a series.</source>
-        <translation type="unfinished"></translation>
+        <translation>Error de cero: cambio de la lectura sin carga a lo largo de una serie.</translation>
     </message>
     <message>
         <source>Type A standard uncertainty of the mean, the largest of all steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de Tipo A de la media, la mayor de todos los escalones.</translation>
     </message>
     <message>
         <source>hysteresis</source>
-        <translation type="unfinished"></translation>
+        <translation>histéresis</translation>
     </message>
     <message>
         <source>Largest difference between increasing and decreasing load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor diferencia entre carga creciente y decreciente.</translation>
     </message>
     <message>
         <source>Type B standard uncertainty as stated; empty: from the machine, the resolution and the non-zero error (Eq 8).</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de Tipo B indicada; vacío: a partir de la máquina, la resolución y el error de cero (ec. 8).</translation>
     </message>
     <message>
         <source>Interference</source>
-        <translation type="unfinished"></translation>
+        <translation>Interferencia</translation>
     </message>
     <message>
         <source>Outputs at rated loads on other axes, like Table 2 of the paper; which index is the load is chosen below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Salidas con cargas nominales en otros ejes, como la tabla 2 del artículo; abajo se elige qué índice es la carga.</translation>
     </message>
     <message>
         <source>Row of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fila de la tabla.</translation>
     </message>
     <message>
         <source>Column of the table; empty on the diagonal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Columna de la tabla; vacía en la diagonal.</translation>
     </message>
     <message>
         <source>Interference has signs</source>
-        <translation type="unfinished"></translation>
+        <translation>Interferencia con signos</translation>
     </message>
     <message>
         <source>Whether the signs are printed. Without them interference cannot be compensated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si los signos están impresos. Sin ellos la interferencia no se puede compensar.</translation>
     </message>
     <message>
         <source>Calibration plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan de calibración</translation>
     </message>
     <message>
         <source>Preloads</source>
-        <translation type="unfinished"></translation>
+        <translation>Precargas</translation>
     </message>
     <message>
         <source>How often each axis is loaded to its rated load before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuántas veces se carga antes cada eje hasta su carga nominal.</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Pasadas</translation>
     </message>
     <message>
         <source>Calibration series of each axis: n of Eqs 2 to 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Series de calibración de cada eje: n de las ecs. 2 a 4.</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Escalones</translation>
     </message>
     <message>
         <source>Loads of a series up to the rated load; the paper asks for five or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargas de una serie hasta la carga nominal; el artículo pide cinco o más.</translation>
     </message>
     <message>
         <source>Decreasing loads too</source>
-        <translation type="unfinished"></translation>
+        <translation>También cargas decrecientes</translation>
     </message>
     <message>
         <source>Whether each series goes down again; hysteresis needs it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si cada serie vuelve a bajar; la histéresis lo necesita.</translation>
     </message>
     <message>
         <source>Without load before a series</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin carga antes de una serie</translation>
     </message>
     <message>
         <source>Before each series, Fig. 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Antes de cada serie, fig. 2.</translation>
     </message>
     <message>
         <source>At each load</source>
-        <translation type="unfinished"></translation>
+        <translation>En cada carga</translation>
     </message>
     <message>
         <source>Before a reading is taken, Fig. 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Antes de tomar una lectura, fig. 2.</translation>
     </message>
     <message>
         <source>Evaluation by the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluación según el artículo</translation>
     </message>
     <message>
         <source>Coverage factor k of Eq 12</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de cobertura k de la ec. 12</translation>
     </message>
     <message>
         <source>The paper takes 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>El artículo toma 2.</translation>
     </message>
     <message>
         <source>A row of the interference table is</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila de la tabla de interferencia es</translation>
     </message>
     <message>
         <source>Section 2.5 says e_12 is the output of Fy under Fx (row = load), but divides by the rated output of the row and calls the row&apos;s largest the error of that sensor. Raw readings leave no doubt; for a printed table the choice changes U.</source>
-        <translation type="unfinished"></translation>
+        <translation>El apartado 2.5 dice que e_12 es la salida de Fy bajo Fx (fila = carga), pero divide por la salida nominal de la fila y llama al mayor de la fila el error de ese sensor. Las lecturas brutas no dejan duda; para una tabla impresa la elección cambia U.</translation>
     </message>
     <message>
         <source>a sensor: its outputs under the other loads</source>
-        <translation type="unfinished"></translation>
+        <translation>un sensor: sus salidas bajo las otras cargas</translation>
     </message>
     <message>
         <source>a load: the outputs of the other sensors under it</source>
-        <translation type="unfinished"></translation>
+        <translation>una carga: las salidas de los otros sensores bajo ella</translation>
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparación</translation>
     </message>
     <message>
         <source>Stated values</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores indicados</translation>
     </message>
     <message>
         <source>Values that a certificate or a paper prints, to be compared with those computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores que imprime un certificado o un artículo, para compararlos con los calculados.</translation>
     </message>
     <message>
         <source>As printed, in mV/V; empty: not compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como está impreso, en mV/V; vacío: no se compara.</translation>
     </message>
     <message>
         <source>interference</source>
-        <translation type="unfinished"></translation>
+        <translation>interferencia</translation>
     </message>
     <message>
         <source>U, relative</source>
-        <translation type="unfinished"></translation>
+        <translation>U, relativa</translation>
     </message>
     <message>
         <source>Relative expanded uncertainty of Eq 12b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida relativa de la ec. 12b.</translation>
     </message>
     <message>
         <source>U, as a load</source>
-        <translation type="unfinished"></translation>
+        <translation>U, como carga</translation>
     </message>
     <message>
         <source>Expanded uncertainty of Eq 12c in N or N·m, a number without unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida de la ec. 12c en N o N·m, un número sin unidad.</translation>
     </message>
     <message>
         <source>Stated interference in %</source>
-        <translation type="unfinished"></translation>
+        <translation>Interferencia indicada en %</translation>
     </message>
     <message>
         <source>Table 4 of the paper: interference by the rated output of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabla 4 del artículo: interferencia dividida por la salida nominal de la fila.</translation>
     </message>
     <message>
         <source>largest</source>
-        <translation type="unfinished"></translation>
+        <translation>máximo</translation>
     </message>
     <message>
         <source>Largest of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Máximo de la fila.</translation>
     </message>
     <message>
         <source>Typed measurement equation</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecuación de medida tecleada</translation>
     </message>
     <message>
         <source>The uncertainty of a quantity computed from others by an equation.</source>
-        <translation type="unfinished"></translation>
+        <translation>La incertidumbre de una magnitud calculada a partir de otras con una ecuación.</translation>
     </message>
     <message>
         <source>Gauge block by comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Bloque patrón por comparación</translation>
     </message>
     <message>
         <source>The length of a gauge block compared with a standard of the same length.</source>
-        <translation type="unfinished"></translation>
+        <translation>La longitud de un bloque patrón comparado con un patrón de la misma longitud.</translation>
     </message>
     <message>
         <source>Two quantities from the same readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos magnitudes de las mismas lecturas</translation>
     </message>
     <message>
         <source>Resistance and reactance from simultaneous readings, with their correlation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resistencia y reactancia de lecturas simultáneas, con su correlación.</translation>
     </message>
     <message>
         <source>Calibration line of a thermometer</source>
-        <translation type="unfinished"></translation>
+        <translation>Recta de calibración de un termómetro</translation>
     </message>
     <message>
         <source>The correction at any reading, from a line through calibration points.</source>
-        <translation type="unfinished"></translation>
+        <translation>La corrección en cualquier lectura, con una recta por puntos de calibración.</translation>
     </message>
     <message>
         <source>Observations on several days</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones en varios días</translation>
     </message>
     <message>
         <source>The mean of readings in groups, and whether the groups differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>La media de lecturas en grupos, y si los grupos difieren.</translation>
     </message>
     <message>
         <source>Pose of a platform from a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose de una plataforma con un seguidor</translation>
     </message>
     <message>
         <source>Where a robot&apos;s flange or platform is, from nests measured by a laser tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está la brida o la plataforma de un robot, a partir de nidos medidos con un seguidor láser.</translation>
     </message>
     <message>
         <source>Pose from two instruments together</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose con dos instrumentos a la vez</translation>
     </message>
     <message>
         <source>The same pose measured by a tracker and a total station as one network.</source>
-        <translation type="unfinished"></translation>
+        <translation>La misma pose medida con un seguidor y una estación total como una sola red.</translation>
     </message>
     <message>
         <source>Pose from calibrated artefacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose a partir de artefactos calibrados</translation>
     </message>
     <message>
         <source>A pose whose point uncertainties come from measurements of artefacts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una pose cuyas incertidumbres de los puntos proceden de mediciones de artefactos.</translation>
     </message>
     <message>
         <source>Points by cameras and a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos con cámaras y un seguidor</translation>
     </message>
     <message>
         <source>Coordinates of targets that several instruments measure together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas de dianas que varios instrumentos miden conjuntamente.</translation>
     </message>
     <message>
         <source>Where do I put the station?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Dónde coloco la estación?</translation>
     </message>
     <message>
         <source>The place of an instrument that makes the uncertainties smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>El lugar de un instrumento que hace mínimas las incertidumbres.</translation>
     </message>
     <message>
         <source>Tool by ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramienta con barras de bolas</translation>
     </message>
     <message>
         <source>A robot&apos;s tool centre point from rotations measured by telescopic ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>El punto central de la herramienta de un robot, a partir de rotaciones medidas con barras de bolas telescópicas.</translation>
     </message>
     <message>
         <source>Which points do I measure?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Qué puntos mido?</translation>
     </message>
     <message>
         <source>The dozen of a plan of points that makes the uncertainty smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>La docena de puntos de un plan que hace mínima la incertidumbre.</translation>
     </message>
     <message>
         <source>Tool position of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición de la herramienta de un robot</translation>
     </message>
     <message>
         <source>Where the tool is, from joint readings and Denavit-Hartenberg parameters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está la herramienta, a partir de lecturas articulares y parámetros de Denavit-Hartenberg.</translation>
     </message>
     <message>
         <source>Parameters of an arm from circles that its joints describe one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros de un brazo a partir de los círculos que describen sus articulaciones una a una.</translation>
     </message>
     <message>
         <source>Parameters of an arm from measured places of its flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros de un brazo a partir de lugares medidos de su brida.</translation>
     </message>
     <message>
         <source>Calibration of a force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibración de un sensor de fuerza/momento</translation>
     </message>
     <message>
         <source>Errors and uncertainty of the channels of a multi-axis sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores e incertidumbre de los canales de un sensor multieje.</translation>
     </message>
     <message>
         <source>Forces and moments from readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas y momentos a partir de lecturas</translation>
     </message>
     <message>
         <source>Loads from the readings of a multi-axis sensor by its calibration matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargas a partir de las lecturas de un sensor multieje con su matriz de calibración.</translation>
     </message>
     <message>
         <source>Law of propagation alone (JCGM 100), with a fixed number of trials (JCGM 101), or with as many as the tolerance needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo la ley de propagación (JCGM 100), con un número fijo de pruebas (JCGM 101), o con tantas como exija la tolerancia.</translation>
     </message>
     <message>
         <source>Law of propagation only</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo ley de propagación</translation>
     </message>
     <message>
         <source>Monte Carlo, fixed number of trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo, número fijo de pruebas</translation>
     </message>
     <message>
         <source>Monte Carlo, adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo, adaptativo</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas</translation>
     </message>
     <message>
         <source>Of the method monte-carlo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Del método monte-carlo.</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Semilla</translation>
     </message>
     <message>
         <source>0 to 18446744073709551615, as text.</source>
-        <translation type="unfinished"></translation>
+        <translation>0 a 18446744073709551615, como texto.</translation>
     </message>
     <message>
         <source>Variance reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>Reducción de la varianza</translation>
     </message>
     <message>
         <source>Makes each trial tell more; the gain is measured and stated with the result. Plain trials are those of JCGM 101.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hace que cada prueba aporte más; la ganancia se mide y se indica con el resultado. Las pruebas simples son las de JCGM 101.</translation>
     </message>
     <message>
         <source>None: plain trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna: pruebas simples</translation>
     </message>
     <message>
         <source>Control variate: the linear part</source>
-        <translation type="unfinished"></translation>
+        <translation>Variable de control: la parte lineal</translation>
     </message>
     <message>
         <source>Sobol points, scrambled</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos de Sobol, aleatorizados</translation>
     </message>
     <message>
         <source>Coverage probability</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidad de cobertura</translation>
     </message>
     <message>
         <source>Of the expanded uncertainty, of intervals and regions.</source>
-        <translation type="unfinished"></translation>
+        <translation>De la incertidumbre expandida, de los intervalos y las regiones.</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de cobertura</translation>
     </message>
     <message>
         <source>A fixed k for U = k u; absent: U by the effective degrees of freedom (law of propagation), or half of the coverage interval (Monte Carlo).</source>
-        <translation type="unfinished"></translation>
+        <translation>Un k fijo para U = k u; ausente: U con los grados de libertad efectivos (ley de propagación), o la mitad del intervalo de cobertura (Monte Carlo).</translation>
     </message>
     <message>
         <source>Second-order terms</source>
-        <translation type="unfinished"></translation>
+        <translation>Términos de segundo orden</translation>
     </message>
     <message>
         <source>Terms of second order of the law of propagation (JCGM 100 5.1.2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Términos de segundo orden de la ley de propagación (JCGM 100 5.1.2).</translation>
     </message>
     <message>
         <source>Trials one at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas de una en una</translation>
     </message>
     <message>
         <source>Of Monte Carlo with all components but one kept constant, for each component; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>De Monte Carlo con todas las componentes constantes salvo una, para cada componente; 0: ninguna.</translation>
     </message>
     <message>
         <source>Trials by contributor</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas por contribución</translation>
     </message>
     <message>
         <source>Of Monte Carlo without each contributor, and of it alone; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>De Monte Carlo sin cada contribución, y con ella sola; 0: ninguna.</translation>
     </message>
     <message>
         <source>Trials for Sobol indices</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas para índices de Sobol</translation>
     </message>
     <message>
         <source>Pairs of trials for Sobol indices; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pares de pruebas para los índices de Sobol; 0: ninguno.</translation>
     </message>
     <message>
         <source>Significant digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras significativas</translation>
     </message>
     <message>
         <source>Of u, for the numerical tolerance of adaptive runs and of the validation (JCGM 101 7.9.2, 8).</source>
-        <translation type="unfinished"></translation>
+        <translation>De u, para la tolerancia numérica de las ejecuciones adaptativas y de la validación (JCGM 101 7.9.2, 8).</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolerancia</translation>
     </message>
     <message>
         <source>A quantity applies to the outputs of its dimension; a number to every output in its SI unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una magnitud se aplica a las salidas de su dimensión; un número, a cada salida en su unidad SI.</translation>
     </message>
     <message>
         <source>Least number of batches</source>
-        <translation type="unfinished"></translation>
+        <translation>Número mínimo de lotes</translation>
     </message>
     <message>
         <source>Of an adaptive run, before it may stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>De una ejecución adaptativa, antes de que pueda detenerse.</translation>
     </message>
     <message>
         <source>Most trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Máximo de pruebas</translation>
     </message>
     <message>
         <source>At which an adaptive run stops in any case.</source>
-        <translation type="unfinished"></translation>
+        <translation>En el que una ejecución adaptativa se detiene en todo caso.</translation>
     </message>
     <message>
         <source>Certificate and laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado y laboratorio</translation>
     </message>
     <message>
         <source>Certificate number</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de certificado</translation>
     </message>
     <message>
         <source>Unique; it stands on every page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Único; figura en todas las páginas.</translation>
     </message>
     <message>
         <source>Laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>Laboratorio</translation>
     </message>
     <message>
         <source>That issues the certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Que emite el certificado.</translation>
     </message>
     <message>
         <source>Address of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección del laboratorio</translation>
     </message>
     <message>
         <source>Street, town, country.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calle, ciudad, país.</translation>
     </message>
     <message>
         <source>Country of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>País del laboratorio</translation>
     </message>
     <message>
         <source>Two capital letters (ISO 3166-1): DE. For a Digital Calibration Certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos letras mayúsculas (ISO 3166-1): DE. Para un certificado de calibración digital.</translation>
     </message>
     <message>
         <source>Accreditation number</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de acreditación</translation>
     </message>
     <message>
         <source>Absent: not accredited for this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausente: no acreditado para esto.</translation>
     </message>
     <message>
         <source>Place of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar de calibración</translation>
     </message>
     <message>
         <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde se realizó si no fue en el laboratorio: en las instalaciones del cliente, in situ.</translation>
     </message>
     <message>
         <source>Customer</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliente</translation>
     </message>
     <message>
         <source>For whom it was done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para quién se realizó.</translation>
     </message>
     <message>
         <source>Address of the customer</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección del cliente</translation>
     </message>
     <message>
         <source>Item</source>
-        <translation type="unfinished"></translation>
+        <translation>Ítem</translation>
     </message>
     <message>
         <source>What was calibrated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se calibró.</translation>
     </message>
     <message>
         <source>Manufacturer</source>
-        <translation type="unfinished"></translation>
+        <translation>Fabricante</translation>
     </message>
     <message>
         <source>Of the item.</source>
-        <translation type="unfinished"></translation>
+        <translation>Del ítem.</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>The manufacturer&apos;s name for it: model, size, class.</source>
-        <translation type="unfinished"></translation>
+        <translation>El nombre que le da el fabricante: modelo, tamaño, clase.</translation>
     </message>
     <message>
         <source>Serial number</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de serie</translation>
     </message>
     <message>
         <source>By which the item is recognised, unless it has an identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>Por el que se reconoce el ítem, salvo que tenga una identificación.</translation>
     </message>
     <message>
         <source>Identification</source>
-        <translation type="unfinished"></translation>
+        <translation>Identificación</translation>
     </message>
     <message>
         <source>The customer&apos;s mark, an inventory number.</source>
-        <translation type="unfinished"></translation>
+        <translation>La marca del cliente, un número de inventario.</translation>
     </message>
     <message>
         <source>Condition of the item</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado del ítem</translation>
     </message>
     <message>
         <source>As it was received, where that matters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tal como se recibió, si es relevante.</translation>
     </message>
     <message>
         <source>Dates</source>
-        <translation type="unfinished"></translation>
+        <translation>Fechas</translation>
     </message>
     <message>
         <source>Received</source>
-        <translation type="unfinished"></translation>
+        <translation>Recepción</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-17.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 8601: 2026-04-17.</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibración</translation>
     </message>
     <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fecha, o dos de un intervalo: 2026-04-17/2026-04-18.</translation>
     </message>
     <message>
         <source>Issued</source>
-        <translation type="unfinished"></translation>
+        <translation>Emisión</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 8601: 2026-04-20.</translation>
     </message>
     <message>
         <source>Procedure by which it was calibrated, with its edition.</source>
-        <translation type="unfinished"></translation>
+        <translation>Procedimiento con el que se calibró, con su edición.</translation>
     </message>
     <message>
         <source>Deviations from the method</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviaciones del método</translation>
     </message>
     <message>
         <source>Additions, exclusions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Adiciones, exclusiones.</translation>
     </message>
     <message>
         <source>Environmental conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>Condiciones ambientales</translation>
     </message>
     <message>
         <source>Those that influence the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las que influyen en los resultados.</translation>
     </message>
     <message>
         <source>Metrological traceability</source>
-        <translation type="unfinished"></translation>
+        <translation>Trazabilidad metrológica</translation>
     </message>
     <message>
         <source>To which references, by which certificates the results are traceable.</source>
-        <translation type="unfinished"></translation>
+        <translation>A qué referencias, mediante qué certificados son trazables los resultados.</translation>
     </message>
     <message>
         <source>Adjustment or repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuste o reparación</translation>
     </message>
     <message>
         <source>Results before and after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados antes y después.</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Comentarios</translation>
     </message>
     <message>
         <source>Opinions and interpretations are marked as such (7.8.7).</source>
-        <translation type="unfinished"></translation>
+        <translation>Las opiniones e interpretaciones se identifican como tales (7.8.7).</translation>
     </message>
     <message>
         <source>Authorisation</source>
-        <translation type="unfinished"></translation>
+        <translation>Autorización</translation>
     </message>
     <message>
         <source>Authorised by</source>
-        <translation type="unfinished"></translation>
+        <translation>Autorizado por</translation>
     </message>
     <message>
         <source>The person who authorises the certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>La persona que autoriza el certificado.</translation>
     </message>
     <message>
         <source>Function</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargo</translation>
     </message>
     <message>
         <source>Of that person in the laboratory.</source>
-        <translation type="unfinished"></translation>
+        <translation>De esa persona en el laboratorio.</translation>
     </message>
     <message>
         <source>Measurement model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelo de medición</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Configuración</translation>
     </message>
     <message>
         <source>Input quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitudes de entrada</translation>
     </message>
     <message>
         <source>Artefacts and instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Artefactos e instrumentos</translation>
     </message>
     <message>
         <source>Uncertainty budgets</source>
-        <translation type="unfinished"></translation>
+        <translation>Balances de incertidumbre</translation>
     </message>
     <message>
         <source>Sobol indices and contributors</source>
-        <translation type="unfinished"></translation>
+        <translation>Índices de Sobol y contribuciones</translation>
     </message>
     <message>
         <source>Evaluation of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluación de la configuración</translation>
     </message>
     <message>
         <source>Law of propagation beside Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Ley de propagación junto a Monte Carlo</translation>
     </message>
     <message>
         <source>Joint coverage regions</source>
-        <translation type="unfinished"></translation>
+        <translation>Regiones de cobertura conjuntas</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribuciones</translation>
     </message>
     <message>
         <source>Set-up in space</source>
-        <translation type="unfinished"></translation>
+        <translation>Configuración en el espacio</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>Correlación</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudios</translation>
     </message>
     <message>
         <source>Designs</source>
-        <translation type="unfinished"></translation>
+        <translation>Diseños</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notas</translation>
     </message>
     <message>
         <source>Provenance</source>
-        <translation type="unfinished"></translation>
+        <translation>Procedencia</translation>
     </message>
     <message>
         <source>mean value</source>
-        <translation type="unfinished"></translation>
+        <translation>valor medio</translation>
     </message>
     <message>
         <source>standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación típica</translation>
     </message>
     <message>
         <source>scale</source>
-        <translation type="unfinished"></translation>
+        <translation>escala</translation>
     </message>
     <message>
         <source>degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>grados de libertad</translation>
     </message>
     <message>
         <source>lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>límite inferior</translation>
     </message>
     <message>
         <source>upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>límite superior</translation>
     </message>
     <message>
         <source>curvilinear trapezoid</source>
-        <translation type="unfinished"></translation>
+        <translation>trapezoidal curvilínea</translation>
     </message>
     <message>
         <source>inexactness of the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>inexactitud de los límites</translation>
     </message>
     <message>
         <source>ratio of top to base</source>
-        <translation type="unfinished"></translation>
+        <translation>razón entre techo y base</translation>
     </message>
     <message>
         <source>shape</source>
-        <translation type="unfinished"></translation>
+        <translation>forma</translation>
     </message>
     <message>
         <source>truncated normal</source>
-        <translation type="unfinished"></translation>
+        <translation>normal truncada</translation>
     </message>
     <message>
         <source>lognormal</source>
-        <translation type="unfinished"></translation>
+        <translation>lognormal</translation>
     </message>
     <message>
         <source>mean value of the logarithm of the number in SI</source>
-        <translation type="unfinished"></translation>
+        <translation>valor medio del logaritmo del número en SI</translation>
     </message>
     <message>
         <source>standard deviation of the logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación típica del logaritmo</translation>
     </message>
     <message>
         <source>parameter alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>parámetro alpha</translation>
     </message>
     <message>
         <source>parameter beta</source>
-        <translation type="unfinished"></translation>
+        <translation>parámetro beta</translation>
     </message>
     <message>
         <source>discrete</source>
-        <translation type="unfinished"></translation>
+        <translation>discreta</translation>
     </message>
     <message>
         <source>SpatialAnalyzer points (ASCII)</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos de SpatialAnalyzer (ASCII)</translation>
     </message>
     <message>
         <source>Table of points</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabla de puntos</translation>
     </message>
     <message>
         <source>Digital Calibration Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado de calibración digital</translation>
     </message>
     <message>
         <source>Leica GSI-8 and GSI-16</source>
-        <translation type="unfinished"></translation>
+        <translation>Leica GSI-8 y GSI-16</translation>
     </message>
     <message>
         <source>GNU Gama network</source>
-        <translation type="unfinished"></translation>
+        <translation>Red de GNU Gama</translation>
     </message>
     <message>
         <source>Comp3D coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas de Comp3D</translation>
     </message>
     <message>
         <source>Comp3D observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones de Comp3D</translation>
     </message>
     <message>
         <source>Uncertainty budget in Excel</source>
-        <translation type="unfinished"></translation>
+        <translation>Balance de incertidumbre en Excel</translation>
     </message>
     <message>
         <source>GUM Workbench</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM Workbench</translation>
     </message>
     <message>
         <source>Suncal project</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto de Suncal</translation>
     </message>
     <message>
         <source>OptiTrack Motive tracking data</source>
-        <translation type="unfinished"></translation>
+        <translation>Datos de seguimiento de OptiTrack Motive</translation>
     </message>
     <message>
         <source>Kinematic calibration of a UR robot (ROS)</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibración cinemática de un robot UR (ROS)</translation>
     </message>
     <message>
         <source>Point list with Ux Uy Uz (SpatialAnalyzer ASCII)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lista de puntos con Ux Uy Uz (SpatialAnalyzer ASCII)</translation>
     </message>
     <message>
         <source>Digital Calibration Certificate 3.2.1</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado de calibración digital 3.2.1</translation>
     </message>
     <message>
         <source>Excel workbook</source>
-        <translation type="unfinished"></translation>
+        <translation>Libro de Excel</translation>
     </message>
     <message>
         <source>Robot description (URDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Descripción de robot (URDF)</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupo</translation>
     </message>
     <message>
         <source>The pose, point or target the quantity belongs to</source>
-        <translation type="unfinished"></translation>
+        <translation>La pose, el punto o la diana a que pertenece la magnitud</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud de salida</translation>
     </message>
     <message>
         <source>Estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación</translation>
     </message>
     <message>
         <source>Best value of the output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Mejor valor de la magnitud de salida</translation>
     </message>
     <message>
         <source>Standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica</translation>
     </message>
     <message>
         <source>Coverage factor. U = k u with k of the t distribution for the effective degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de cobertura. U = k u con k de la distribución t para los grados de libertad efectivos.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U = k u with k of the t distribution for the effective degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida. U = k u con k de la distribución t para los grados de libertad efectivos.</translation>
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>Inferior</translation>
     </message>
     <message>
         <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Límite del intervalo de cobertura probabilísticamente simétrico</translation>
     </message>
     <message>
         <source>High</source>
-        <translation type="unfinished"></translation>
+        <translation>Superior</translation>
     </message>
     <message>
         <source>Limit of the shortest coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Límite del intervalo de cobertura más corto</translation>
     </message>
     <message>
         <source>Estimate (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación (primer orden)</translation>
     </message>
     <message>
         <source>By the law of propagation of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Por la ley de propagación de la incertidumbre</translation>
     </message>
     <message>
         <source>u (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>u (primer orden)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom (JCGM 100 G.4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Grados de libertad efectivos (JCGM 100 G.4)</translation>
     </message>
     <message>
         <source>U (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (primer orden)</translation>
     </message>
     <message>
         <source>First order validated</source>
-        <translation type="unfinished"></translation>
+        <translation>Primer orden validado</translation>
     </message>
     <message>
         <source>JCGM 101 clause 8: agrees with Monte Carlo within the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 101 apartado 8: concuerda con Monte Carlo dentro de la tolerancia</translation>
     </message>
     <message>
         <source>u (second order)</source>
-        <translation type="unfinished"></translation>
+        <translation>u (segundo orden)</translation>
     </message>
     <message>
         <source>With the second-order terms of JCGM 100 5.1.2; for information</source>
-        <translation type="unfinished"></translation>
+        <translation>Con los términos de segundo orden de JCGM 100 5.1.2; a título informativo</translation>
     </message>
     <message>
         <source>shift (second order)</source>
-        <translation type="unfinished"></translation>
+        <translation>desplazamiento (segundo orden)</translation>
     </message>
     <message>
         <source>What the curvature of the equation adds to the estimate; for information, not added</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que la curvatura de la ecuación añade a la estimación; a título informativo, no se suma</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivo</translation>
     </message>
     <message>
         <source>Target uncertainty that is required</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre objetivo que se exige</translation>
     </message>
     <message>
         <source>U / target</source>
-        <translation type="unfinished"></translation>
+        <translation>U / objetivo</translation>
     </message>
     <message>
         <source>Expanded uncertainty as a part of its target: above 1 the target is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida como fracción de su objetivo: por encima de 1 no se cumple el objetivo</translation>
     </message>
     <message>
         <source>Requirement</source>
-        <translation type="unfinished"></translation>
+        <translation>Requisito</translation>
     </message>
     <message>
         <source>Whether the target uncertainty is met and the value is accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Si se cumple la incertidumbre objetivo y se acepta el valor</translation>
     </message>
     <message>
         <source>Input quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud de entrada</translation>
     </message>
     <message>
         <source>Component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Componente de incertidumbre</translation>
     </message>
     <message>
         <source>Of the component&apos;s u</source>
-        <translation type="unfinished"></translation>
+        <translation>De la u de la componente</translation>
     </message>
     <message>
         <source>Standard uncertainty of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la componente</translation>
     </message>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución</translation>
     </message>
     <message>
         <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluación de Tipo A o de Tipo B (JCGM 100 2.3.2, 2.3.3)</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Grados de libertad</translation>
     </message>
     <message>
         <source>Sensitivity coefficient, unit of the output quantity per unit of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de sensibilidad, unidad de la magnitud de salida por unidad de la componente</translation>
     </message>
     <message>
         <source>|c|·u</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u</translation>
     </message>
     <message>
         <source>Contribution to the standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Contribución a la incertidumbre típica</translation>
     </message>
     <message>
         <source>Share / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte / %</translation>
     </message>
     <message>
         <source>Of the variance, with its part of the covariances</source>
-        <translation type="unfinished"></translation>
+        <translation>De la varianza, con su parte de las covarianzas</translation>
     </message>
     <message>
         <source>u one at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>u de una en una</translation>
     </message>
     <message>
         <source>By Monte Carlo with every other component kept constant</source>
-        <translation type="unfinished"></translation>
+        <translation>Por Monte Carlo con todas las demás componentes constantes</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen</translation>
     </message>
     <message>
         <source>Where the figure comes from</source>
-        <translation type="unfinished"></translation>
+        <translation>De dónde procede la cifra</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>En</translation>
     </message>
     <message>
         <source>Whether both results have the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Si ambos resultados tienen la magnitud</translation>
     </message>
     <message>
         <source>U before</source>
-        <translation type="unfinished"></translation>
+        <translation>U antes</translation>
     </message>
     <message>
         <source>Expanded uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida</translation>
     </message>
     <message>
         <source>U after</source>
-        <translation type="unfinished"></translation>
+        <translation>U después</translation>
     </message>
     <message>
         <source>Change of U in %</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambio de U en %</translation>
     </message>
     <message>
         <source>Change of the expanded uncertainty, in per cent of that before</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambio de la incertidumbre expandida, en tanto por ciento de la anterior</translation>
     </message>
     <message>
         <source>Estimate before</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación antes</translation>
     </message>
     <message>
         <source>Estimate after</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación después</translation>
     </message>
     <message>
         <source>Change of estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambio de la estimación</translation>
     </message>
     <message>
         <source>Estimate after less estimate before</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación después menos estimación antes</translation>
     </message>
     <message>
         <source>u before</source>
-        <translation type="unfinished"></translation>
+        <translation>u antes</translation>
     </message>
     <message>
         <source>u after</source>
-        <translation type="unfinished"></translation>
+        <translation>u después</translation>
     </message>
     <message>
         <source>k before</source>
-        <translation type="unfinished"></translation>
+        <translation>k antes</translation>
     </message>
     <message>
         <source>k after</source>
-        <translation type="unfinished"></translation>
+        <translation>k después</translation>
     </message>
     <message>
         <source>Changed, the same, new, or gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificada, igual, nueva o desaparecida</translation>
     </message>
     <message>
         <source>|c|·u before</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u antes</translation>
     </message>
     <message>
         <source>|c|·u after</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u después</translation>
     </message>
     <message>
         <source>Share before / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte antes / %</translation>
     </message>
     <message>
         <source>Of the variance before</source>
-        <translation type="unfinished"></translation>
+        <translation>De la varianza antes</translation>
     </message>
     <message>
         <source>Share after / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte después / %</translation>
     </message>
     <message>
         <source>Of the variance after</source>
-        <translation type="unfinished"></translation>
+        <translation>De la varianza después</translation>
     </message>
     <message>
         <source>Change of variance / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambio de varianza / %</translation>
     </message>
     <message>
         <source>By how much this component changes the variance of the output, in per cent of the whole variance before; the rows add up to the change of the whole</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto cambia esta componente la varianza de la salida, en tanto por ciento de la varianza total anterior; las filas suman el cambio total</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>cumplido</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished"></translation>
+        <translation>no cumplido</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>sí</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>no</translation>
     </message>
     <message>
         <source>gamma</source>
-        <translation type="unfinished"></translation>
+        <translation>gamma</translation>
     </message>
     <message>
         <source>beta</source>
-        <translation type="unfinished"></translation>
+        <translation>beta</translation>
     </message>
     <message>
         <source>Coverage factor. U = k u with the coverage factor that was fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de cobertura. U = k u con el factor de cobertura que se fijó.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U = k u with the coverage factor that was fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida. U = k u con el factor de cobertura que se fijó.</translation>
     </message>
     <message>
         <source>Coverage factor. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de cobertura. U es la mitad de la anchura del intervalo de cobertura probabilísticamente simétrico, y k = U/u.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida. U es la mitad de la anchura del intervalo de cobertura probabilísticamente simétrico, y k = U/u.</translation>
     </message>
     <message>
         <source>75 nm: standard uncertainty
@@ -4443,122 +4443,304 @@ rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcs
 limits 19.5 to 20.5: they give the value
 resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>75 nm: incertidumbre típica
+2 ppm: incertidumbre típica, una fracción del valor
+U = 0.3 um, k = 2 (o p = 95 %): certificado
+rectangular 0.5 (o rect, ±): límites en torno al valor; lo mismo triangular, arcsine
+limits 19.5 to 20.5: dan el valor
+resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+nu 18 tras cualquiera de ellas: grados de libertad</translation>
+    </message>
+    <message>
+        <source>Target uncertainty</source>
+        <translation>Incertidumbre objetivo</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U must not exceed this.</source>
+        <translation>La incertidumbre expandida U no debe superar este valor.</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Límite inferior</translation>
+    </message>
+    <message>
+        <source>Of the tolerance; empty: none.</source>
+        <translation>De la tolerancia; vacío: ninguno.</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Límite superior</translation>
+    </message>
+    <message>
+        <source>Guard factor</source>
+        <translation>Factor de guarda</translation>
+    </message>
+    <message>
+        <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
+        <translation>Bandas de guarda de tantas U dentro de la tolerancia: 1 demuestra la conformidad (ISO 14253-1), 0 es aceptación simple, los valores negativos favorecen al productor.</translation>
+    </message>
+    <message>
+        <source>Prior mean</source>
+        <translation>Media a priori</translation>
+    </message>
+    <message>
+        <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
+        <translation>Lo que se sabe de tales magnitudes antes de la medición, como distribución normal (el proceso de producción): para los riesgos globales de JCGM 106.</translation>
+    </message>
+    <message>
+        <source>Prior standard deviation</source>
+        <translation>Desviación típica a priori</translation>
+    </message>
+    <message>
+        <source>Of the production process.</source>
+        <translation>Del proceso de producción.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui</name>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir %1</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no es un número.</translation>
     </message>
     <message>
         <source>“%1” is not a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no es una unidad.</translation>
     </message>
     <message>
         <source>a number without unit is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>se espera un número sin unidad.</translation>
     </message>
     <message>
         <source>a unit like %1 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>se espera una unidad como %1.</translation>
     </message>
     <message>
         <source>The unit %1 does not fit here: </source>
-        <translation type="unfinished"></translation>
+        <translation>La unidad %1 no es adecuada aquí: </translation>
     </message>
     <message>
         <source>“%1” is not a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no es un número entero.</translation>
     </message>
     <message>
         <source>“%1” is not one of: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no es uno de: %2.</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>sí</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>no</translation>
     </message>
     <message>
         <source>“%1” is neither yes nor no.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no es ni sí ni no.</translation>
     </message>
     <message>
         <source>The value must be greater than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>El valor debe ser mayor que %1.</translation>
     </message>
     <message>
         <source>The value must be at least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>El valor debe ser al menos %1.</translation>
     </message>
     <message>
         <source>The value must be at most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>El valor debe ser como máximo %1.</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Grados de libertad</translation>
     </message>
     <message>
         <source>Unsaved Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambios sin guardar</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Guardar los cambios de «%1»?</translation>
     </message>
     <message>
         <source>Without saving they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si no se guardan, se perderán.</translation>
     </message>
     <message>
         <source>File Changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo modificado</translation>
     </message>
     <message>
         <source>Another program changed “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otro programa ha modificado «%1».</translation>
     </message>
     <message>
         <source>Reading it again loses your unsaved changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Al leerlo de nuevo se pierden los cambios sin guardar.</translation>
     </message>
     <message>
         <source>It can be read again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se puede leer de nuevo.</translation>
     </message>
     <message>
         <source>Read Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Leer de nuevo</translation>
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar el mío</translation>
     </message>
     <message>
         <source>Recover Unsaved Work</source>
-        <translation type="unfinished"></translation>
+        <translation>Recuperar trabajo sin guardar</translation>
     </message>
     <message>
         <source>Covaria did not end properly. Unsaved work was kept:</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria no se cerró correctamente. Se conservó trabajo sin guardar:</translation>
     </message>
     <message>
         <source>Open Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir proyecto</translation>
     </message>
     <message>
         <source>Covaria project or report (*.covaria *.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto o informe de Covaria (*.covaria *.pdf)</translation>
+    </message>
+    <message>
+        <source>About Covaria</source>
+        <translation>Acerca de Covaria</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Incertidumbre de medida de robots y metrología de grandes dimensiones.&lt;br&gt;Evalúa según JCGM 100, 101 y 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>symbol</source>
+        <translation>símbolo</translation>
+    </message>
+    <message>
+        <source>As the equations use it; further rows of a symbol add components</source>
+        <translation>Como lo usan las ecuaciones; otras filas de un símbolo añaden componentes</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>magnitud</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>estimación</translation>
+    </message>
+    <message>
+        <source>In the row&apos;s unit: 50.000 838 or 50.000 838 mm</source>
+        <translation>En la unidad de la fila: 50.000 838 o 50.000 838 mm</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>Of the estimate and of what is stated</source>
+        <translation>De la estimación y de lo que se indica</translation>
+    </message>
+    <message>
+        <source>stated as</source>
+        <translation>indicada como</translation>
+    </message>
+    <message>
+        <source>distribution</source>
+        <translation>distribución</translation>
+    </message>
+    <message>
+        <source>That Monte Carlo draws</source>
+        <translation>De la que extrae Monte Carlo</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>tipo</translation>
+    </message>
+    <message>
+        <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
+        <translation>Evaluación de Tipo A o de Tipo B (JCGM 100 2.3.2, 2.3.3)</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom; empty: infinite, or those of the observations</source>
+        <translation>Grados de libertad; vacío: infinitos, o los de las observaciones</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty, in the row&apos;s unit</source>
+        <translation>Incertidumbre típica, en la unidad de la fila</translation>
+    </message>
+    <message>
+        <source>Sensitivity coefficient, unit of the result per unit of the row</source>
+        <translation>Coeficiente de sensibilidad, unidad del resultado por unidad de la fila</translation>
+    </message>
+    <message>
+        <source>Contribution to the standard uncertainty of the result</source>
+        <translation>Contribución a la incertidumbre típica del resultado</translation>
+    </message>
+    <message>
+        <source>index / %</source>
+        <translation>índice / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance, with its part of the covariances</source>
+        <translation>Parte de la varianza, con su parte de las covarianzas</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>fuente</translation>
+    </message>
+    <message>
+        <source>Where the figure comes from</source>
+        <translation>De dónde procede la cifra</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the position in space: square root of the sum of the variances of its three coordinates</source>
+        <translation>Incertidumbre típica de la posición en el espacio: raíz cuadrada de la suma de las varianzas de sus tres coordenadas</translation>
+    </message>
+    <message>
+        <source>, worth %1</source>
+        <translation>, por valor de %1</translation>
+    </message>
+    <message>
+        <source>Preview by the law of propagation, without Monte Carlo</source>
+        <translation>Vista previa por la ley de propagación, sin Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Preview with %1 trials, before the adaptive procedure</source>
+        <translation>Vista previa con %1 pruebas, antes del procedimiento adaptativo</translation>
+    </message>
+    <message>
+        <source>Preview with %1 of %2 trials</source>
+        <translation>Vista previa con %1 de %2 pruebas</translation>
+    </message>
+    <message>
+        <source>Law of propagation of uncertainty</source>
+        <translation>Ley de propagación de la incertidumbre</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials</source>
+        <translation>Monte Carlo, %1 pruebas</translation>
+    </message>
+    <message>
+        <source>Out of date: of the project as it was</source>
+        <translation>Desactualizado: del proyecto tal como era</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>Duplicar %1</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty</source>
+        <translation>Incertidumbre expandida</translation>
     </message>
     <message>
         <source># Keys
@@ -4572,653 +4754,565 @@ nu 18 behind any of them: degrees of freedom</source>
 | Arrow keys, + and − | turn and zoom the scene |
 | 1, 2, 3, 4, F | iso, top, front, right view, fit |
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| F1 | help on the model of the selected analysis |
+| F1 | help on the field, cell or entry with the focus |
 </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>About Covaria</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
+        <translation># Teclas
 
-## Equations as evaluated
-
-</source>
-        <translation type="unfinished"></translation>
+| Tecla | Acción |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | nuevo, abrir, guardar |
+| Ctrl+Z, Ctrl+Y | deshacer, rehacer |
+| F5, Ctrl+F5, Esc | calcular este análisis, calcular todos, detener |
+| F2, Ctrl+D, Supr | renombrar, duplicar, borrar la entrada elegida |
+| Flechas, + y − | girar y ampliar la escena |
+| 1, 2, 3, 4, F | vista isométrica, superior, frontal, derecha, ajustar |
+| Ctrl+C, Ctrl+V | copiar y pegar bloques de celdas |
+| F1 | ayuda sobre el campo, la celda o la entrada con el foco |
+</translation>
     </message>
     <message>
-        <source>
-## Notes
-
-</source>
-        <translation type="unfinished"></translation>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation>El análisis aún no está completo: lo que falta se enumera abajo.</translation>
     </message>
     <message>
-        <source>
-## References
-
-</source>
-        <translation type="unfinished"></translation>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation>El análisis tiene problemas; se enumeran abajo.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::AllResultsModel</name>
+    <message>
+        <source>%1 interval</source>
+        <translation>Intervalo %1</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <source>Interval</source>
+        <translation>Intervalo</translation>
     </message>
     <message>
-        <source>Help on This &amp;Model</source>
-        <translation type="unfinished"></translation>
+        <source>Analysis</source>
+        <translation>Análisis</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <source>Coverage interval of the result line</source>
+        <translation>Intervalo de cobertura de la línea de resultado</translation>
     </message>
     <message>
-        <source>M&amp;odels</source>
-        <translation type="unfinished"></translation>
+        <source>, low</source>
+        <translation>, inferior</translation>
     </message>
     <message>
-        <source>&amp;Results and Requirements</source>
-        <translation type="unfinished"></translation>
+        <source>, high</source>
+        <translation>, superior</translation>
     </message>
     <message>
-        <source>Results and requirements</source>
-        <translation type="unfinished"></translation>
+        <source>State</source>
+        <translation>Estado</translation>
     </message>
     <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation type="unfinished"></translation>
+        <source>Double click: goes to the analysis</source>
+        <translation>Doble clic: va al análisis</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::AllResultsTab</name>
+    <message>
+        <source>Filter: analysis, symbol, name, group</source>
+        <translation>Filtro: análisis, símbolo, nombre, grupo</translation>
     </message>
     <message>
-        <source>What every analysis has</source>
-        <translation type="unfinished"></translation>
+        <source>Filter of all results</source>
+        <translation>Filtro de todos los resultados</translation>
     </message>
     <message>
-        <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <source>Not met only</source>
+        <translation>Solo no cumplidos</translation>
     </message>
     <message>
-        <source>&amp;About Covaria</source>
-        <translation type="unfinished"></translation>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>Solo resultados que no cumplen la incertidumbre objetivo o la tolerancia</translation>
     </message>
     <message>
-        <source>symbol</source>
-        <translation type="unfinished"></translation>
+        <source>all-results</source>
+        <translation>todos-los-resultados</translation>
     </message>
     <message>
-        <source>As the equations use it; further rows of a symbol add components</source>
-        <translation type="unfinished"></translation>
+        <source>Output quantity</source>
+        <translation>Magnitud de salida</translation>
     </message>
     <message>
-        <source>quantity</source>
-        <translation type="unfinished"></translation>
+        <source>k</source>
+        <translation>k</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation type="unfinished"></translation>
+        <source>up to date</source>
+        <translation>actualizado</translation>
     </message>
     <message>
-        <source>estimate</source>
-        <translation type="unfinished"></translation>
+        <source>%1 of %2 requirements met</source>
+        <translation>%1 de %2 requisitos cumplidos</translation>
     </message>
     <message>
-        <source>In the row&apos;s unit: 50.000 838 or 50.000 838 mm</source>
-        <translation type="unfinished"></translation>
+        <source>%1 of %2 analyses have no result: press Ctrl+F5</source>
+        <translation>%1 de %2 análisis no tienen resultado: pulse Ctrl+F5</translation>
     </message>
     <message>
-        <source>unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the estimate and of what is stated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>stated as</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>distribution</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>That Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Degrees of freedom; empty: infinite, or those of the observations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Standard uncertainty, in the row&apos;s unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sensitivity coefficient, unit of the result per unit of the row</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contribution to the standard uncertainty of the result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>index / %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Share of the variance, with its part of the covariances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where the figure comes from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of the position in space: square root of the sum of the variances of its three coordinates</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, worth %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview by the law of propagation, without Monte Carlo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview with %1 trials, before the adaptive procedure</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview with %1 of %2 trials</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Law of propagation of uncertainty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Monte Carlo, %1 trials</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Out of date: of the project as it was</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Expanded uncertainty</source>
-        <translation type="unfinished"></translation>
+        <source>; </source>
+        <translation>; </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::AssetEvaluation</name>
     <message>
         <source>The asset has problems; they are listed below the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>El recurso tiene problemas; se enumeran bajo la escena.</translation>
     </message>
     <message>
         <source>This asset is used as it is specified; nothing is evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este recurso se usa tal como está especificado; no se evalúa nada.</translation>
     </message>
     <message>
         <source>Evaluation of the asset</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluación del recurso</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::BudgetPage</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados</translation>
     </message>
     <message>
         <source>Correlation coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlación</translation>
     </message>
     <message>
         <source>Select two rows, and type the correlation coefficient of their components</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione dos filas y teclee el coeficiente de correlación de sus componentes</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Balance</translation>
     </message>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;i&gt;r&lt;/i&gt; de dos filas =</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactualizado: se está calculando.</translation>
     </message>
     <message>
         <source>Type a name here to add a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Teclee aquí un nombre para añadir una magnitud</translation>
     </message>
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no es unidad para una magnitud en %2.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo exige %1.</translation>
     </message>
     <message>
         <source>Asked for by %1 where it applies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo pide %1 cuando procede.</translation>
     </message>
     <message>
         <source>Next Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Siguiente que falta</translation>
     </message>
     <message>
         <source>What the certificate lacks</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que falta en el certificado</translation>
     </message>
     <message>
         <source>Goes to the next field that %1 requires and that is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Va al siguiente campo que %1 exige y que está vacío</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar %1</translation>
     </message>
     <message>
         <source>Everything that %1 requires beside the results is stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Está indicado todo lo que %1 exige además de los resultados.</translation>
     </message>
     <message>
         <source>For File › Export › Certificate. A clause of %1 stands where it requires something; a report needs none of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para Archivo › Exportar › Certificado. Se cita un apartado de %1 donde exige algo; un informe no necesita nada de ello.</translation>
     </message>
     <message>
         <source>%1 of %2 required texts are stated; missing: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Están indicados %1 de %2 textos exigidos; faltan: %3.</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
     <message>
         <source>Run the analysis to see this chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecute el análisis para ver este gráfico</translation>
     </message>
     <message>
         <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivos %1 (*.%2)</translation>
     </message>
     <message>
         <source>Save Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar gráfico</translation>
     </message>
     <message>
         <source>Show All</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar todo</translation>
     </message>
     <message>
         <source>Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar imagen</translation>
     </message>
     <message>
         <source>Copy Data</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar datos</translation>
     </message>
     <message>
         <source>Save as %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar como %1 …</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ColumnTableModel</name>
     <message>
         <source>Out of date: the project has changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactualizado: el proyecto ha cambiado desde entonces.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CompareTab</name>
     <message>
         <source>Keep as Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar como antes</translation>
     </message>
     <message>
         <source>Keeps the present results of this analysis, to compare later ones with</source>
-        <translation type="unfinished"></translation>
+        <translation>Conserva los resultados actuales de este análisis, para comparar con ellos los posteriores</translation>
     </message>
     <message>
         <source>Go Back to Kept State</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver al estado conservado</translation>
     </message>
     <message>
         <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Deja el proyecto como era cuando se conservaron los resultados; se puede deshacer</translation>
     </message>
     <message>
         <source>Discard Kept State</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar estado conservado</translation>
     </message>
     <message>
         <source>Forgets the kept results; the project stays as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>Olvida los resultados conservados; el proyecto queda como está ahora</translation>
     </message>
     <message>
         <source>Go Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar</translation>
     </message>
     <message>
         <source>comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>comparación</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupo</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud de salida</translation>
     </message>
     <message>
         <source>Change of estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambio de la estimación</translation>
     </message>
     <message>
         <source>u before</source>
-        <translation type="unfinished"></translation>
+        <translation>u antes</translation>
     </message>
     <message>
         <source>u after</source>
-        <translation type="unfinished"></translation>
+        <translation>u después</translation>
     </message>
     <message>
         <source>k before</source>
-        <translation type="unfinished"></translation>
+        <translation>k antes</translation>
     </message>
     <message>
         <source>k after</source>
-        <translation type="unfinished"></translation>
+        <translation>k después</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>En</translation>
     </message>
     <message>
         <source>budget-changes</source>
-        <translation type="unfinished"></translation>
+        <translation>cambios-del-balance</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráfico</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribuciones</translation>
     </message>
     <message>
         <source>Changes of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambios del balance</translation>
     </message>
     <message>
         <source>The results are kept: the tab Compare shows them beside those to come.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los resultados se conservan: la pestaña Comparar los muestra junto a los que vendrán.</translation>
     </message>
     <message>
         <source>Go back to kept state</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver al estado conservado</translation>
     </message>
     <message>
         <source>Select an analysis to compare its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione un análisis para comparar sus resultados.</translation>
     </message>
     <message>
         <source>Run the analysis (F5), then keep its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecute el análisis (F5) y luego conserve sus resultados.</translation>
     </message>
     <message>
         <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Conserve los resultados actuales y edite: antes y después aparecen aquí uno junto a otro.</translation>
     </message>
     <message>
         <source>Before: %1, kept at %2. </source>
-        <translation type="unfinished"></translation>
+        <translation>Antes: %1, conservado a las %2. </translation>
     </message>
     <message>
         <source>After: no results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Después: sin resultados.</translation>
     </message>
     <message>
         <source>After: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Después: %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ComponentsEdit</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Componentes de incertidumbre</translation>
     </message>
     <message>
         <source>Name of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la componente</translation>
     </message>
     <message>
         <source>Type of evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo de evaluación</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Grados de libertad</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen</translation>
     </message>
     <message>
         <source>Back to the components that the model gives</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a las componentes que da el modelo</translation>
     </message>
     <message>
         <source>Type A (from observations)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo A (de observaciones)</translation>
     </message>
     <message>
         <source>Type B (other means)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo B (otros medios)</translation>
     </message>
     <message>
         <source>Degrees of freedom of the standard uncertainty; empty: infinitely many.</source>
-        <translation type="unfinished"></translation>
+        <translation>Grados de libertad de la incertidumbre típica; vacío: infinitos.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Change component of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar componente de %1</translation>
     </message>
     <message>
         <source>component %1</source>
-        <translation type="unfinished"></translation>
+        <translation>componente %1</translation>
     </message>
     <message>
         <source>Add component to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir componente a %1</translation>
     </message>
     <message>
         <source>Remove component of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar componente de %1</translation>
     </message>
     <message>
         <source>Reset components of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer componentes de %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationEdit</name>
     <message>
         <source>Add to the matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir a la matriz</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Correlation coefficients between components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficientes de correlación entre componentes de incertidumbre</translation>
     </message>
     <message>
         <source>Component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Componente de incertidumbre</translation>
     </message>
     <message>
         <source>All components are uncorrelated. Add those that are correlated to the matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna componente está correlacionada. Añada a la matriz las que lo estén.</translation>
     </message>
     <message>
         <source>The coefficients are possible together (positive semi-definite). Monte Carlo draws them with a Gaussian copula: exact for normal distributions, nearly so for others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los coeficientes son posibles conjuntamente (semidefinida positiva). Monte Carlo los extrae con una cópula gaussiana: exacto para distribuciones normales, casi exacto para otras.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationTableModel</name>
     <message>
         <source>Correlation of %1 with %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Correlación de %1 con %2</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CsvImportDialog</name>
     <message>
         <source>Import %1 into %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar %1 en %2</translation>
     </message>
     <message>
         <source>found by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>detectado automáticamente</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>coma</translation>
     </message>
     <message>
         <source>semicolon</source>
-        <translation type="unfinished"></translation>
+        <translation>punto y coma</translation>
     </message>
     <message>
         <source>tab</source>
-        <translation type="unfinished"></translation>
+        <translation>tabulador</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista previa</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar</translation>
     </message>
     <message>
         <source>&amp;Separator of cells</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Separador de celdas</translation>
     </message>
     <message>
         <source>Column of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Columna del archivo</translation>
     </message>
     <message>
         <source>is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>se lee como</translation>
     </message>
     <message>
         <source>Columns of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Columnas del archivo</translation>
     </message>
     <message>
         <source>Column %1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>La columna %1 se lee como</translation>
     </message>
     <message>
         <source>as it is named</source>
-        <translation type="unfinished"></translation>
+        <translation>según su nombre</translation>
     </message>
     <message>
         <source>unknown: choose</source>
-        <translation type="unfinished"></translation>
+        <translation>desconocida: elija</translation>
     </message>
     <message>
         <source>not read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se lee</translation>
     </message>
     <message>
         <source>The file cannot be imported: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo no se puede importar: %1.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea %1: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n fila(s).</numerusform>
+            <numerusform>%n fila(s).</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n more problem(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n problema(s) más.</numerusform>
+            <numerusform>%n problema(s) más.</numerusform>
         </translation>
     </message>
 </context>
@@ -5226,667 +5320,667 @@ nu 18 behind any of them: degrees of freedom</source>
     <name>covaria::ui::DateEditor</name>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>hasta</translation>
     </message>
     <message>
         <source>%1, last day</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, último día</translation>
     </message>
     <message>
         <source>Choose from a calendar</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir en un calendario</translation>
     </message>
     <message>
         <source>“%1” is no date of the form 2026-04-17.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no es una fecha de la forma 2026-04-17.</translation>
     </message>
     <message>
         <source>The first day is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Falta el primer día.</translation>
     </message>
     <message>
         <source>The last day is before the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>El último día es anterior al primero.</translation>
     </message>
     <message>
         <source>the same day</source>
-        <translation type="unfinished"></translation>
+        <translation>el mismo día</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DensityPicture</name>
     <message>
         <source>Density of the distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Densidad de la distribución</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignBoxList</name>
     <message>
         <source>Add Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir caja</translation>
     </message>
     <message>
         <source>To, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta, %1</translation>
     </message>
     <message>
         <source>From, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde, %1</translation>
     </message>
     <message>
         <source>Name of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la caja</translation>
     </message>
     <message>
         <source>name, such as pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre, p. ej. pilar</translation>
     </message>
     <message>
         <source>Remove Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar caja</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
         <source>Reductions with a price, in place of variables and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Reducciones con precio, en lugar de variables y filas</translation>
     </message>
     <message>
         <source>Add Reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir reducción</translation>
     </message>
     <message>
         <source>One more uncertainty that can be made smaller for money</source>
-        <translation type="unfinished"></translation>
+        <translation>Una incertidumbre más que se puede reducir pagando</translation>
     </message>
     <message>
         <source>Smallest factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor mínimo</translation>
     </message>
     <message>
         <source>The smallest factor that can be had, between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>El menor factor que se puede obtener, entre 0 y 1</translation>
     </message>
     <message>
         <source>Price of the first halving</source>
-        <translation type="unfinished"></translation>
+        <translation>Precio de la primera reducción a la mitad</translation>
     </message>
     <message>
         <source>Law of the price</source>
-        <translation type="unfinished"></translation>
+        <translation>Ley del precio</translation>
     </message>
     <message>
         <source>price (1/f − 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>precio (1/f − 1)</translation>
     </message>
     <message>
         <source>price (1/f² − 1)/3: further readings</source>
-        <translation type="unfinished"></translation>
+        <translation>precio (1/f² − 1)/3: más lecturas</translation>
     </message>
     <message>
         <source>price log₂(1/f): every halving the same</source>
-        <translation type="unfinished"></translation>
+        <translation>precio log₂(1/f): igual cada vez que se reduce a la mitad</translation>
     </message>
     <message>
         <source>Remove Reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar reducción</translation>
     </message>
     <message>
         <source>Reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>Se reduce</translation>
     </message>
     <message>
         <source>Least factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor mínimo</translation>
     </message>
     <message>
         <source>First halving</source>
-        <translation type="unfinished"></translation>
+        <translation>Primera mitad</translation>
     </message>
     <message>
         <source>A factor f costs</source>
-        <translation type="unfinished"></translation>
+        <translation>Un factor f cuesta</translation>
     </message>
     <message>
         <source>choose what is reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>elija lo que se reduce</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignTab</name>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Diseño</translation>
     </message>
     <message>
         <source>Design of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Diseño de este análisis</translation>
     </message>
     <message>
         <source>Run Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecutar diseño</translation>
     </message>
     <message>
         <source>Searches for the best design</source>
-        <translation type="unfinished"></translation>
+        <translation>Busca el mejor diseño</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener</translation>
     </message>
     <message>
         <source>Stops the search (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Detiene la búsqueda (Esc)</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar …</translation>
     </message>
     <message>
         <source>Variables, rows and objective of the design, in the properties of the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Variables, filas y función objetivo del diseño, en las propiedades del análisis</translation>
     </message>
     <message>
         <source>Take Over This Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Adoptar este diseño</translation>
     </message>
     <message>
         <source>Puts the values and rows that were found into the project; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Pone en el proyecto los valores y las filas hallados; se puede deshacer</translation>
     </message>
     <message>
         <source>Add Design …</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir diseño …</translation>
     </message>
     <message>
         <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecute el diseño para ver lo mejor que se puede lograr con lo que puede elegir.</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: add one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un diseño halla dónde colocarse y qué medir: añada uno.</translation>
     </message>
     <message>
         <source> – out of date</source>
-        <translation type="unfinished"></translation>
+        <translation> – desactualizado</translation>
     </message>
     <message>
         <source>%1 of %2 evaluations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 evaluaciones</translation>
     </message>
     <message>
         <source>, best so far %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, mejor hasta ahora %1</translation>
     </message>
     <message>
         <source>searching …</source>
-        <translation type="unfinished"></translation>
+        <translation>buscando …</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fallido: %1</translation>
     </message>
     <message>
         <source>Not searched yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no se ha buscado.</translation>
     </message>
     <message>
         <source>Nothing that was tried has a result.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada de lo que se probó tiene resultado.</translation>
     </message>
     <message>
         <source>The cheapest reductions cost %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Las reducciones más baratas cuestan %1</translation>
     </message>
     <message>
         <source>The cheapest rows cost %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Las filas más baratas cuestan %1</translation>
     </message>
     <message>
         <source>, before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, antes %1</translation>
     </message>
     <message>
         <source>; &lt;b&gt;the target of U(%1) is not met&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>; &lt;b&gt;no se cumple el objetivo de U(%1)&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Desactualizado&lt;/b&gt;: se muestra para el proyecto tal como era. </translation>
     </message>
     <message>
         <source>Take over design</source>
-        <translation type="unfinished"></translation>
+        <translation>Adoptar diseño</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignsForm</name>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Diseño</translation>
     </message>
     <message>
         <source>Adds a design of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade un diseño de este análisis</translation>
     </message>
     <message>
         <source>Adds a copy of this design</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade una copia de este diseño</translation>
     </message>
     <message>
         <source>Deletes this design</source>
-        <translation type="unfinished"></translation>
+        <translation>Elimina este diseño</translation>
     </message>
     <message>
         <source>Searches for the best design</source>
-        <translation type="unfinished"></translation>
+        <translation>Busca el mejor diseño</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: the numbers and the rows of the set-up that make the uncertainties smallest. Add one to let Covaria search.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un diseño halla dónde colocarse y qué medir: los números y las filas de la configuración que hacen mínimas las incertidumbres. Añada uno para que Covaria busque.</translation>
     </message>
     <message>
         <source>Add Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir variable</translation>
     </message>
     <message>
         <source>One more number that may be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Un número más que se puede elegir</translation>
     </message>
     <message>
         <source>Name of the design</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del diseño</translation>
     </message>
     <message>
         <source>Objective</source>
-        <translation type="unfinished"></translation>
+        <translation>Función objetivo</translation>
     </message>
     <message>
         <source>What is made smallest of the ratios of U to the target uncertainties; without targets to U of the present design</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se minimiza de las razones de U a las incertidumbres objetivo; sin objetivos, a la U del diseño actual</translation>
     </message>
     <message>
         <source>Largest ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor razón</translation>
     </message>
     <message>
         <source>Mean of the ratios</source>
-        <translation type="unfinished"></translation>
+        <translation>Media de las razones</translation>
     </message>
     <message>
         <source>Root mean square of the ratios</source>
-        <translation type="unfinished"></translation>
+        <translation>Media cuadrática de las razones</translation>
     </message>
     <message>
         <source>Cost of the rows, with all targets met</source>
-        <translation type="unfinished"></translation>
+        <translation>Coste de las filas, cumplidos todos los objetivos</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>Minimizar</translation>
     </message>
     <message>
         <source>Output quantities of the design</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitudes de salida del diseño</translation>
     </message>
     <message>
         <source>Output quantities looked at; with none ticked, all with a target uncertainty, or all measurands</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitudes de salida consideradas; si no se marca ninguna, todas las que tienen incertidumbre objetivo, o todos los mensurandos</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all with a target, or all measurands)</source>
-        <translation type="unfinished"></translation>
+        <translation>Salidas (ninguna marcada: todas las que tienen objetivo, o todos los mensurandos)</translation>
     </message>
     <message>
         <source>Rows to choose from</source>
-        <translation type="unfinished"></translation>
+        <translation>Filas entre las que elegir</translation>
     </message>
     <message>
         <source>Table to choose from</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabla de la que elegir</translation>
     </message>
     <message>
         <source>Rows to keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Filas que conservar</translation>
     </message>
     <message>
         <source>File of candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo de candidatos</translation>
     </message>
     <message>
         <source>A CSV file beside the project with further rows; may be empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Un archivo CSV junto al proyecto con más filas; puede quedar vacío</translation>
     </message>
     <message>
         <source>Rows that stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Filas que permanecen</translation>
     </message>
     <message>
         <source>Ticked rows stay in any case</source>
-        <translation type="unfinished"></translation>
+        <translation>Las filas marcadas permanecen en todo caso</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabla</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar</translation>
     </message>
     <message>
         <source>Candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Candidatos</translation>
     </message>
     <message>
         <source>Stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Fijas</translation>
     </message>
     <message>
         <source>Prices</source>
-        <translation type="unfinished"></translation>
+        <translation>Precios</translation>
     </message>
     <message>
         <source>Starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicios</translation>
     </message>
     <message>
         <source>Evaluations at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluaciones como máximo</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Semilla</translation>
     </message>
     <message>
         <source>Least distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia mínima</translation>
     </message>
     <message>
         <source>Between instruments, and of them from all other points</source>
-        <translation type="unfinished"></translation>
+        <translation>Entre instrumentos, y de estos a todos los demás puntos</translation>
     </message>
     <message>
         <source>Keep out of</source>
-        <translation type="unfinished"></translation>
+        <translation>Zonas excluidas</translation>
     </message>
     <message>
         <source>No instrument stands in this box</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún instrumento se coloca en esta caja</translation>
     </message>
     <message>
         <source>Lines of sight are hidden by</source>
-        <translation type="unfinished"></translation>
+        <translation>Las líneas de visión las ocultan</translation>
     </message>
     <message>
         <source>No line of sight passes this box</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna línea de visión atraviesa esta caja</translation>
     </message>
     <message>
         <source>Prices of the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Precios de las filas</translation>
     </message>
     <message>
         <source>one for all rows, or one for each: 120; 80; 95</source>
-        <translation type="unfinished"></translation>
+        <translation>uno para todas las filas, o uno para cada una: 120; 80; 95</translation>
     </message>
     <message>
         <source>What the rows cost, separated by semicolons; needed where the cost is to be small</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que cuestan las filas, separado por puntos y comas; necesario si el coste ha de ser pequeño</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no number; separate prices by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; no es un número; separe los precios con puntos y comas</translation>
     </message>
     <message>
         <source>Of the random starts: a whole number from 0 to 18446744073709551615</source>
-        <translation type="unfinished"></translation>
+        <translation>De los inicios aleatorios: un número entero de 0 a 18446744073709551615</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DistributionEdit</name>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores</translation>
     </message>
     <message>
         <source>Probabilities</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidades</translation>
     </message>
     <message>
         <source>numbers with ; between</source>
-        <translation type="unfinished"></translation>
+        <translation>números separados por ;</translation>
     </message>
     <message>
         <source>“%1” are not all numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no son todos números.</translation>
     </message>
     <message>
         <source>There must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>Debe haber tantas probabilidades como valores.</translation>
     </message>
     <message>
         <source>This distribution has no finite standard uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta distribución no tiene incertidumbre típica finita.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
     <message>
         <source>Float or dock</source>
-        <translation type="unfinished"></translation>
+        <translation>Flotar o acoplar</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::Document</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin título</translation>
     </message>
     <message>
         <source>%1 (from %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (de %2)</translation>
     </message>
     <message>
         <source>The project has no file yet: choose a name for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El proyecto aún no tiene archivo: elija un nombre para él.</translation>
     </message>
     <message>
         <source> (copy)</source>
-        <translation type="unfinished"></translation>
+        <translation> (copia)</translation>
     </message>
     <message>
         <source>Add study</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir estudio</translation>
     </message>
     <message>
         <source>Duplicate study</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar estudio</translation>
     </message>
     <message>
         <source>Delete study</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar estudio</translation>
     </message>
     <message>
         <source>Change study</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar estudio</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudio %1</translation>
     </message>
     <message>
         <source>Add design</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir diseño</translation>
     </message>
     <message>
         <source>Duplicate design</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar diseño</translation>
     </message>
     <message>
         <source>Delete design</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar diseño</translation>
     </message>
     <message>
         <source>Change design</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar diseño</translation>
     </message>
     <message>
         <source>Design %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Diseño %1</translation>
     </message>
     <message>
         <source>the project</source>
-        <translation type="unfinished"></translation>
+        <translation>el proyecto</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Renombrar %1</translation>
     </message>
     <message>
         <source>Change notes of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar notas de %1</translation>
     </message>
     <message>
         <source>Delete %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar %1</translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover %1</translation>
     </message>
     <message>
         <source>Take %1 from an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomar %1 de un análisis</translation>
     </message>
     <message>
         <source>Remove the link of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar el vínculo de %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecuaciones</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationTab</name>
     <message>
         <source>Evaluation of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluación de la configuración</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
     <message>
         <source>Tables of the evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Tablas de la evaluación</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráfico</translation>
     </message>
     <message>
         <source>Which chart of the evaluation is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué gráfico de la evaluación se muestra</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ExportActions</name>
     <message>
         <source>PDF document (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Documento PDF (*.pdf)</translation>
     </message>
     <message>
         <source>HTML page (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>Página HTML (*.html)</translation>
     </message>
     <message>
         <source>Markdown text (*.md)</source>
-        <translation type="unfinished"></translation>
+        <translation>Texto Markdown (*.md)</translation>
     </message>
     <message>
         <source>Report as &amp;PDF …</source>
-        <translation type="unfinished"></translation>
+        <translation>Informe en &amp;PDF …</translation>
     </message>
     <message>
         <source>&amp;Certificate as PDF …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Certificado en PDF …</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportar</translation>
     </message>
     <message>
         <source>Report as &amp;HTML …</source>
-        <translation type="unfinished"></translation>
+        <translation>Informe en &amp;HTML …</translation>
     </message>
     <message>
         <source>Report as &amp;Markdown …</source>
-        <translation type="unfinished"></translation>
+        <translation>Informe en &amp;Markdown …</translation>
     </message>
     <message>
         <source>&amp;Results and Tables …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Resultados y tablas …</translation>
     </message>
     <message>
         <source> …</source>
-        <translation type="unfinished"></translation>
+        <translation> …</translation>
     </message>
     <message>
         <source>No results yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay resultados</translation>
     </message>
     <message>
         <source>No analysis is up to date. Run one first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún análisis está actualizado. Ejecute antes uno (F5).</translation>
     </message>
     <message>
         <source>The export waits until the analyses have run</source>
-        <translation type="unfinished"></translation>
+        <translation>La exportación espera a que se ejecuten los análisis</translation>
     </message>
     <message>
         <source>, without %1: not up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>, sin %1: no actualizado</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Export Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar informe</translation>
     </message>
     <message>
         <source>The certificate does not state what ISO/IEC 17025 requires of it:
@@ -5894,1904 +5988,1969 @@ nu 18 behind any of them: degrees of freedom</source>
 %1
 
 It says “not stated” in these places. They are fields of the project&apos;s page.</source>
-        <translation type="unfinished"></translation>
+        <translation>El certificado no indica lo que ISO/IEC 17025 exige de él:
+
+%1
+
+En esos lugares figura “not stated”. Son campos de la página del proyecto.</translation>
     </message>
     <message>
         <source>Export Anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar igualmente</translation>
     </message>
     <message>
         <source>Export Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar certificado</translation>
     </message>
     <message>
         <source>Export Results and Tables into the Folder of</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar resultados y tablas a la carpeta de</translation>
     </message>
     <message>
         <source>Results (results.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados (results.json)</translation>
     </message>
     <message>
         <source>%1: what it must state is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: falta lo que debe indicar</translation>
     </message>
     <message>
         <source>Export %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar %1</translation>
     </message>
     <message>
         <source>%1 (*%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (*%2)</translation>
     </message>
     <message>
         <source>A report is being written; wait until it is finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Se está escribiendo un informe; espere a que termine</translation>
     </message>
     <message>
         <source>Writing %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribiendo %1 …</translation>
     </message>
     <message>
         <source>Wrote %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Se escribió %1</translation>
     </message>
     <message>
         <source>The export failed</source>
-        <translation type="unfinished"></translation>
+        <translation>La exportación ha fallado</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FieldEditor</name>
     <message>
         <source>From %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>De %1 a %2.</translation>
     </message>
     <message>
         <source>More than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Más de %1.</translation>
     </message>
     <message>
         <source>At least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Al menos %1.</translation>
     </message>
     <message>
         <source>At most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como máximo %1.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
     <message>
         <source>Help on the field</source>
-        <translation type="unfinished"></translation>
+        <translation>Ayuda sobre el campo</translation>
     </message>
     <message>
         <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los números se pueden teclear con otra unidad (0.5 um); las teclas de flecha cambian la última cifra.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
     <message>
         <source>line %1: </source>
-        <translation type="unfinished"></translation>
+        <translation>línea %1: </translation>
     </message>
     <message>
         <source>&amp;New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nuevo proyecto</translation>
     </message>
     <message>
         <source>&amp;Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abrir …</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Guardar</translation>
     </message>
     <message>
         <source>Save &amp;As …</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar &amp;como …</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir &amp;reciente</translation>
     </message>
     <message>
         <source>No projects yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay proyectos</translation>
     </message>
     <message>
         <source>New from &amp;Example</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo desde e&amp;jemplo</translation>
     </message>
     <message>
         <source>Untitled project</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto sin título</translation>
     </message>
     <message>
         <source>Opening %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Abriendo %1 …</translation>
     </message>
     <message>
         <source>%1 was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>No se abrió %1</translation>
     </message>
     <message>
         <source>The project has errors and was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>El proyecto tiene errores y no se abrió</translation>
     </message>
     <message>
         <source>Opened %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Se abrió %1</translation>
     </message>
     <message>
         <source>The example could not be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pudo abrir el ejemplo</translation>
     </message>
     <message>
         <source>The project was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>No se guardó el proyecto</translation>
     </message>
     <message>
         <source>Save Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar proyecto</translation>
     </message>
     <message>
         <source>Covaria project (*.covaria)</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto de Covaria (*.covaria)</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Se guardó %1</translation>
     </message>
     <message numerus="yes">
         <source>Saved %1 without %n text(s) that cannot be read: see the problems</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Se guardó %1 sin %n texto(s) que no se pueden leer: véanse los problemas</numerusform>
+            <numerusform>Se guardó %1 sin %n texto(s) que no se pueden leer: véanse los problemas</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>The work could not be recovered</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pudo recuperar el trabajo</translation>
     </message>
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Otro programa eliminó %1; al guardar se escribe de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::HelpActions</name>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Help on What Has the &amp;Focus</source>
+        <translation>Ayuda sobre lo que tiene el &amp;foco</translation>
+    </message>
+    <message>
+        <source>M&amp;odels</source>
+        <translation>M&amp;odelos</translation>
+    </message>
+    <message>
+        <source>A&amp;rtefacts, Instruments and Robots</source>
+        <translation>Pat&amp;rones, instrumentos y robots</translation>
+    </message>
+    <message>
+        <source>&amp;Results and Requirements</source>
+        <translation>&amp;Resultados y requisitos</translation>
+    </message>
+    <message>
+        <source>What Every &amp;Analysis Has</source>
+        <translation>Lo que tiene todo &amp;análisis</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>&amp;Glosario</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Teclas</translation>
+    </message>
+    <message>
+        <source>&amp;About Covaria</source>
+        <translation>&amp;Acerca de Covaria</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::HelpPane</name>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ImportActions</name>
     <message>
         <source>&amp;Import File …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Importar archivo …</translation>
     </message>
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade puntos, balances, certificados, lecturas o poses de otros programas</translation>
     </message>
     <message>
         <source>&amp;Import Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar r&amp;obot (URDF) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade un robot serie a partir de una descripción de robot en URDF</translation>
     </message>
     <message>
         <source>Import File</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar archivo</translation>
     </message>
     <message>
         <source>Files that are read (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivos que se leen (%1);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar %1</translation>
     </message>
     <message>
         <source>Imported %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Se importó %1</translation>
     </message>
     <message>
         <source>Import Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar robot</translation>
     </message>
     <message>
         <source>Robot description (*.urdf);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Descripción de robot (*.urdf);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>The robot was not imported</source>
-        <translation type="unfinished"></translation>
+        <translation>No se importó el robot</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ImportDialog</name>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea %1: %2</translation>
     </message>
     <message>
         <source>What the file says contradicts itself: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que dice el archivo se contradice: %1</translation>
     </message>
     <message>
         <source>&amp;Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hoja</translation>
     </message>
     <message>
         <source>Columns of the file and what each is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>Columnas del archivo y cómo se lee cada una</translation>
     </message>
     <message>
         <source>Units that the &amp;file does not state</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidades que el &amp;archivo no indica</translation>
     </message>
     <message>
         <source>&amp;Note the file with its size, time and SHA-256 in what is added</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;notar el archivo con su tamaño, hora y SHA-256 en lo que se añade</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar %1</translation>
     </message>
     <message>
         <source>as the file says, else mm</source>
-        <translation type="unfinished"></translation>
+        <translation>según el archivo; si no, mm</translation>
     </message>
     <message>
         <source>What becomes of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se hace con el archivo</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar</translation>
     </message>
     <message>
         <source>&amp;Read as</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Leer como</translation>
     </message>
     <message>
         <source>&amp;Unit of lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unidad de longitudes</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>What becomes of it, and what is not taken over</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se hace con él y qué no se incorpora</translation>
     </message>
     <message>
         <source>no reader recognises it: choose one</source>
-        <translation type="unfinished"></translation>
+        <translation>ningún lector lo reconoce: elija uno</translation>
     </message>
     <message>
         <source>several readers recognise it: choose one</source>
-        <translation type="unfinished"></translation>
+        <translation>varios lectores lo reconocen: elija uno</translation>
     </message>
     <message>
         <source>%1 (recognised)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (reconocido)</translation>
     </message>
     <message>
         <source>Column %1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>La columna %1 se lee como</translation>
     </message>
     <message>
         <source>unknown: choose</source>
-        <translation type="unfinished"></translation>
+        <translation>desconocida: elija</translation>
     </message>
     <message>
         <source>as it is named</source>
-        <translation type="unfinished"></translation>
+        <translation>según su nombre</translation>
     </message>
     <message>
         <source>Choose what the file is read as.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elija cómo se lee el archivo.</translation>
     </message>
     <message>
         <source>%1 assets and %2 analyses are added, in one step that can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se añaden %1 recursos y %2 análisis, en un solo paso que se puede deshacer.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Importado de %1, %2 bytes, del %3, SHA-256 %4.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputCorrelationModel</name>
     <message>
         <source>Remove correlations of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar correlaciones de %1</translation>
     </message>
     <message>
         <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un coeficiente de correlación está entre −1 y 1; «%1» no lo está.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no es un número.</translation>
     </message>
     <message>
         <source>Change correlation of %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar correlación de %1 y %2</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputQuantitiesModel</name>
     <message>
         <source>from %1, linearised: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>de %1, linealizado: %2</translation>
     </message>
     <message>
         <source>from %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>de %1: %2</translation>
     </message>
     <message>
         <source>%1 (%2, %3 %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2, %3 %4)</translation>
     </message>
     <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se evalúa en el otro análisis, en cada prueba: edítelo allí.</translation>
     </message>
     <message>
         <source>Changed: differs from what the model says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificada: difiere de lo que dice el modelo.</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>Símbolo</translation>
     </message>
     <message>
         <source>Input quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud de entrada</translation>
     </message>
     <message>
         <source>Estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Componentes de incertidumbre</translation>
     </message>
     <message>
         <source>Constant</source>
-        <translation type="unfinished"></translation>
+        <translation>Constante</translation>
     </message>
     <message>
         <source>Change estimate of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar estimación de %1</translation>
     </message>
     <message>
         <source>Keep %1 constant</source>
-        <translation type="unfinished"></translation>
+        <translation>Mantener %1 constante</translation>
     </message>
     <message>
         <source>Let %1 vary</source>
-        <translation type="unfinished"></translation>
+        <translation>Dejar variar %1</translation>
     </message>
     <message>
         <source>Reset %1 to the model&apos;s values</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer %1 a los valores del modelo</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputsPage</name>
     <message>
         <source>Find a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar una magnitud</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished"></translation>
+        <translation>Componentes</translation>
     </message>
     <message>
         <source>Correlations</source>
-        <translation type="unfinished"></translation>
+        <translation>Correlaciones</translation>
     </message>
     <message>
         <source>The quantities that the set-up makes. What is changed here replaces what the set-up states.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las magnitudes que genera la configuración. Lo que se modifica aquí sustituye a lo que indica la configuración.</translation>
     </message>
     <message>
         <source>Input quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitudes de entrada</translation>
     </message>
     <message>
         <source>Take From an Analysis…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomar de un análisis…</translation>
     </message>
     <message>
         <source>Remove Link</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar vínculo</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecutar</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
-        <translation type="unfinished"></translation>
+        <translation>Colecciones</translation>
     </message>
     <message>
         <source>Templates, examples and assets</source>
-        <translation type="unfinished"></translation>
+        <translation>Plantillas, ejemplos y recursos</translation>
     </message>
     <message>
         <source>Library and Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>Biblioteca y ejemplos</translation>
     </message>
     <message>
         <source>Search: name, kind, source</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar: nombre, clase, fuente</translation>
     </message>
     <message>
         <source>Search in the library</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar en la biblioteca</translation>
     </message>
     <message>
         <source>What is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo seleccionado</translation>
     </message>
     <message>
         <source>New analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo análisis</translation>
     </message>
     <message>
         <source>Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejemplos</translation>
     </message>
     <message>
         <source>GUM and its supplements</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM y sus suplementos</translation>
     </message>
     <message>
         <source>Everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Todo</translation>
     </message>
     <message>
         <source>It comes with what it needs and has results at once. Assets of the same kind that the project has already stand in the place of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incluye lo que necesita y tiene resultados de inmediato. Los recursos de la misma clase que el proyecto ya tiene ocupan el lugar de los suyos.</translation>
     </message>
     <message>
         <source>Opens as a new project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se abre como proyecto nuevo.</translation>
     </message>
     <message>
         <source>Add to the Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir al proyecto</translation>
     </message>
     <message>
         <source>&lt;p&gt;Nothing here has these words.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;Nada contiene aquí estas palabras.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Open as a New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir como proyecto nuevo</translation>
     </message>
     <message>
         <source>Add This Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir este análisis</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
         <source>From the &amp;Library</source>
-        <translation type="unfinished"></translation>
+        <translation>De la &amp;biblioteca</translation>
     </message>
     <message>
         <source>Not readable: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede leer: %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LinesEditor</name>
     <message>
         <source>Add rows for new names</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir filas para nombres nuevos</translation>
     </message>
     <message>
         <source>Adds a row to the tables below for every name that has none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade a las tablas de abajo una fila por cada nombre que aún no la tiene</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LinkDialog</name>
     <message>
         <source>&amp;Linearised: faster, exact to first order only</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Linealizado: más rápido, exacto solo en primer orden</translation>
     </message>
     <message>
         <source>Take %1 From an Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomar %1 de un análisis</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Análisis</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultado</translation>
     </message>
     <message>
         <source>No other analysis has a result of this dimension.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún otro análisis tiene un resultado de esta dimensión.</translation>
     </message>
     <message>
         <source>Both analyses are then evaluated together, as one model: the result is not carried over as a number with an uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ambos análisis se evalúan entonces conjuntamente, como un solo modelo: el resultado no se traslada como un número con una incertidumbre.</translation>
     </message>
     <message>
         <source>&amp;Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Análisis</translation>
     </message>
     <message>
         <source>&amp;Result</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Resultado</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ListEditor</name>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>(ninguno)</translation>
     </message>
     <message>
         <source>%1 (does not exist)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (no existe)</translation>
     </message>
     <message>
         <source>%1
 
 Chosen: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+
+Elegido: %2</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LogPane</name>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Registro</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
     <message>
         <source>Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Propiedades</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Análisis</translation>
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Problemas</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Registro</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Deshacer</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rehacer</translation>
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade un análisis o lo que este usa</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramientas</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Archivo</translation>
     </message>
     <message>
         <source>&amp;Library and Examples …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Biblioteca y ejemplos …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Salir</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Editar</translation>
     </message>
     <message>
         <source>Pre&amp;ferences …</source>
-        <translation type="unfinished"></translation>
+        <translation>Pre&amp;ferencias …</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;jecutar</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ver</translation>
     </message>
     <message>
         <source>&amp;Reset Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Restablecer disposición</translation>
     </message>
     <message>
         <source>Start Page</source>
-        <translation type="unfinished"></translation>
+        <translation>Página de inicio</translation>
     </message>
     <message>
         <source>3D Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Escena 3D</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;yuda</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>desactualizado</translation>
     </message>
     <message>
         <source>Problems (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Problemas (%1)</translation>
     </message>
     <message>
         <source>Covaria[*]</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria[*]</translation>
     </message>
     <message>
         <source>%1[*] – Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Covaria</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::NotesPage</name>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>Título</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notas</translation>
     </message>
     <message>
         <source>Appear in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Aparecer en el informe</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::OptionsForm</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>Forecast</source>
-        <translation type="unfinished"></translation>
+        <translation>Previsión</translation>
     </message>
     <message>
         <source>Change evaluation options</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar opciones de evaluación</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::OutputTicks</name>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation> de %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Preferencias</translation>
     </message>
     <message>
         <source>Results in the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados en la ventana</translation>
     </message>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuando el proyecto no los indica. Los informes y archivos dependen solo del proyecto, con el punto decimal en todas partes.</translation>
     </message>
     <message>
         <source>New analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevos análisis</translation>
     </message>
     <message>
         <source>Written into analyses that are added; others stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se escriben en los análisis que se añaden; los demás quedan como están.</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lengths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Angles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moments</source>
-        <translation type="unfinished"></translation>
+        <translation>Ventana</translation>
     </message>
     <message>
         <source>Of tables and charts of results</source>
-        <translation type="unfinished"></translation>
+        <translation>De las tablas y los gráficos de resultados</translation>
     </message>
     <message>
         <source>As the model gives them</source>
-        <translation type="unfinished"></translation>
+        <translation>Como los da el modelo</translation>
     </message>
     <message>
         <source>Digits of U</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras de U</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras significativas de las incertidumbres; las estimaciones se redondean en consonancia</translation>
     </message>
     <message>
         <source>1</source>
-        <translation type="unfinished"></translation>
+        <translation>1</translation>
     </message>
     <message>
         <source>2</source>
-        <translation type="unfinished"></translation>
+        <translation>2</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Números</translation>
     </message>
     <message>
         <source>Of all tables, charts and fields of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>De todas las tablas, gráficos y campos de la ventana</translation>
     </message>
     <message>
         <source>As the language writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Como los escribe el idioma</translation>
     </message>
     <message>
         <source>1234.5 (point)</source>
-        <translation type="unfinished"></translation>
+        <translation>1234.5 (punto)</translation>
     </message>
     <message>
         <source>1234,5 (comma)</source>
-        <translation type="unfinished"></translation>
+        <translation>1234,5 (coma)</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de cobertura</translation>
     </message>
     <message>
         <source>Of U = k u, where a new analysis begins with a fixed one</source>
-        <translation type="unfinished"></translation>
+        <translation>De U = k u, cuando un nuevo análisis empieza con uno fijo</translation>
     </message>
     <message>
         <source>k from the degrees of freedom or the coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>k de los grados de libertad o del intervalo de cobertura</translation>
     </message>
     <message>
         <source>k = 2</source>
-        <translation type="unfinished"></translation>
+        <translation>k = 2</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas</translation>
     </message>
     <message>
         <source>Of Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>De Monte Carlo</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Idioma</translation>
     </message>
     <message>
         <source>Of the window, when Covaria starts again</source>
-        <translation type="unfinished"></translation>
+        <translation>De la ventana, cuando Covaria se inicie de nuevo</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Como el sistema</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Colores</translation>
     </message>
     <message>
         <source>Of the window, its charts and the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>De la ventana, sus gráficos y la escena</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Claro</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Oscuro</translation>
     </message>
     <message>
         <source>Font size</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño de letra</translation>
     </message>
     <message>
         <source>Of the whole window</source>
-        <translation type="unfinished"></translation>
+        <translation>De toda la ventana</translation>
     </message>
     <message>
         <source>as the system</source>
-        <translation type="unfinished"></translation>
+        <translation>como el sistema</translation>
     </message>
     <message>
         <source> pt</source>
-        <translation type="unfinished"></translation>
+        <translation> pt</translation>
     </message>
     <message>
         <source>Recovery copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia de recuperación</translation>
     </message>
     <message>
         <source>How long an edit may stay without a copy that a crash leaves behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto tiempo puede quedar un cambio sin la copia que deja un fallo del programa</translation>
     </message>
     <message>
         <source>at most </source>
-        <translation type="unfinished"></translation>
+        <translation>como máximo </translation>
     </message>
     <message>
         <source> s after an edit</source>
-        <translation type="unfinished"></translation>
+        <translation> s tras un cambio</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsModel</name>
     <message>
         <source>, row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, fila %1</translation>
     </message>
     <message>
         <source>Project: certificate, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto: certificado, %1</translation>
     </message>
     <message>
         <source>Project: report</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto: informe</translation>
     </message>
     <message>
         <source>evaluation, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>evaluación, %1</translation>
     </message>
     <message>
         <source>To give</source>
-        <translation type="unfinished"></translation>
+        <translation>Por indicar</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Error</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>Advertencia</translation>
     </message>
     <message>
         <source>, line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, línea %1</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Clase</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar</translation>
     </message>
     <message>
         <source>Problem</source>
-        <translation type="unfinished"></translation>
+        <translation>Problema</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Problemas</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ProjectPage</name>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Of the project or order; in the report</source>
+        <translation>Del proyecto o pedido; en el informe</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>Who evaluated; in the report</source>
+        <translation>Quién evaluó; en el informe</translation>
+    </message>
+    <message>
+        <source>Results of all analyses</source>
+        <translation>Resultados de todos los análisis</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Cambiar %1</translation>
+    </message>
+    <message>
+        <source>Not stated</source>
+        <translation>No indicado</translation>
+    </message>
+    <message>
+        <source>Of results in the window, reports, tables and CSV files; where it is not stated, files have the unit of the model</source>
+        <translation>De los resultados en la ventana, los informes, las tablas y los archivos CSV; si no se indica, los archivos llevan la unidad del modelo</translation>
+    </message>
+    <message>
+        <source>Change units of results</source>
+        <translation>Cambiar las unidades de los resultados</translation>
+    </message>
+    <message>
+        <source>Digits of U</source>
+        <translation>Cifras de U</translation>
+    </message>
+    <message>
+        <source>Significant digits of uncertainties in the window and the report; certificates have two</source>
+        <translation>Cifras significativas de las incertidumbres en la ventana y el informe; los certificados tienen dos</translation>
+    </message>
+    <message>
+        <source>Change digits of results</source>
+        <translation>Cambiar las cifras de los resultados</translation>
+    </message>
+    <message>
+        <source>Coverage factor</source>
+        <translation>Factor de cobertura</translation>
+    </message>
+    <message>
+        <source>A fixed k for U = k u of all analyses whose options state none; empty: from the degrees of freedom, or the coverage interval</source>
+        <translation>Un k fijo para U = k u de todos los análisis cuyas opciones no indican ninguno; vacío: a partir de los grados de libertad o del intervalo de cobertura</translation>
+    </message>
+    <message>
+        <source>Change coverage factor</source>
+        <translation>Cambiar el factor de cobertura</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto</translation>
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>D&amp;uplicar</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;nombrar</translation>
     </message>
     <message>
         <source>&amp;Delete …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Eliminar …</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Añadir</translation>
     </message>
     <message>
         <source>Analysis: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Análisis: %1</translation>
     </message>
     <message>
         <source>&amp;Library and Templates …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Biblioteca y plantillas …</translation>
     </message>
     <message>
         <source>The analysis was not added: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se añadió el análisis: %1</translation>
     </message>
     <message>
         <source>“%1” is in the project now</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» está ahora en el proyecto</translation>
     </message>
     <message>
         <source>Delete “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Eliminar «%1»?</translation>
     </message>
     <message>
         <source>
 
 It is used by: %1. They will have an error until they use something else.</source>
-        <translation type="unfinished"></translation>
+        <translation>
+
+Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar</translation>
     </message>
     <message>
         <source>“%1” is in your library now (Add &gt; From the Library)</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» está ahora en su biblioteca (Añadir &gt; De la biblioteca)</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecutar</translation>
     </message>
     <message>
         <source>Keep in My Library</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar en mi biblioteca</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectTreeModel</name>
     <message>
         <source>Artefacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Artefactos</translation>
     </message>
     <message>
         <source>Instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Instrumentos</translation>
     </message>
     <message>
         <source>Robots</source>
-        <translation type="unfinished"></translation>
+        <translation>Robots</translation>
     </message>
     <message>
         <source>Points and frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos y sistemas</translation>
     </message>
     <message>
         <source>Analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>Análisis</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene problemas</translation>
     </message>
     <message>
         <source>Untitled project</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto sin título</translation>
     </message>
     <message>
         <source>Title, notes, certificate and contents of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Título, notas, certificado y contenido del informe</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished"></translation>
+        <translation>incompleto</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>running</source>
-        <translation type="unfinished"></translation>
+        <translation>en ejecución</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>actualizado</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>fallido</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>desactualizado</translation>
+    </message>
+    <message>
+        <source>%1 of %2 requirements not met</source>
+        <translation>%1 de %2 requisitos no cumplidos</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
     <message>
         <source>The project is empty. Add an analysis, or first what it uses, with the plus sign above or a right click in the project tree.</source>
-        <translation type="unfinished"></translation>
+        <translation>El proyecto está vacío. Añada un análisis, o antes lo que este usa, con el signo más de arriba o con el botón derecho en el árbol del proyecto.</translation>
     </message>
     <message>
         <source>Select an entry of the project tree to see its properties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione una entrada del árbol del proyecto para ver sus propiedades.</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Propiedades</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Configuración</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Informe</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluación</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Entradas</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>Opciones</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudios</translation>
     </message>
     <message>
         <source>Designs</source>
-        <translation type="unfinished"></translation>
+        <translation>Diseños</translation>
     </message>
     <message>
         <source>Requirements</source>
-        <translation type="unfinished"></translation>
+        <translation>Requisitos</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notas</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
     <message>
         <source>A value is needed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí hace falta un valor.</translation>
     </message>
     <message>
         <source>A whole number is needed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí hace falta un número entero.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
-        <translation type="unfinished"></translation>
+        <translation>(nada del proyecto sirve: añádalo antes)</translation>
     </message>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>(ninguno)</translation>
     </message>
     <message>
         <source>(choose)</source>
-        <translation type="unfinished"></translation>
+        <translation>(elija)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReportForm</name>
     <message>
         <source>Analyses, of report and certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Análisis, del informe y del certificado</translation>
     </message>
     <message>
         <source>Chapters of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Capítulos del informe</translation>
     </message>
     <message>
         <source>Long tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tablas largas</translation>
     </message>
     <message>
         <source>The report shows what counts most of long tables; the CSV files have them whole. Ticked, they stand whole at the end of the report too.</source>
-        <translation type="unfinished"></translation>
+        <translation>El informe muestra lo que más cuenta de las tablas largas; los archivos CSV las contienen enteras. Si se marca, figuran enteras también al final del informe.</translation>
     </message>
     <message>
         <source>Whole, in an annex</source>
-        <translation type="unfinished"></translation>
+        <translation>Enteras, en un anexo</translation>
     </message>
     <message>
         <source>Change the annex of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar el anexo del informe</translation>
     </message>
     <message>
         <source>Goes into the report where it is ticked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entra en el informe donde está marcado.</translation>
     </message>
     <message>
         <source>Put %1 into the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Incluir %1 en el informe</translation>
     </message>
     <message>
         <source>Leave %1 out of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Excluir %1 del informe</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Páginas</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished"></translation>
+        <translation>Documento</translation>
     </message>
     <message>
         <source>What is shown: the report, or the calibration certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se muestra: el informe o el certificado de calibración</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Informe</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado</translation>
     </message>
     <message>
         <source>Update</source>
-        <translation type="unfinished"></translation>
+        <translation>Actualizar</translation>
     </message>
     <message>
         <source>The report</source>
-        <translation type="unfinished"></translation>
+        <translation>El informe</translation>
     </message>
     <message>
         <source>The certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>El certificado</translation>
     </message>
     <message>
         <source>Out of date: the project or its results have changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactualizado: el proyecto o sus resultados han cambiado desde entonces.</translation>
     </message>
     <message>
         <source>%1 has not been made yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aún no se ha elaborado.</translation>
     </message>
     <message>
         <source>The analyses are running: %1 waits for them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los análisis están en ejecución: %1 los espera.</translation>
     </message>
     <message>
         <source>No analysis is up to date: run one first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún análisis está actualizado: ejecute antes uno (F5).</translation>
     </message>
     <message>
         <source>%1 is being made …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se está elaborando …</translation>
     </message>
     <message>
         <source>%1 could not be made: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no se pudo elaborar: %2</translation>
     </message>
     <message>
         <source>1 page, as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>1 página, como impresa</translation>
     </message>
     <message>
         <source>%1 pages, as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 páginas, como impresas</translation>
     </message>
     <message>
         <source>%1; one required text is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; un texto exigido no está indicado</translation>
     </message>
     <message>
         <source>%1; %2 required texts are not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; %2 textos exigidos no están indicados</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>U = %1: el objetivo es %2.</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>cumplido</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished"></translation>
+        <translation>no cumplido</translation>
     </message>
     <message>
         <source>&lt;li&gt;u of %1 reduced from %2 to %3&lt;/li&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;li&gt;u de %1 reducida de %2 a %3&lt;/li&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;It would be met with one of these alone:&lt;ul&gt;%1&lt;/ul&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;Se cumpliría con una sola de estas:&lt;ul&gt;%1&lt;/ul&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;No component suffices alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;Ninguna componente basta por sí sola.</translation>
     </message>
     <message>
         <source> It would be met with all standard uncertainties multiplied by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> Se cumpliría con todas las incertidumbres típicas multiplicadas por %1.</translation>
     </message>
     <message>
         <source>(trials)</source>
-        <translation type="unfinished"></translation>
+        <translation>(pruebas)</translation>
     </message>
     <message>
         <source>(Student t)</source>
-        <translation type="unfinished"></translation>
+        <translation>(t de Student)</translation>
     </message>
     <message>
         <source>(normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>(normal)</translation>
     </message>
     <message>
         <source>Not judged: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se juzga: %1.</translation>
     </message>
     <message>
         <source>By %5, guard band %1: the result is &lt;b&gt;%2&lt;/b&gt;. Probability of conformance %3 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Según %5, banda de guarda %1: el resultado es &lt;b&gt;%2&lt;/b&gt;. Probabilidad de conformidad %3 %4.</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>aceptado</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>rechazado</translation>
     </message>
     <message>
         <source>&lt;br&gt;TUR %1, C&lt;sub&gt;m&lt;/sub&gt; %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;TUR %1, C&lt;sub&gt;m&lt;/sub&gt; %2.</translation>
     </message>
     <message>
         <source>&lt;br&gt;Global risks of the rule: consumer&apos;s %1, producer&apos;s %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;Riesgos globales de la regla: del consumidor %1, del productor %2.</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Target uncertainty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The expanded uncertainty U must not exceed this.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lower limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the tolerance; empty: none.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Upper limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Prior mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Prior standard deviation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the production process.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guard factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultado</translation>
     </message>
     <message>
         <source>Change the requirement for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar el requisito para %1</translation>
     </message>
     <message>
         <source>By the law of propagation; Monte Carlo is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Por la ley de propagación; seguirá Monte Carlo.</translation>
     </message>
     <message>
         <source>By the trials of a preview; the whole run is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Por las pruebas de una vista previa; seguirá la ejecución completa.</translation>
     </message>
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecute el análisis para ver si se cumple el requisito.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Balance</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribuciones</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>Correlación</translation>
     </message>
     <message>
         <source>Convergence</source>
-        <translation type="unfinished"></translation>
+        <translation>Convergencia</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluación</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudio</translation>
     </message>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Diseño</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Informe</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud de salida del balance y de los gráficos</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud de salida</translation>
     </message>
     <message>
         <source>digits of U: </source>
-        <translation type="unfinished"></translation>
+        <translation>cifras de U: </translation>
     </message>
     <message>
         <source>Significant digits of uncertainties</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras significativas de las incertidumbres</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras significativas de las incertidumbres; las estimaciones se redondean en consonancia</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished"></translation>
+        <translation>Próximo paso</translation>
     </message>
     <message>
         <source>Filter: symbol, name, group</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtro: símbolo, nombre, grupo</translation>
     </message>
     <message>
         <source>Filter of the results</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtro de los resultados</translation>
     </message>
     <message>
         <source>All groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos los grupos</translation>
     </message>
     <message>
         <source>Results of all poses, points or targets, whichever is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados de todas las poses, puntos o dianas, sea cual sea la selección</translation>
     </message>
     <message>
         <source>Not met only</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo no cumplidos</translation>
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo resultados que no cumplen la incertidumbre objetivo o la tolerancia</translation>
     </message>
     <message>
         <source>results</source>
-        <translation type="unfinished"></translation>
+        <translation>resultados</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupo</translation>
     </message>
     <message>
         <source>Estimate (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>Estimación (primer orden)</translation>
     </message>
     <message>
         <source>U (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (primer orden)</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>Shortest Coverage Intervals</source>
-        <translation type="unfinished"></translation>
+        <translation>Intervalos de cobertura más cortos</translation>
     </message>
     <message>
         <source>budget</source>
-        <translation type="unfinished"></translation>
+        <translation>balance</translation>
     </message>
     <message>
         <source>correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>correlación</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione un análisis para ver sus resultados.</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fallido: %1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún incompleto: no hay nada mal.</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no evaluado: pulse F5.</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished"></translation>
+        <translation>El análisis tiene problemas.</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished"></translation>
+        <translation>; en ejecución</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished"></translation>
+        <translation>; pulse F5 para el resultado</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished"></translation>
+        <translation>; %1 pruebas sin valor</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;No representa el mensurando&lt;/b&gt; (se pierde más del 1 % de las pruebas). </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished"></translation>
+        <translation>; no estabilizado</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Desactualizado&lt;/b&gt;: se muestra para el proyecto tal como era. </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Próximo: %1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished"></translation>
+        <translation>Va al campo que debe indicarse a continuación</translation>
     </message>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation> de %1</translation>
+    </message>
+    <message>
+        <source>All Results</source>
+        <translation>Todos los resultados</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
     <message>
         <source>&amp;Run This Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ejecutar este análisis</translation>
     </message>
     <message>
         <source>Run &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecutar &amp;todo</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Detener</translation>
     </message>
     <message>
         <source>&amp;Live</source>
-        <translation type="unfinished"></translation>
+        <translation>En &amp;vivo</translation>
     </message>
     <message>
         <source>Each edit computes first-order results at once, then Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada cambio calcula de inmediato resultados de primer orden, luego Monte Carlo</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RunStatus</name>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pruebas</translation>
     </message>
     <message>
         <source>, %1 million/s</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 millones/s</translation>
     </message>
     <message>
         <source>, %1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>, quedan %1 s</translation>
     </message>
     <message>
         <source>Progress of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance de la ejecución</translation>
     </message>
     <message>
         <source>Stop all runs (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener todas las ejecuciones (Esc)</translation>
     </message>
     <message>
         <source>Stop all runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener todas las ejecuciones</translation>
     </message>
     <message>
         <source>%1: %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 %</translation>
     </message>
     <message>
         <source>, best so far %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, mejor hasta ahora %1</translation>
     </message>
     <message>
         <source>No analysis yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay análisis</translation>
     </message>
     <message>
         <source>No analysis selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún análisis seleccionado</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene problemas</translation>
     </message>
     <message>
         <source>, %1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 pruebas</translation>
     </message>
     <message>
         <source>, with warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>, con advertencias</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ScenePanel</name>
     <message>
         <source>Select an analysis in the project tree to see its layout here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione un análisis en el árbol del proyecto para ver aquí su disposición.</translation>
     </message>
     <message>
         <source>Which pose or group of outputs to show</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué pose o grupo de salidas se muestra</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupo</translation>
     </message>
     <message>
         <source>Iso</source>
-        <translation type="unfinished"></translation>
+        <translation>Iso</translation>
     </message>
     <message>
         <source>View from the front right, from above (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista desde delante a la derecha, desde arriba (1)</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Superior</translation>
     </message>
     <message>
         <source>View from above (2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista desde arriba (2)</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>Frontal</translation>
     </message>
     <message>
         <source>View from the front (3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista desde delante (3)</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Derecha</translation>
     </message>
     <message>
         <source>View from the right (4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista desde la derecha (4)</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuste</translation>
     </message>
     <message>
         <source>Everything in the picture (F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Todo en la imagen (F)</translation>
     </message>
     <message>
         <source>Magnification of the uncertainty; it is always written in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Ampliación de la incertidumbre; siempre figura escrita en la imagen</translation>
     </message>
     <message>
         <source>Magnification of the uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Ampliación de la incertidumbre</translation>
     </message>
     <message>
         <source>Magnification: auto</source>
-        <translation type="unfinished"></translation>
+        <translation>Ampliación: auto</translation>
     </message>
     <message>
         <source>× %1</source>
-        <translation type="unfinished"></translation>
+        <translation>× %1</translation>
     </message>
     <message>
         <source>Coverage probability of the ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidad de cobertura de los elipsoides</translation>
     </message>
     <message>
         <source>p = %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>p = %1 %</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistemas</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos</translation>
     </message>
     <message>
         <source>Bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuerpos</translation>
     </message>
     <message>
         <source>Links and Sight Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Eslabones y líneas de visión</translation>
     </message>
     <message>
         <source>Vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>Vectores</translation>
     </message>
     <message>
         <source>Ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>Elipsoides</translation>
     </message>
     <message>
         <source>Clouds</source>
-        <translation type="unfinished"></translation>
+        <translation>Nubes</translation>
     </message>
     <message>
         <source>Histograms on the Walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Histogramas en las paredes</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiquetas</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejes</translation>
     </message>
     <message>
         <source>Legend</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyenda</translation>
     </message>
     <message>
         <source>Map of a Study or Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa de un estudio o diseño</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Capas</translation>
     </message>
     <message>
         <source>What the picture shows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que muestra la imagen</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;  en %2</translation>
     </message>
     <message>
         <source>,  u = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>,  u = %1</translation>
     </message>
     <message>
         <source>,  U = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>,  U = %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Escena 3D</translation>
     </message>
     <message>
         <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation type="unfinished"></translation>
+        <translation>Las teclas de flecha giran la escena, más y menos la amplían o reducen, F la encuadra, 1 a 4 son vistas estándar; un punto o instrumento seleccionado se puede arrastrar a otro lugar</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pudo escribir la imagen en %1</translation>
     </message>
     <message>
         <source>Drawing …</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibujando …</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuste</translation>
     </message>
     <message>
         <source>Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar imagen</translation>
     </message>
     <message>
         <source>Save Picture …</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar imagen …</translation>
     </message>
     <message>
         <source>Save Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar imagen</translation>
     </message>
     <message>
         <source>scene.png</source>
-        <translation type="unfinished"></translation>
+        <translation>escena.png</translation>
     </message>
     <message>
         <source>PNG picture (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen PNG (*.png)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SetupForm</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar %1</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
         </translation>
     </message>
 </context>
@@ -7799,544 +7958,572 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::SetupTableModel</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar %1</translation>
     </message>
     <message>
         <source>Insert rows in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Insertar filas en %1</translation>
     </message>
     <message>
         <source>Delete rows of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar filas de %1</translation>
     </message>
     <message>
         <source>Paste into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegar en %1</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar filas</translation>
     </message>
     <message>
         <source>Fill down in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rellenar abajo en %1</translation>
     </message>
     <message>
         <source>Clear cells of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaciar celdas de %1</translation>
     </message>
     <message>
         <source>Change unit in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar unidad en %1</translation>
     </message>
     <message>
         <source>Take %1 into the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Incorporar %1 al proyecto</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SortableTable</name>
     <message>
         <source>Click to sort, right click to choose columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Clic para ordenar, botón derecho para elegir columnas</translation>
     </message>
     <message>
         <source>Save Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar tabla</translation>
     </message>
     <message>
         <source>CSV table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabla CSV (*.csv)</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Select All</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar todo</translation>
     </message>
     <message>
         <source>Columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Columnas</translation>
     </message>
     <message>
         <source>Original Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Orden original</translation>
     </message>
     <message>
         <source>Save as CSV …</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar como CSV …</translation>
     </message>
     <message>
         <source>Fit Widths</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustar anchuras</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SpreadsheetView</name>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Cortar</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegar</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaciar</translation>
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished"></translation>
+        <translation>Rellenar abajo</translation>
     </message>
     <message>
         <source>Insert row above</source>
-        <translation type="unfinished"></translation>
+        <translation>Insertar fila encima</translation>
     </message>
     <message>
         <source>Add row at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir fila al final</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar filas</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StartPage</name>
     <message>
         <source>Start page</source>
-        <translation type="unfinished"></translation>
+        <translation>Página de inicio</translation>
     </message>
     <message>
         <source>Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria</translation>
     </message>
     <message>
         <source>Measurement uncertainty of robots
 and large-scale metrology</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de medida de robots
+y metrología de grandes dimensiones</translation>
     </message>
     <message>
         <source>New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo proyecto</translation>
     </message>
     <message>
         <source>Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir …</translation>
     </message>
     <message>
         <source>Library and Examples …</source>
-        <translation type="unfinished"></translation>
+        <translation>Biblioteca y ejemplos …</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Recientes</translation>
     </message>
     <message>
         <source>Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejemplos</translation>
     </message>
     <message>
         <source>They open as new projects; the shipped files stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se abren como proyectos nuevos; los archivos suministrados quedan como están.</translation>
     </message>
     <message>
         <source>Worked examples of the GUM and its supplements</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejemplos resueltos de la GUM y sus suplementos</translation>
     </message>
     <message>
         <source>Projects that you open are listed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí figuran los proyectos que abra.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudiesForm</name>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudio</translation>
     </message>
     <message>
         <source>Adds a study of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade un estudio de este análisis</translation>
     </message>
     <message>
         <source>Adds a copy of this study</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade una copia de este estudio</translation>
     </message>
     <message>
         <source>Deletes this study</source>
-        <translation type="unfinished"></translation>
+        <translation>Elimina este estudio</translation>
     </message>
     <message>
         <source>Evaluates the analysis at every grid point of this study</source>
-        <translation type="unfinished"></translation>
+        <translation>Evalúa el análisis en cada punto de la malla de este estudio</translation>
     </message>
     <message>
         <source>A study evaluates this analysis for many values of a number: a sweep over one, a map over two or three. Add one to see how the uncertainty depends on the set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un estudio evalúa este análisis para muchos valores de un número: un barrido de uno, un mapa de dos o tres. Añada uno para ver cómo depende la incertidumbre de la configuración.</translation>
     </message>
     <message>
         <source>Name of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del estudio</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>Método</translation>
     </message>
     <message>
         <source>Law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>Ley de propagación</translation>
     </message>
     <message>
         <source>Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo</translation>
     </message>
     <message>
         <source>Trials at each grid point</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas en cada punto de la malla</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Trials per point</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas por punto</translation>
     </message>
     <message>
         <source>Add Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir eje</translation>
     </message>
     <message>
         <source>Varies one more number: every combination is evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>Varía un número más: se evalúan todas las combinaciones</translation>
     </message>
     <message>
         <source>Output quantities of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitudes de salida del estudio</translation>
     </message>
     <message>
         <source>Output quantities looked at; with none ticked, all measurands</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitudes de salida consideradas; si no se marca ninguna, todos los mensurandos</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all measurands)</source>
-        <translation type="unfinished"></translation>
+        <translation>Salidas (ninguna marcada: todos los mensurandos)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyAxisEdit</name>
     <message>
         <source>Axis %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eje %1</translation>
     </message>
     <message>
         <source>Variable %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Variable %1</translation>
     </message>
     <message>
         <source>Remove Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar eje</translation>
     </message>
     <message>
         <source>Remove Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar variable</translation>
     </message>
     <message>
         <source>takes these values</source>
-        <translation type="unfinished"></translation>
+        <translation>toma estos valores</translation>
     </message>
     <message>
         <source>is multiplied with</source>
-        <translation type="unfinished"></translation>
+        <translation>se multiplica por</translation>
     </message>
     <message>
         <source>has added to it</source>
-        <translation type="unfinished"></translation>
+        <translation>se incrementa en</translation>
     </message>
     <message>
         <source>evenly spaced</source>
-        <translation type="unfinished"></translation>
+        <translation>equiespaciados</translation>
     </message>
     <message>
         <source>logarithmically spaced</source>
-        <translation type="unfinished"></translation>
+        <translation>espaciado logarítmico</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta</translation>
     </message>
     <message>
         <source>Number of values</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de valores</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolerancia</translation>
     </message>
     <message>
         <source>It can be put into effect only so well: what counts is the worst within it</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo se puede llevar a la práctica con esta exactitud: cuenta lo peor dentro de ella</translation>
     </message>
     <message>
         <source>Varied</source>
-        <translation type="unfinished"></translation>
+        <translation>Se varía</translation>
     </message>
     <message>
         <source>It</source>
-        <translation type="unfinished"></translation>
+        <translation>Su valor</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores</translation>
     </message>
     <message>
         <source>choose what is varied</source>
-        <translation type="unfinished"></translation>
+        <translation>elija lo que se varía</translation>
     </message>
     <message>
         <source> (factor)</source>
-        <translation type="unfinished"></translation>
+        <translation> (factor)</translation>
     </message>
     <message>
         <source>%1: has a problem</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: tiene un problema</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyTab</name>
     <message>
         <source>study</source>
-        <translation type="unfinished"></translation>
+        <translation>estudio</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudio</translation>
     </message>
     <message>
         <source>Study of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudio de este análisis</translation>
     </message>
     <message>
         <source>Run Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecutar estudio</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar …</translation>
     </message>
     <message>
         <source>Axes, outputs and method of the study, in the properties of the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejes, salidas y método del estudio, en las propiedades del análisis</translation>
     </message>
     <message>
         <source>Quantity of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitud del estudio</translation>
     </message>
     <message>
         <source>What the chart and the scene show</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que muestran el gráfico y la escena</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Clase de gráfico</translation>
     </message>
     <message>
         <source>A map, or lines over the first axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Un mapa, o líneas sobre el primer eje</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa</translation>
     </message>
     <message>
         <source>Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Líneas</translation>
     </message>
     <message>
         <source>Axis of the slices</source>
-        <translation type="unfinished"></translation>
+        <translation>Eje de los cortes</translation>
     </message>
     <message>
         <source>Which axis the slices are across</source>
-        <translation type="unfinished"></translation>
+        <translation>A qué eje son transversales los cortes</translation>
     </message>
     <message>
         <source>Slice</source>
-        <translation type="unfinished"></translation>
+        <translation>Corte</translation>
     </message>
     <message>
         <source>slice only</source>
-        <translation type="unfinished"></translation>
+        <translation>solo el corte</translation>
     </message>
     <message>
         <source>In the scene: the points of this slice; else all</source>
-        <translation type="unfinished"></translation>
+        <translation>En la escena: los puntos de este corte; si no, todos</translation>
     </message>
     <message>
         <source>ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>elipsoides</translation>
     </message>
     <message>
         <source>In the scene: coverage ellipsoids at the grid points</source>
-        <translation type="unfinished"></translation>
+        <translation>En la escena: elipsoides de cobertura en los puntos de la malla</translation>
     </message>
     <message>
         <source>Add Study …</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir estudio …</translation>
     </message>
     <message>
         <source>Out of date: of the project as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactualizado: del proyecto tal como era</translation>
     </message>
     <message>
         <source>slice: </source>
-        <translation type="unfinished"></translation>
+        <translation>corte: </translation>
     </message>
     <message>
         <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecute el estudio para ver cómo depende la incertidumbre de lo que varía</translation>
     </message>
     <message>
         <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation type="unfinished"></translation>
+        <translation>Un estudio evalúa el análisis para muchos valores de un número: añada uno</translation>
     </message>
     <message>
         <source> – out of date</source>
-        <translation type="unfinished"></translation>
+        <translation> – desactualizado</translation>
     </message>
     <message>
         <source>running …</source>
-        <translation type="unfinished"></translation>
+        <translation>en ejecución …</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fallido: %1</translation>
     </message>
     <message>
         <source>Not evaluated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no evaluado.</translation>
     </message>
     <message>
         <source>%1 grid points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 puntos de la malla</translation>
     </message>
     <message>
         <source>, %1 without values</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 sin valores</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Desactualizado&lt;/b&gt;: se muestra para el proyecto tal como era. </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyTableModel</name>
     <message>
         <source>Remark</source>
-        <translation type="unfinished"></translation>
+        <translation>Comentario</translation>
     </message>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
-        <translation type="unfinished"></translation>
+        <translation>Por qué no hay valores, o qué les pasa</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::TableEditor</name>
     <message>
         <source>Take into the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Incorporar al proyecto</translation>
     </message>
     <message>
         <source>Add row</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir fila</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar filas</translation>
     </message>
     <message>
         <source>Import CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar CSV…</translation>
     </message>
     <message>
         <source>Read from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Leído de %1</translation>
     </message>
     <message>
         <source>The rows are read from %1. Taken into the project they can be edited here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las filas se leen de %1. Incorporadas al proyecto, se pueden editar aquí.</translation>
     </message>
     <message>
         <source>Import CSV into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar CSV en %1</translation>
     </message>
     <message>
         <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tablas (*.csv *.tsv *.txt);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::TargetBox</name>
     <message>
         <source>What is varied: type a part of its name to search</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se varía: teclee parte de su nombre para buscar</translation>
     </message>
     <message>
         <source>What is varied</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se varía</translation>
     </message>
     <message>
         <source>“%1” names nothing that can be varied.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no designa nada que se pueda variar.</translation>
     </message>
     <message numerus="yes">
         <source>“%1” names %n things that can be varied.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>«%1» designa %n cosas que se pueden variar.</numerusform>
+            <numerusform>«%1» designa %n cosas que se pueden variar.</numerusform>
         </translation>
     </message>
     <message>
         <source> (factor)</source>
-        <translation type="unfinished"></translation>
+        <translation> (factor)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnitButton</name>
     <message>
         <source>Units</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidades</translation>
     </message>
     <message>
         <source>Units of the tables and charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidades de las tablas y los gráficos</translation>
     </message>
     <message>
         <source>As the Model Gives Them</source>
-        <translation type="unfinished"></translation>
+        <translation>Como las da el modelo</translation>
+    </message>
+    <message>
+        <source>Change unit of results</source>
+        <translation>Cambiar la unidad de los resultados</translation>
+    </message>
+    <message>
+        <source>Clear units of results</source>
+        <translation>Borrar las unidades de los resultados</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::UnitChoices</name>
+    <message>
+        <source>Lengths</source>
+        <translation>Longitudes</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Ángulos</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Fuerzas</translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation>Momentos</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnreadTexts</name>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo tecleado en un campo no se puede leer. %1</translation>
     </message>
 </context>
 </TS>

@@ -5,11 +5,11 @@
     <name>QObject</name>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이동</translation>
     </message>
     <message>
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;%1개 행이 더 있습니다. 내보낸 표에는 모두 들어 있습니다.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -17,4423 +17,4423 @@
     <message>
         <source>Pose from points</source>
         <extracomment>Measurement model</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>점으로부터의 포즈</translation>
     </message>
     <message>
         <source>Base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계</translation>
     </message>
     <message>
         <source>Base points</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 점</translation>
     </message>
     <message>
         <source>Nominal coordinates of the points in their own frame, and standard uncertainties of single coordinates where they differ from the common ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 고유 좌표계에서의 공칭 좌표, 그리고 공통값과 다른 개별 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름</translation>
     </message>
     <message>
         <source>Name of the point.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 이름.</translation>
     </message>
     <message>
         <source>Nominal coordinate x in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 고유 좌표계에서의 공칭 좌표 x.</translation>
     </message>
     <message>
         <source>Nominal coordinate y in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 고유 좌표계에서의 공칭 좌표 y.</translation>
     </message>
     <message>
         <source>Nominal coordinate z in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 고유 좌표계에서의 공칭 좌표 z.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this x; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 x의 표준불확도. 비어 있으면 전체에 입력한 값.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this y; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 y의 표준불확도. 비어 있으면 전체에 입력한 값.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this z; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 z의 표준불확도. 비어 있으면 전체에 입력한 값.</translation>
     </message>
     <message>
         <source>Frame from its points</source>
-        <translation type="unfinished"></translation>
+        <translation>점으로부터의 좌표계</translation>
     </message>
     <message>
         <source>3-2-1: the origin from point 1, the x-axis from points 1 and 2, the xy-plane from points 1, 2 and 3. Least squares: the frame in which the nominal coordinates fit all points best.</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1: 원점은 점 1에서, x축은 점 1과 2에서, xy 평면은 점 1, 2, 3에서 정합니다. 최소제곱: 공칭 좌표가 모든 점에 가장 잘 맞는 좌표계입니다.</translation>
     </message>
     <message>
         <source>3-2-1</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1</translation>
     </message>
     <message>
         <source>least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>최소제곱</translation>
     </message>
     <message>
         <source>Side of point 3</source>
-        <translation type="unfinished"></translation>
+        <translation>점 3의 쪽</translation>
     </message>
     <message>
         <source>On which side of the x-axis point 3 lies in the base frame b; this directs z.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계 b에서 점 3이 x축의 어느 쪽에 있는지. 이것이 z의 방향을 정합니다.</translation>
     </message>
     <message>
         <source>negative y: z = (q3 − q1) × x</source>
-        <translation type="unfinished"></translation>
+        <translation>음의 y: z = (q3 − q1) × x</translation>
     </message>
     <message>
         <source>positive y: z = x × (q3 − q1)</source>
-        <translation type="unfinished"></translation>
+        <translation>양의 y: z = x × (q3 − q1)</translation>
     </message>
     <message>
         <source>Origin from point 1, x</source>
-        <translation type="unfinished"></translation>
+        <translation>점 1로부터의 원점, x</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계 b의 x를 따라 점 1에서 본 원점의 위치(식 17과 18의 s).</translation>
     </message>
     <message>
         <source>Origin from point 1, y</source>
-        <translation type="unfinished"></translation>
+        <translation>점 1로부터의 원점, y</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계 b의 y를 따라 점 1에서 본 원점의 위치(식 17과 18의 s).</translation>
     </message>
     <message>
         <source>Origin from point 1, z</source>
-        <translation type="unfinished"></translation>
+        <translation>점 1로부터의 원점, z</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계 b의 z를 따라 점 1에서 본 원점의 위치(식 17과 18의 s).</translation>
     </message>
     <message>
         <source>Pose of the base in frame 0</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계 0에서의 기준 포즈</translation>
     </message>
     <message>
         <source>Where the base stands in the frame of the measurement (frame 0, the world of the picture). It matters only for an instrument that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 좌표계(좌표계 0, 그림의 월드)에서 기준이 놓인 곳. 어딘가에 설치된 측정기에만 의미가 있습니다.</translation>
     </message>
     <message>
         <source>Moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계</translation>
     </message>
     <message>
         <source>Points of the moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계의 점</translation>
     </message>
     <message>
         <source>On which side of the x-axis point 3 lies in the moving frame p; this directs z.</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계 p에서 점 3이 x축의 어느 쪽에 있는지. 이것이 z의 방향을 정합니다.</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계 p의 x를 따라 점 1에서 본 원점의 위치(식 17과 18의 s).</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계 p의 y를 따라 점 1에서 본 원점의 위치(식 17과 18의 s).</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계 p의 z를 따라 점 1에서 본 원점의 위치(식 17과 18의 s).</translation>
     </message>
     <message>
         <source>Poses</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>평가</translation>
     </message>
     <message>
         <source>A priori: at the nominal coordinates. A posteriori: at the means of measured coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>사전: 공칭 좌표에서. 사후: 측정 좌표의 평균에서.</translation>
     </message>
     <message>
         <source>a priori (nominal poses)</source>
-        <translation type="unfinished"></translation>
+        <translation>사전(공칭 포즈)</translation>
     </message>
     <message>
         <source>a posteriori (measured points)</source>
-        <translation type="unfinished"></translation>
+        <translation>사후(측정점)</translation>
     </message>
     <message>
         <source>Nominal poses of the moving frame in the base frame; angles are R = Rz(γ) Ry(β) Rx(α). All poses share the measurement of the base.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계에서 이동 좌표계의 공칭 포즈. 각은 R = Rz(γ) Ry(β) Rx(α)입니다. 모든 포즈가 기준의 측정을 공유합니다.</translation>
     </message>
     <message>
         <source>Name of the pose; groups its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 이름. 결과를 묶습니다.</translation>
     </message>
     <message>
         <source>Position x in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계에서의 위치 x.</translation>
     </message>
     <message>
         <source>Position y in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계에서의 위치 y.</translation>
     </message>
     <message>
         <source>Position z in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계에서의 위치 z.</translation>
     </message>
     <message>
         <source>Rotation about x.</source>
-        <translation type="unfinished"></translation>
+        <translation>x축 둘레 회전.</translation>
     </message>
     <message>
         <source>Rotation about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>y축 둘레 회전.</translation>
     </message>
     <message>
         <source>Rotation about z.</source>
-        <translation type="unfinished"></translation>
+        <translation>z축 둘레 회전.</translation>
     </message>
     <message>
         <source>Measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>측정점</translation>
     </message>
     <message>
         <source>Coordinates in one frame 0 for the base and every pose, typed or from a CSV file; the mean of the repeats is the estimate.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준과 모든 포즈에 대한 하나의 좌표계 0에서의 좌표. 직접 입력하거나 CSV 파일에서 읽습니다. 반복의 평균이 추정값입니다.</translation>
     </message>
     <message>
         <source>set</source>
-        <translation type="unfinished"></translation>
+        <translation>세트</translation>
     </message>
     <message>
         <source>&quot;base&quot;, or the name of a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;base&quot; 또는 포즈의 이름.</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>점</translation>
     </message>
     <message>
         <source>repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>반복</translation>
     </message>
     <message>
         <source>Number of the repetition.</source>
-        <translation type="unfinished"></translation>
+        <translation>반복의 번호.</translation>
     </message>
     <message>
         <source>Measured coordinate x in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계 0에서의 측정 좌표 x.</translation>
     </message>
     <message>
         <source>Measured coordinate y in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계 0에서의 측정 좌표 y.</translation>
     </message>
     <message>
         <source>Measured coordinate z in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계 0에서의 측정 좌표 z.</translation>
     </message>
     <message>
         <source>Orientation stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>자세의 표현</translation>
     </message>
     <message>
         <source>Numbers in which the result states the orientation of the moving frame. Angles are undefined in gimbal lock; rotation vector and quaternion are not.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과에서 이동 좌표계의 자세를 나타내는 수. 각은 짐벌 락에서 정의되지 않지만, 회전 벡터와 쿼터니언은 정의됩니다.</translation>
     </message>
     <message>
         <source>Z-Y-X angles (roll α, pitch β, yaw γ)</source>
-        <translation type="unfinished"></translation>
+        <translation>Z-Y-X 각(롤 α, 피치 β, 요 γ)</translation>
     </message>
     <message>
         <source>Z-Y-Z angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Z-Y-Z 각</translation>
     </message>
     <message>
         <source>rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>회전 벡터</translation>
     </message>
     <message>
         <source>unit quaternion</source>
-        <translation type="unfinished"></translation>
+        <translation>단위 쿼터니언</translation>
     </message>
     <message>
         <source>Uncertainty: Base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도: 기준 좌표계</translation>
     </message>
     <message>
         <source>Uncertainty of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 불확도</translation>
     </message>
     <message>
         <source>Standard uncertainties typed here, or those that an artefact or an instrument of the project gives.</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에 입력한 표준불확도, 또는 프로젝트의 기준물이나 측정기가 주는 표준불확도.</translation>
     </message>
     <message>
         <source>typed</source>
-        <translation type="unfinished"></translation>
+        <translation>직접 입력</translation>
     </message>
     <message>
         <source>artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물 또는 측정기</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along x of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계 b의 x 방향 점 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>u_x is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_x 공통</translation>
     </message>
     <message>
         <source>One and the same deviation along x for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>독립된 편차 대신, 모든 기준 점에 x 방향으로 동일한 하나의 편차.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along y of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계 b의 y 방향 점 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>u_y is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_y 공통</translation>
     </message>
     <message>
         <source>One and the same deviation along y for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>독립된 편차 대신, 모든 기준 점에 y 방향으로 동일한 하나의 편차.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along z of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계 b의 z 방향 점 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>u_z is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_z 공통</translation>
     </message>
     <message>
         <source>One and the same deviation along z for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>독립된 편차 대신, 모든 기준 점에 z 방향으로 동일한 하나의 편차.</translation>
     </message>
     <message>
         <source>Their distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>분포 형태</translation>
     </message>
     <message>
         <source>The distribution of typed deviations of the points; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 점 편차의 분포. 형태와 관계없이 제시된 값은 표준불확도입니다.</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>정규</translation>
     </message>
     <message>
         <source>rectangular: limits ± √3 u</source>
-        <translation type="unfinished"></translation>
+        <translation>직사각형: 한계 ± √3 u</translation>
     </message>
     <message>
         <source>triangular: limits ± √6 u</source>
-        <translation type="unfinished"></translation>
+        <translation>삼각형: 한계 ± √6 u</translation>
     </message>
     <message>
         <source>arc sine: limits ± √2 u</source>
-        <translation type="unfinished"></translation>
+        <translation>아크사인: 한계 ± √2 u</translation>
     </message>
     <message>
         <source>Artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물 또는 측정기</translation>
     </message>
     <message>
         <source>Gives the uncertainty of the coordinates of the points of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계 b의 점 좌표의 불확도를 줍니다.</translation>
     </message>
     <message>
         <source>Uncertainty: Moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도: 이동 좌표계</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along x of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계 p의 x 방향 점 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>One and the same deviation along x for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>독립된 편차 대신, 모든 포즈에서 이동 좌표계의 모든 점에 x 방향으로 동일한 하나의 편차.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along y of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계 p의 y 방향 점 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>One and the same deviation along y for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>독립된 편차 대신, 모든 포즈에서 이동 좌표계의 모든 점에 y 방향으로 동일한 하나의 편차.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along z of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계 p의 z 방향 점 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>One and the same deviation along z for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>독립된 편차 대신, 모든 포즈에서 이동 좌표계의 모든 점에 z 방향으로 동일한 하나의 편차.</translation>
     </message>
     <message>
         <source>Gives the uncertainty of the coordinates of the points of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계 p의 점 좌표의 불확도를 줍니다.</translation>
     </message>
     <message>
         <source>Uncertainties along</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도의 방향</translation>
     </message>
     <message>
         <source>Along which axes the typed uncertainties of the moving points lie: those of the moving frame, which turn with it, or those of the base frame, the same in all poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 점에 입력한 불확도가 놓인 축: 함께 회전하는 이동 좌표계의 축, 또는 모든 포즈에서 같은 기준 좌표계의 축.</translation>
     </message>
     <message>
         <source>the axes of the moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계의 축</translation>
     </message>
     <message>
         <source>the axes of the base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 좌표계의 축</translation>
     </message>
     <message>
         <source>Points from sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>센서로부터의 점</translation>
     </message>
     <message>
         <source>Network</source>
-        <translation type="unfinished"></translation>
+        <translation>센서망</translation>
     </message>
     <message>
         <source>Sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>센서</translation>
     </message>
     <message>
         <source>The instruments of the network, each an instrument of the project that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서망의 측정기. 각각 어딘가에 설치된 프로젝트의 측정기입니다.</translation>
     </message>
     <message>
         <source>sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>센서</translation>
     </message>
     <message>
         <source>An instrument of the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트의 측정기.</translation>
     </message>
     <message>
         <source>Targets</source>
-        <translation type="unfinished"></translation>
+        <translation>표적</translation>
     </message>
     <message>
         <source>Points to be localised, at their nominal coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치를 구할 점, 공칭 좌표로.</translation>
     </message>
     <message>
         <source>Name of the target, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>표적의 이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>Nominal coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>공칭 좌표 x.</translation>
     </message>
     <message>
         <source>Nominal coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>공칭 좌표 y.</translation>
     </message>
     <message>
         <source>Nominal coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>공칭 좌표 z.</translation>
     </message>
     <message>
         <source>new set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>새 설치</translation>
     </message>
     <message>
         <source>The sensors were located anew before this target: it and those below share the deviations of the stations with each other, not with the targets above.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 표적 앞에서 센서의 위치를 새로 구했습니다. 이 표적과 그 아래 표적은 스테이션의 편차를 서로 공유하고, 위의 표적과는 공유하지 않습니다.</translation>
     </message>
     <message>
         <source>Distances</source>
-        <translation type="unfinished"></translation>
+        <translation>거리</translation>
     </message>
     <message>
         <source>Distances between targets that are measurands too, for instance of a scale bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>함께 측정량이 되는 표적 사이의 거리, 예를 들어 스케일 바의 거리.</translation>
     </message>
     <message>
         <source>from</source>
-        <translation type="unfinished"></translation>
+        <translation>부터</translation>
     </message>
     <message>
         <source>Name of a target.</source>
-        <translation type="unfinished"></translation>
+        <translation>표적의 이름.</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>까지</translation>
     </message>
     <message>
         <source>Name of another target.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 표적의 이름.</translation>
     </message>
     <message>
         <source>Angles</source>
-        <translation type="unfinished"></translation>
+        <translation>각도</translation>
     </message>
     <message>
         <source>Angles at a target between the directions to two others, measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 표적에서 다른 두 표적을 향한 방향 사이의 각. 역시 측정량입니다.</translation>
     </message>
     <message>
         <source>at</source>
-        <translation type="unfinished"></translation>
+        <translation>위치</translation>
     </message>
     <message>
         <source>Name of the target where the angle is.</source>
-        <translation type="unfinished"></translation>
+        <translation>각이 있는 표적의 이름.</translation>
     </message>
     <message>
         <source>Name of a third target.</source>
-        <translation type="unfinished"></translation>
+        <translation>세 번째 표적의 이름.</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계</translation>
     </message>
     <message>
         <source>Frames on three targets (3-2-1), whose position and Z-Y-X angles in the world are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>세 표적 위의 좌표계(3-2-1). 월드에서의 위치와 Z-Y-X 각도 측정량입니다.</translation>
     </message>
     <message>
         <source>Name of the frame, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계의 이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>origin</source>
-        <translation type="unfinished"></translation>
+        <translation>원점</translation>
     </message>
     <message>
         <source>Target at its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>원점에 있는 표적.</translation>
     </message>
     <message>
         <source>on x</source>
-        <translation type="unfinished"></translation>
+        <translation>x축 위</translation>
     </message>
     <message>
         <source>Target on its positive x-axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>양의 x축 위의 표적.</translation>
     </message>
     <message>
         <source>in xy</source>
-        <translation type="unfinished"></translation>
+        <translation>xy 안</translation>
     </message>
     <message>
         <source>Target in its xy-plane, at positive y.</source>
-        <translation type="unfinished"></translation>
+        <translation>xy 평면에서 y가 양인 곳의 표적.</translation>
     </message>
     <message>
         <source>Calibrated lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 길이</translation>
     </message>
     <message>
         <source>Scale bars and other calibrated distances between two targets: compared with the network, or a constraint of the estimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>스케일 바와 두 표적 사이의 그 밖의 교정된 거리: 센서망과 비교하거나, 추정의 구속조건으로 씁니다.</translation>
     </message>
     <message>
         <source>length</source>
-        <translation type="unfinished"></translation>
+        <translation>길이</translation>
     </message>
     <message>
         <source>Calibrated length; empty in a design: the distance of the nominal targets.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 길이. 설계에서 비어 있으면 공칭 표적의 거리.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length as it is during the measurement, with temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>온도를 포함하여, 측정 중 길이의 표준불확도.</translation>
     </message>
     <message>
         <source>role</source>
-        <translation type="unfinished"></translation>
+        <translation>역할</translation>
     </message>
     <message>
         <source>Check: the difference between network and calibration is a measurand. Constraint: the length is adjusted with the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>확인: 센서망과 교정의 차이가 측정량입니다. 구속조건: 길이를 읽음값과 함께 조정합니다.</translation>
     </message>
     <message>
         <source>check</source>
-        <translation type="unfinished"></translation>
+        <translation>확인</translation>
     </message>
     <message>
         <source>constraint</source>
-        <translation type="unfinished"></translation>
+        <translation>구속조건</translation>
     </message>
     <message>
         <source>distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>분포</translation>
     </message>
     <message>
         <source>The distribution that has the standard uncertainty u; empty: normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준불확도 u를 갖는 분포. 비어 있으면 정규.</translation>
     </message>
     <message>
         <source>Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값</translation>
     </message>
     <message>
         <source>A priori: the readings are those of the nominal targets. A posteriori: the readings are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>사전: 읽음값은 공칭 표적의 읽음값입니다. 사후: 읽음값이 주어집니다.</translation>
     </message>
     <message>
         <source>a priori (design: nominal targets)</source>
-        <translation type="unfinished"></translation>
+        <translation>사전(설계: 공칭 표적)</translation>
     </message>
     <message>
         <source>a posteriori (given readings)</source>
-        <translation type="unfinished"></translation>
+        <translation>사후(주어진 읽음값)</translation>
     </message>
     <message>
         <source>What the sensors read, one row for a sensor and a target, typed or from a CSV file; leave empty what was not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서가 읽은 값. 센서와 표적마다 한 행이며, 직접 입력하거나 CSV 파일에서 읽습니다. 읽지 않은 것은 비워 둡니다.</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>표적</translation>
     </message>
     <message>
         <source>Name of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>표적의 이름.</translation>
     </message>
     <message>
         <source>The instrument that read it.</source>
-        <translation type="unfinished"></translation>
+        <translation>그것을 읽은 측정기.</translation>
     </message>
     <message>
         <source>distance</source>
-        <translation type="unfinished"></translation>
+        <translation>거리</translation>
     </message>
     <message>
         <source>Slope distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>경사거리.</translation>
     </message>
     <message>
         <source>azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>방위각</translation>
     </message>
     <message>
         <source>Horizontal angle from the sensor&apos;s x-axis, positive towards y; whole turns do not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서의 x축에서 잰 수평각, y 쪽이 양. 온바퀴 수는 상관없습니다.</translation>
     </message>
     <message>
         <source>elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>고도각</translation>
     </message>
     <message>
         <source>Vertical angle above the sensor&apos;s xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서의 xy 평면 위로 잰 수직각.</translation>
     </message>
     <message>
         <source>Estimation</source>
-        <translation type="unfinished"></translation>
+        <translation>추정</translation>
     </message>
     <message>
         <source>Estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>추정 방법</translation>
     </message>
     <message>
         <source>How a target&apos;s coordinates follow from its readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값에서 표적의 좌표를 구하는 방법.</translation>
     </message>
     <message>
         <source>non-linear weighted least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>비선형 가중 최소제곱</translation>
     </message>
     <message>
         <source>linearised equations: OLS, then GLS (Eqs 1-4 of the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>선형화 방정식: OLS, 다음에 GLS(논문의 식 1-4)</translation>
     </message>
     <message>
         <source>linearised equations: OLS alone (Eq 3 of the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>선형화 방정식: OLS만(논문의 식 3)</translation>
     </message>
     <message>
         <source>Weights</source>
-        <translation type="unfinished"></translation>
+        <translation>가중치</translation>
     </message>
     <message>
         <source>What the weights of the equations account for. Weights from the readings alone, as in the paper, are not the best where the stations are uncertain.</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식의 가중치가 고려하는 것. 논문처럼 읽음값만의 가중치는 스테이션이 불확실할 때 최선이 아닙니다.</translation>
     </message>
     <message>
         <source>readings and stations, all targets of a set-up at once</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값과 스테이션, 한 설치의 모든 표적을 동시에</translation>
     </message>
     <message>
         <source>readings alone, each target by itself (the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값만, 표적마다 따로(논문)</translation>
     </message>
     <message>
         <source>TCP from ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>볼바에 의한 TCP</translation>
     </message>
     <message>
         <source>Measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>측정</translation>
     </message>
     <message>
         <source>Ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>볼바</translation>
     </message>
     <message>
         <source>The set of telescopic ballbars that measures the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>점을 측정하는 텔레스코픽 볼바 세트.</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇</translation>
     </message>
     <message>
         <source>Gives the repeatability with which the robot goes to the points; none: an ideal robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇이 점으로 가는 반복성을 줍니다. 없음: 이상적인 로봇.</translation>
     </message>
     <message>
         <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation type="unfinished"></translation>
+        <translation>계획된 절차나 측정점에서 구한 공구 중심점, 또는 볼바가 측정한 점만.</translation>
     </message>
     <message>
         <source>tool centre point, planned procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>공구 중심점, 계획된 절차</translation>
     </message>
     <message>
         <source>tool centre point, measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>공구 중심점, 측정점</translation>
     </message>
     <message>
         <source>points alone</source>
-        <translation type="unfinished"></translation>
+        <translation>점만</translation>
     </message>
     <message>
         <source>Procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>절차</translation>
     </message>
     <message>
         <source>Flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지</translation>
     </message>
     <message>
         <source>Pose of the flange in the robot&apos;s frame before it turns; its origin is the centre of the sphere on which the ball moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>회전하기 전 로봇 좌표계에서의 플랜지 포즈. 그 원점은 볼이 움직이는 구의 중심입니다.</translation>
     </message>
     <message>
         <source>Tool x</source>
-        <translation type="unfinished"></translation>
+        <translation>공구 x</translation>
     </message>
     <message>
         <source>Nominal coordinate x of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지 좌표계에서 공구 중심점의 공칭 좌표 x.</translation>
     </message>
     <message>
         <source>Tool y</source>
-        <translation type="unfinished"></translation>
+        <translation>공구 y</translation>
     </message>
     <message>
         <source>Nominal coordinate y of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지 좌표계에서 공구 중심점의 공칭 좌표 y.</translation>
     </message>
     <message>
         <source>Tool z</source>
-        <translation type="unfinished"></translation>
+        <translation>공구 z</translation>
     </message>
     <message>
         <source>Nominal coordinate z of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지 좌표계에서 공구 중심점의 공칭 좌표 z.</translation>
     </message>
     <message>
         <source>Rotations</source>
-        <translation type="unfinished"></translation>
+        <translation>회전</translation>
     </message>
     <message>
         <source>Two or three rotations of the flange about its own axes, its origin held in place: the ball traces an arc in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>원점을 고정한 채 플랜지를 자체 축 둘레로 두세 번 회전합니다. 각 회전에서 볼이 호를 그립니다.</translation>
     </message>
     <message>
         <source>axis</source>
-        <translation type="unfinished"></translation>
+        <translation>축</translation>
     </message>
     <message>
         <source>Axis of the flange about which the robot turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇이 회전하는 플랜지의 축.</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>시작</translation>
     </message>
     <message>
         <source>Angle at the first point.</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 점에서의 각.</translation>
     </message>
     <message>
         <source>span</source>
-        <translation type="unfinished"></translation>
+        <translation>범위</translation>
     </message>
     <message>
         <source>Angle from the first point to the last; negative: turned the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 점에서 마지막 점까지의 각. 음수: 반대 방향으로 회전.</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>점</translation>
     </message>
     <message>
         <source>Number of points, equally spaced from the first to the last.</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 점에서 마지막 점까지 등간격인 점의 수.</translation>
     </message>
     <message>
         <source>Points as measured, each with the axis of its rotation and the commanded angle, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 점. 각각 회전의 축과 지령 각도를 가지며, 직접 입력하거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>angle</source>
-        <translation type="unfinished"></translation>
+        <translation>각</translation>
     </message>
     <message>
         <source>Commanded angle of rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>회전의 지령 각도.</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>볼바 좌표계에서의 좌표 x.</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>볼바 좌표계에서의 좌표 y.</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>볼바 좌표계에서의 좌표 z.</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>점</translation>
     </message>
     <message>
         <source>Places of the ball that are measured, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정되는 볼의 위치. 직접 입력하거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>Name of the point, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤</translation>
     </message>
     <message>
         <source>Axes of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 축</translation>
     </message>
     <message>
         <source>Measured axes are not exactly perpendicular: which one is kept as measured. A third measured axis then only helps the sphere and the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 축은 정확히 직각이 아닙니다. 어느 축을 측정된 대로 둘지 정합니다. 세 번째 측정 축은 구와 평균에만 도움이 됩니다.</translation>
     </message>
     <message>
         <source>y as measured, x nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>y는 측정대로, x는 측정에 가장 가깝게</translation>
     </message>
     <message>
         <source>x as measured, y nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>x는 측정대로, y는 측정에 가장 가깝게</translation>
     </message>
     <message>
         <source>z as measured, x nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>z는 측정대로, x는 측정에 가장 가깝게</translation>
     </message>
     <message>
         <source>nearest to all measured axes</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 모든 축에 가장 가깝게</translation>
     </message>
     <message>
         <source>Centre of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 중심</translation>
     </message>
     <message>
         <source>Sphere through all points by linear least squares, or refined to least distances from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점을 지나는 구를 선형 최소제곱으로 구하거나, 구까지의 거리가 최소가 되도록 정밀화합니다.</translation>
     </message>
     <message>
         <source>sphere, geometric fit from the linear one</source>
-        <translation type="unfinished"></translation>
+        <translation>구, 선형 맞춤에서 시작한 기하 맞춤</translation>
     </message>
     <message>
         <source>sphere, linear fit</source>
-        <translation type="unfinished"></translation>
+        <translation>구, 선형 맞춤</translation>
     </message>
     <message>
         <source>Robot pose</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 포즈</translation>
     </message>
     <message>
         <source>The arm, with its parameters and their uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수와 그 불확도를 갖는 로봇 팔.</translation>
     </message>
     <message>
         <source>Components of a parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수의 성분</translation>
     </message>
     <message>
         <source>Each by itself, so that the budget tells the sources apart; or combined into one normal deviation, which needs fewer draws.</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표에서 출처를 구별하도록 각각 따로, 또는 추출이 더 적게 드는 하나의 정규 편차로 합성.</translation>
     </message>
     <message>
         <source>each by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>각각 따로</translation>
     </message>
     <message>
         <source>combined into one</source>
-        <translation type="unfinished"></translation>
+        <translation>하나로 합성</translation>
     </message>
     <message>
         <source>Correlation of the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수의 상관</translation>
     </message>
     <message>
         <source>Used as the robot states it; or ignored, as in the paper, to see what that does.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇이 제시한 대로 사용하거나, 그 영향을 보기 위해 논문처럼 무시합니다.</translation>
     </message>
     <message>
         <source>used</source>
-        <translation type="unfinished"></translation>
+        <translation>사용</translation>
     </message>
     <message>
         <source>ignored (the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>무시(논문)</translation>
     </message>
     <message>
         <source>Poses by joint readings</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 읽음값에 의한 포즈</translation>
     </message>
     <message>
         <source>Readings of the joints, typed or from a CSV file. An empty cell is the zero reading of the joint; a robot with fewer joints leaves the last columns empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절의 읽음값. 직접 입력하거나 CSV 파일에서 읽습니다. 빈 칸은 관절의 영점 읽음값이고, 관절이 더 적은 로봇은 마지막 열을 비워 둡니다.</translation>
     </message>
     <message>
         <source>Name of the pose, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>Reading of joint 1, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 1의 읽음값(회전 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 2, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 2의 읽음값(회전 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 3, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 3의 읽음값(회전 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 4, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 4의 읽음값(회전 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 5, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 5의 읽음값(회전 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 6, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 6의 읽음값(회전 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 7, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 7의 읽음값(회전 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 1, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 1의 읽음값(직선 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 2, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 2의 읽음값(직선 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 3, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 3의 읽음값(직선 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 4, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 4의 읽음값(직선 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 5, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 5의 읽음값(직선 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 6, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 6의 읽음값(직선 관절).</translation>
     </message>
     <message>
         <source>Reading of joint 7, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 7의 읽음값(직선 관절).</translation>
     </message>
     <message>
         <source>Poses by place</source>
-        <translation type="unfinished"></translation>
+        <translation>위치에 의한 포즈</translation>
     </message>
     <message>
         <source>Places of the tool in the robot&apos;s base frame; the readings follow by inverse kinematics, within the limits and near those of the pose before.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스 좌표계에서 공구의 위치. 읽음값은 한계 안에서 앞 포즈의 값에 가깝게 역기구학으로 구합니다.</translation>
     </message>
     <message>
         <source>Name, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>Coordinate x of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>공구의 좌표 x.</translation>
     </message>
     <message>
         <source>Coordinate y of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>공구의 좌표 y.</translation>
     </message>
     <message>
         <source>Coordinate z of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>공구의 좌표 z.</translation>
     </message>
     <message>
         <source>Orientation, R = Rz(gamma) Ry(beta) Rx(alpha); all three empty: any orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>자세, R = Rz(gamma) Ry(beta) Rx(alpha). 셋 다 비어 있으면 임의의 자세.</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과</translation>
     </message>
     <message>
         <source>Numbers that state the orientation of the tool; none: the position alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>공구의 자세를 나타내는 수. 없음: 위치만.</translation>
     </message>
     <message>
         <source>none (position alone)</source>
-        <translation type="unfinished"></translation>
+        <translation>없음(위치만)</translation>
     </message>
     <message>
         <source>Results in</source>
-        <translation type="unfinished"></translation>
+        <translation>결과의 좌표계</translation>
     </message>
     <message>
         <source>The frame in which position and orientation are stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치와 자세를 나타내는 좌표계.</translation>
     </message>
     <message>
         <source>the base frame of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스 좌표계</translation>
     </message>
     <message>
         <source>the world frame</source>
-        <translation type="unfinished"></translation>
+        <translation>월드 좌표계</translation>
     </message>
     <message>
         <source>Robot by joint trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 궤적에 의한 로봇</translation>
     </message>
     <message>
         <source>Nominal robot</source>
-        <translation type="unfinished"></translation>
+        <translation>공칭 로봇</translation>
     </message>
     <message>
         <source>The arm as designed: directions of the frames, definitions of base and last link, and the arm of a simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>설계된 로봇 팔: 좌표계의 방향, 베이스와 마지막 링크의 정의, 시뮬레이션의 팔.</translation>
     </message>
     <message>
         <source>Points are</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 종류</translation>
     </message>
     <message>
         <source>Measured: a table. Simulated: those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정: 표. 시뮬레이션: 실험이 무엇을 줄지 보기 위한 공칭 로봇의 점.</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>측정</translation>
     </message>
     <message>
         <source>simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>시뮬레이션</translation>
     </message>
     <message>
         <source>Points of the ball at the flange in the order in which they were measured, joint by joint, in the frame of the instrument&apos;s world; typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지에 달린 볼의 점. 측정 순서대로 관절별로, 측정기의 월드 좌표계에서 나타내며, 직접 입력하거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>joint</source>
-        <translation type="unfinished"></translation>
+        <translation>관절</translation>
     </message>
     <message>
         <source>Number of the joint that turned.</source>
-        <translation type="unfinished"></translation>
+        <translation>회전한 관절의 번호.</translation>
     </message>
     <message>
         <source>Reading of that joint; says which way round the points run. Empty: with the joint&apos;s positive direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>그 관절의 읽음값. 점이 진행하는 방향을 알려 줍니다. 비어 있으면 관절의 양의 방향.</translation>
     </message>
     <message>
         <source>Coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 x.</translation>
     </message>
     <message>
         <source>Coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 y.</translation>
     </message>
     <message>
         <source>Coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 z.</translation>
     </message>
     <message>
         <source>Range of each joint, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>각 관절의 범위, ±</translation>
     </message>
     <message>
         <source>Each joint turns from its zero reading less this to its zero reading plus this.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 관절은 영점 읽음값에서 이 값을 뺀 곳부터 더한 곳까지 회전합니다.</translation>
     </message>
     <message>
         <source>Points for each joint</source>
-        <translation type="unfinished"></translation>
+        <translation>관절당 점의 수</translation>
     </message>
     <message>
         <source>Number of points, evenly spaced over the range.</source>
-        <translation type="unfinished"></translation>
+        <translation>범위에 등간격으로 놓인 점의 수.</translation>
     </message>
     <message>
         <source>Ball</source>
-        <translation type="unfinished"></translation>
+        <translation>볼</translation>
     </message>
     <message>
         <source>Where the ball is in the frame of the last link. On the axis of a joint it draws no circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 링크의 좌표계에서 볼이 있는 곳. 관절의 축 위에 있으면 원을 그리지 않습니다.</translation>
     </message>
     <message>
         <source>A standard uncertainty of every coordinate, or an instrument of the project that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 좌표의 표준불확도, 또는 어딘가에 설치된 프로젝트의 측정기.</translation>
     </message>
     <message>
         <source>typed: alike for all coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>직접 입력: 모든 좌표에 같게</translation>
     </message>
     <message>
         <source>an instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기</translation>
     </message>
     <message>
         <source>Standard uncertainty of a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표의 표준불확도</translation>
     </message>
     <message>
         <source>Of every coordinate of every point, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점의 모든 좌표에 대한 값, 서로 독립입니다.</translation>
     </message>
     <message>
         <source>The distribution of the coordinates&apos; deviations; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 편차의 분포. 형태와 관계없이 제시된 값은 표준불확도입니다.</translation>
     </message>
     <message>
         <source>Instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기</translation>
     </message>
     <message>
         <source>What measured the points: each reading deviates by itself, its scale and its station alike for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>점을 측정한 것. 각 읽음값은 따로 벗어나고, 스케일과 스테이션은 모든 점에 똑같이 벗어납니다.</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>방법</translation>
     </message>
     <message>
         <source>Plane of a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>원의 평면</translation>
     </message>
     <message>
         <source>Total least squares fits any plane. Eq 1 of the paper has no plane through the origin and fails near it.</source>
-        <translation type="unfinished"></translation>
+        <translation>전최소제곱은 어떤 평면에도 맞습니다. 논문의 식 1은 원점을 지나는 평면을 나타내지 못하고 그 근처에서 실패합니다.</translation>
     </message>
     <message>
         <source>total least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>전최소제곱</translation>
     </message>
     <message>
         <source>A x + B y + C z + 1 = 0 (Eq 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>A x + B y + C z + 1 = 0 (식 1)</translation>
     </message>
     <message>
         <source>Axes are parallel below</source>
-        <translation type="unfinished"></translation>
+        <translation>축을 평행으로 보는 한계</translation>
     </message>
     <message>
         <source>Angle between two axes below which they are described by beta and not by their common perpendicular, whose place is then hardly determined.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 축 사이의 각이 이보다 작으면, 위치가 거의 정해지지 않는 공통 수선 대신 beta로 나타냅니다.</translation>
     </message>
     <message>
         <source>Robot from measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 포즈로부터의 로봇</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the poses cannot tell, uncertainty of the readings of its joints, and the arm of a simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>설계된 로봇 팔: 맞춤의 시작값, 포즈로 알 수 없는 값, 관절 읽음값의 불확도, 시뮬레이션의 팔.</translation>
     </message>
     <message>
         <source>Poses are</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 종류</translation>
     </message>
     <message>
         <source>Measured is</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 대상</translation>
     </message>
     <message>
         <source>The position of a ball alone, or position and orientation of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>볼의 위치만, 또는 공구의 위치와 자세.</translation>
     </message>
     <message>
         <source>the position</source>
-        <translation type="unfinished"></translation>
+        <translation>위치</translation>
     </message>
     <message>
         <source>position and orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>위치와 자세</translation>
     </message>
     <message>
         <source>Measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 포즈</translation>
     </message>
     <message>
         <source>Readings of the joints and the place of the ball or tool that was measured there; typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절의 읽음값과 거기서 측정된 볼이나 공구의 위치. 직접 입력하거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>use</source>
-        <translation type="unfinished"></translation>
+        <translation>용도</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the fit tells a pose that it has not seen. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤(fit): 맞춤에 포함. 확인(check): 맞춤이 보지 못한 포즈를 얼마나 잘 예측하는지 보기 위해 제외. 비어 있으면 맞춤.</translation>
     </message>
     <message>
         <source>fit</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤</translation>
     </message>
     <message>
         <source>Reading of joint 1; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 1의 읽음값. 비어 있으면 영점 읽음값.</translation>
     </message>
     <message>
         <source>Reading of joint 2; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 2의 읽음값. 비어 있으면 영점 읽음값.</translation>
     </message>
     <message>
         <source>Reading of joint 3; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 3의 읽음값. 비어 있으면 영점 읽음값.</translation>
     </message>
     <message>
         <source>Reading of joint 4; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 4의 읽음값. 비어 있으면 영점 읽음값.</translation>
     </message>
     <message>
         <source>Reading of joint 5; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 5의 읽음값. 비어 있으면 영점 읽음값.</translation>
     </message>
     <message>
         <source>Reading of joint 6; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 6의 읽음값. 비어 있으면 영점 읽음값.</translation>
     </message>
     <message>
         <source>Reading of joint 7; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 7의 읽음값. 비어 있으면 영점 읽음값.</translation>
     </message>
     <message>
         <source>Measured coordinate x in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 월드 좌표계에서 측정된 좌표 x.</translation>
     </message>
     <message>
         <source>Measured coordinate y in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 월드 좌표계에서 측정된 좌표 y.</translation>
     </message>
     <message>
         <source>Measured coordinate z in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 월드 좌표계에서 측정된 좌표 z.</translation>
     </message>
     <message>
         <source>Measured orientation, R = Rz(gamma) Ry(beta) Rx(alpha), where poses are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈를 측정하는 경우의 측정된 자세, R = Rz(gamma) Ry(beta) Rx(alpha).</translation>
     </message>
     <message>
         <source>Number of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 수</translation>
     </message>
     <message>
         <source>Poses of the simulated experiment, spread over the range of all joints, always the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>시뮬레이션 실험의 포즈. 모든 관절의 범위에 퍼져 있으며 항상 같습니다.</translation>
     </message>
     <message>
         <source>From the zero reading on, as far as the limits of the joint allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 읽음값에서부터 관절의 한계가 허용하는 데까지.</translation>
     </message>
     <message>
         <source>Standard uncertainty of an orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>자세의 표준불확도</translation>
     </message>
     <message>
         <source>Of the rotation of the measured tool about each of its axes, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 공구의 각 축 둘레 회전의 값, 서로 독립입니다.</translation>
     </message>
     <message>
         <source>Ball or tool</source>
-        <translation type="unfinished"></translation>
+        <translation>볼 또는 공구</translation>
     </message>
     <message>
         <source>Where it is in the frame of the last link: exactly, or as a start of the fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 링크의 좌표계에서의 위치: 정확한 값, 또는 맞춤의 시작값.</translation>
     </message>
     <message>
         <source>Place of the ball or tool is</source>
-        <translation type="unfinished"></translation>
+        <translation>볼 또는 공구의 위치</translation>
     </message>
     <message>
         <source>Found by the fit together with the parameters, or known.</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수와 함께 맞춤으로 구하거나, 알고 있습니다.</translation>
     </message>
     <message>
         <source>found by the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤으로 구함</translation>
     </message>
     <message>
         <source>known exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>정확히 알고 있음</translation>
     </message>
     <message>
         <source>Place of the base is</source>
-        <translation type="unfinished"></translation>
+        <translation>베이스의 위치</translation>
     </message>
     <message>
         <source>Found by the fit: the instrument stands anywhere. Known: the base stands where the robot says it stands in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤으로 구함: 측정기가 어디에 있어도 됩니다. 알고 있음: 베이스는 로봇이 제시한 월드의 위치에 있습니다.</translation>
     </message>
     <message>
         <source>Parameters held</source>
-        <translation type="unfinished"></translation>
+        <translation>고정된 매개변수</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the poses could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈로 알 수 있더라도 공칭값으로 두는 매개변수.</translation>
     </message>
     <message>
         <source>parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수</translation>
     </message>
     <message>
         <source>A parameter by its symbol, such as d_3 or alpha_4.</source>
-        <translation type="unfinished"></translation>
+        <translation>d_3이나 alpha_4처럼 기호로 나타낸 매개변수.</translation>
     </message>
     <message>
         <source>Channels of a force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>힘/모멘트 센서의 채널</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>센서</translation>
     </message>
     <message>
         <source>The calibrated multi-axis sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 다축 센서.</translation>
     </message>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>사용</translation>
     </message>
     <message>
         <source>Loads on the other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 축의 하중</translation>
     </message>
     <message>
         <source>What acts on the other axes while a channel is read. Unknown loads are rectangular between minus and plus the rated load, one and the same for all channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 채널을 읽는 동안 다른 축에 작용하는 것. 알지 못하는 하중은 음과 양의 정격하중 사이의 직사각형 분포이며, 모든 채널에 동일합니다.</translation>
     </message>
     <message>
         <source>none: one component alone</source>
-        <translation type="unfinished"></translation>
+        <translation>없음: 한 성분만</translation>
     </message>
     <message>
         <source>unknown on one axis, that with the largest interference</source>
-        <translation type="unfinished"></translation>
+        <translation>한 축에서 알지 못함, 간섭이 가장 큰 축</translation>
     </message>
     <message>
         <source>unknown on all other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 모든 축에서 알지 못함</translation>
     </message>
     <message>
         <source>Repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>반복성</translation>
     </message>
     <message>
         <source>The largest standard deviation of all steps, as in the paper, or that pooled over the steps, which has more degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문처럼 모든 단계의 최대 표준편차, 또는 자유도가 더 큰 단계 전체의 합동 표준편차.</translation>
     </message>
     <message>
         <source>largest of the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>단계 중 최대</translation>
     </message>
     <message>
         <source>pooled over the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>단계 전체의 합동</translation>
     </message>
     <message>
         <source>Type A in Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로에서의 A형</translation>
     </message>
     <message>
         <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9). With n = 3 the latter has no standard deviation: only coverage intervals then mean something.</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙에서는 자유도를 갖는 정규분포, 또는 t 분포(JCGM 101 6.4.9). n = 3이면 t 분포는 표준편차가 없으며, 그때는 포함구간만 의미가 있습니다.</translation>
     </message>
     <message>
         <source>scaled and shifted t</source>
-        <translation type="unfinished"></translation>
+        <translation>척도와 위치를 변환한 t</translation>
     </message>
     <message>
         <source>Coverage factor of the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>비교의 포함인자</translation>
     </message>
     <message>
         <source>k of the GUM&apos;s columns in the table beside the paper&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 열 옆에 있는 표에서 GUM 열의 k.</translation>
     </message>
     <message>
         <source>Forces and moments by the calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 행렬에 의한 힘과 모멘트</translation>
     </message>
     <message>
         <source>Cases</source>
-        <translation type="unfinished"></translation>
+        <translation>경우</translation>
     </message>
     <message>
         <source>Cases are given by</source>
-        <translation type="unfinished"></translation>
+        <translation>경우의 입력 방식</translation>
     </message>
     <message>
         <source>Readings that were taken, or loads whose uncertainty is wanted.</source>
-        <translation type="unfinished"></translation>
+        <translation>얻은 읽음값, 또는 불확도를 알고자 하는 하중.</translation>
     </message>
     <message>
         <source>readings</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값</translation>
     </message>
     <message>
         <source>loads</source>
-        <translation type="unfinished"></translation>
+        <translation>하중</translation>
     </message>
     <message>
         <source>Net readings of all channels, the unloaded readings subtracted.</source>
-        <translation type="unfinished"></translation>
+        <translation>무하중 읽음값을 뺀, 모든 채널의 순 읽음값.</translation>
     </message>
     <message>
         <source>Names the case in results.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과에서 경우의 이름.</translation>
     </message>
     <message>
         <source>Fx</source>
-        <translation type="unfinished"></translation>
+        <translation>Fx</translation>
     </message>
     <message>
         <source>Net reading of this channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 채널의 순 읽음값.</translation>
     </message>
     <message>
         <source>Fy</source>
-        <translation type="unfinished"></translation>
+        <translation>Fy</translation>
     </message>
     <message>
         <source>Fz</source>
-        <translation type="unfinished"></translation>
+        <translation>Fz</translation>
     </message>
     <message>
         <source>Mx</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx</translation>
     </message>
     <message>
         <source>My</source>
-        <translation type="unfinished"></translation>
+        <translation>My</translation>
     </message>
     <message>
         <source>Mz</source>
-        <translation type="unfinished"></translation>
+        <translation>Mz</translation>
     </message>
     <message>
         <source>Loads</source>
-        <translation type="unfinished"></translation>
+        <translation>하중</translation>
     </message>
     <message>
         <source>Forces and moments that act together; the readings follow from the calibration matrix. An empty cell is zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>함께 작용하는 힘과 모멘트. 읽음값은 교정 행렬에서 구합니다. 빈 칸은 0입니다.</translation>
     </message>
     <message>
         <source>Load on this axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 축의 하중.</translation>
     </message>
     <message>
         <source>Calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 행렬</translation>
     </message>
     <message>
         <source>Least squares through zero over the increasing readings: slopes alone, or with the squares of the loads.</source>
-        <translation type="unfinished"></translation>
+        <translation>증가하는 읽음값에 대한 원점 통과 최소제곱: 기울기만, 또는 하중의 제곱항 포함.</translation>
     </message>
     <message>
         <source>linear</source>
-        <translation type="unfinished"></translation>
+        <translation>선형</translation>
     </message>
     <message>
         <source>with quadratic terms</source>
-        <translation type="unfinished"></translation>
+        <translation>이차항 포함</translation>
     </message>
     <message>
         <source>Repeatability of a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 반복성</translation>
     </message>
     <message>
         <source>The largest standard deviation of all steps, or that pooled over the steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 단계의 최대 표준편차, 또는 단계 전체의 합동 표준편차.</translation>
     </message>
     <message>
         <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with n = 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙에서는 자유도를 갖는 정규분포, 또는 n = 3이면 표준편차가 없는 t 분포(JCGM 101 6.4.9).</translation>
     </message>
     <message>
         <source>Hysteresis of a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 히스테리시스</translation>
     </message>
     <message>
         <source>Rectangular over the width of the loop: in proportion to the load on the channel&apos;s axis, or the full width at any load.</source>
-        <translation type="unfinished"></translation>
+        <translation>루프의 폭에 걸친 직사각형 분포: 채널 축의 하중에 비례, 또는 모든 하중에서 전체 폭.</translation>
     </message>
     <message>
         <source>in proportion to the load</source>
-        <translation type="unfinished"></translation>
+        <translation>하중에 비례</translation>
     </message>
     <message>
         <source>full at any load</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 하중에서 전체</translation>
     </message>
     <message>
         <source>Measurement equation</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 방정식</translation>
     </message>
     <message>
         <source>Equations</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식</translation>
     </message>
     <message>
         <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 줄에 방정식 하나: y = x_1*x_2 + 3 [mm]. 방정식이 없는 이름은 입력량입니다. &apos;solve y = 1: y^2 = x&apos;는 매 시행에서 시작값으로부터 y를 구합니다. &apos;#&apos;은 주석의 시작입니다.</translation>
     </message>
     <message>
         <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation type="unfinished"></translation>
+        <translation>무엇을 어떤 단위로 보고하는지. 행이 없으면, 방정식이 정의하고 다른 방정식이 쓰지 않는 모든 이름을 SI 단위로 보고합니다.</translation>
     </message>
     <message>
         <source>symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>기호</translation>
     </message>
     <message>
         <source>Name that an equation defines.</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식이 정의하는 이름.</translation>
     </message>
     <message>
         <source>What it is, for tables and reports.</source>
-        <translation type="unfinished"></translation>
+        <translation>무엇인지에 대한 설명, 표와 보고서용.</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>단위</translation>
     </message>
     <message>
         <source>Unit of the result; empty: the SI unit that follows from the equations.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과의 단위. 비어 있으면 방정식에서 나오는 SI 단위.</translation>
     </message>
     <message>
         <source>Measurands have coverage regions together; empty: measurand.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정량은 함께 포함영역을 갖습니다. 비어 있으면 측정량.</translation>
     </message>
     <message>
         <source>measurand</source>
-        <translation type="unfinished"></translation>
+        <translation>측정량</translation>
     </message>
     <message>
         <source>intermediate</source>
-        <translation type="unfinished"></translation>
+        <translation>중간량</translation>
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹</translation>
     </message>
     <message>
         <source>Results of one group have a joint coverage region.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 그룹의 결과는 결합 포함영역을 갖습니다.</translation>
     </message>
     <message>
         <source>Quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>양</translation>
     </message>
     <message>
         <source>One row for each component of uncertainty. The first row of a symbol has its value and unit; further rows of the same symbol add components and have no value.</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 성분마다 한 행. 기호의 첫 행에는 값과 단위가 있고, 같은 기호의 다음 행은 성분을 추가하며 값이 없습니다.</translation>
     </message>
     <message>
         <source>Name that the equations use: x_1, alpha_s.</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식이 쓰는 이름: x_1, alpha_s.</translation>
     </message>
     <message>
         <source>What it is, or what the component is.</source>
-        <translation type="unfinished"></translation>
+        <translation>무엇인지, 또는 그 성분이 무엇인지.</translation>
     </message>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
+        <translation>값</translation>
     </message>
     <message>
         <source>Estimate, in the row&apos;s unit; empty where observations or limits give it.</source>
-        <translation type="unfinished"></translation>
+        <translation>행의 단위로 나타낸 추정값. 관측값이나 한계가 그것을 주면 비워 둡니다.</translation>
     </message>
     <message>
         <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>값, a, b의 단위. 비어 있으면 1. 온도차는 K로 나타냅니다.</translation>
     </message>
     <message>
         <source>stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>제시 형식</translation>
     </message>
     <message>
         <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도가 알려진 방식. 이에 따라 a와 b는: u; U와 k; U와 p(%); 반폭(과 부정확도, 또는 윗변과 밑변의 비); 하한과 상한; 지시의 간격; 허용오차와 값의 %; 계수 횟수; 평균의 관측 횟수(합동). 비어 있으면 상수.</translation>
     </message>
     <message>
         <source>constant</source>
-        <translation type="unfinished"></translation>
+        <translation>상수</translation>
     </message>
     <message>
         <source>standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>표준불확도</translation>
     </message>
     <message>
         <source>certificate, U and k</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서, U와 k</translation>
     </message>
     <message>
         <source>certificate, U and p</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서, U와 p</translation>
     </message>
     <message>
         <source>rectangular</source>
-        <translation type="unfinished"></translation>
+        <translation>직사각형</translation>
     </message>
     <message>
         <source>limits from a to b</source>
-        <translation type="unfinished"></translation>
+        <translation>a에서 b까지의 한계</translation>
     </message>
     <message>
         <source>limits inexactly known</source>
-        <translation type="unfinished"></translation>
+        <translation>부정확하게 알려진 한계</translation>
     </message>
     <message>
         <source>trapezoidal</source>
-        <translation type="unfinished"></translation>
+        <translation>사다리꼴</translation>
     </message>
     <message>
         <source>triangular</source>
-        <translation type="unfinished"></translation>
+        <translation>삼각형</translation>
     </message>
     <message>
         <source>arc sine</source>
-        <translation type="unfinished"></translation>
+        <translation>아크사인</translation>
     </message>
     <message>
         <source>resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>분해능</translation>
     </message>
     <message>
         <source>maximum permissible error</source>
-        <translation type="unfinished"></translation>
+        <translation>최대허용오차</translation>
     </message>
     <message>
         <source>exponential</source>
-        <translation type="unfinished"></translation>
+        <translation>지수</translation>
     </message>
     <message>
         <source>counts</source>
-        <translation type="unfinished"></translation>
+        <translation>계수 횟수</translation>
     </message>
     <message>
         <source>observations (Type A)</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값(A형)</translation>
     </message>
     <message>
         <source>pooled observations (Type A)</source>
-        <translation type="unfinished"></translation>
+        <translation>합동 관측값(A형)</translation>
     </message>
     <message>
         <source>reading of an instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 읽음값</translation>
     </message>
     <message>
         <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 첫 번째 수치, 행의 단위로.</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 두 번째 수치.</translation>
     </message>
     <message>
         <source>Degrees of freedom; empty: infinite, or those of the observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도. 비어 있으면 무한대, 또는 관측값의 자유도.</translation>
     </message>
     <message>
         <source>Relative uncertainty of u instead of degrees of freedom (JCGM 100 G.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도 대신 u의 상대불확도(JCGM 100 G.3).</translation>
     </message>
     <message>
         <source>source</source>
-        <translation type="unfinished"></translation>
+        <translation>출처</translation>
     </message>
     <message>
         <source>Where the figure comes from: certificate, data sheet, handbook.</source>
-        <translation type="unfinished"></translation>
+        <translation>수치가 나온 곳: 성적서, 사양서, 핸드북.</translation>
     </message>
     <message>
         <source>instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기</translation>
     </message>
     <message>
         <source>Instrument of the project that reads the quantity, a distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>그 양, 즉 거리를 읽는 프로젝트의 측정기.</translation>
     </message>
     <message>
         <source>Observations</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값</translation>
     </message>
     <message>
         <source>Repeated observations for Type A evaluations, typed, pasted or from a CSV file. Observations of several quantities with the same numbers were made together: their means are then correlated (JCGM 100 5.2.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>A형 평가를 위한 반복 관측값. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다. 번호가 같은 여러 양의 관측값은 함께 얻은 것이며, 그 평균들은 상관됩니다(JCGM 100 5.2.3).</translation>
     </message>
     <message>
         <source>quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>양</translation>
     </message>
     <message>
         <source>Symbol of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>양의 기호.</translation>
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished"></translation>
+        <translation>번호</translation>
     </message>
     <message>
         <source>Number of the simultaneous observation; empty: the quantity was observed by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>동시 관측의 번호. 비어 있으면 그 양을 따로 관측한 것입니다.</translation>
     </message>
     <message>
         <source>series</source>
-        <translation type="unfinished"></translation>
+        <translation>계열</translation>
     </message>
     <message>
         <source>Name of an earlier series of the same procedure, for a pooled standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>합동 표준편차를 위한, 같은 절차의 이전 계열의 이름.</translation>
     </message>
     <message>
         <source>Observed value, in the unit of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>양의 단위로 나타낸 관측된 값.</translation>
     </message>
     <message>
         <source>Means of observations</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값의 평균</translation>
     </message>
     <message>
         <source>Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of the observations (JCGM 101 6.4.9), or normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로 시행에서 평균의 분포: 관측값의 자유도를 갖는 스튜던트 t(JCGM 101 6.4.9), 또는 정규.</translation>
     </message>
     <message>
         <source>Student t</source>
-        <translation type="unfinished"></translation>
+        <translation>스튜던트 t</translation>
     </message>
     <message>
         <source>Calibration curve</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 곡선</translation>
     </message>
     <message>
         <source>Unit of x</source>
-        <translation type="unfinished"></translation>
+        <translation>x의 단위</translation>
     </message>
     <message>
         <source>Unit in which x is given. A difference of temperatures, a correction of a thermometer too, is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>x를 나타내는 단위. 온도차는, 온도계의 보정값도, K로 나타냅니다.</translation>
     </message>
     <message>
         <source>Unit of y</source>
-        <translation type="unfinished"></translation>
+        <translation>y의 단위</translation>
     </message>
     <message>
         <source>Unit in which y is given. A difference of temperatures, a correction of a thermometer too, is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>y를 나타내는 단위. 온도차는, 온도계의 보정값도, K로 나타냅니다.</translation>
     </message>
     <message>
         <source>Points of the calibration, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정의 점. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>Independent quantity, in its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>독립량, 그 단위로.</translation>
     </message>
     <message>
         <source>Standard uncertainty of x; empty: none. Used with stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>x의 표준불확도. 비어 있으면 없음. 제시된 불확도와 함께 쓰입니다.</translation>
     </message>
     <message>
         <source>Observed quantity, in its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>관측된 양, 그 단위로.</translation>
     </message>
     <message>
         <source>Standard uncertainty of y. Used, and needed, with stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>y의 표준불확도. 제시된 불확도일 때 쓰이며 필요합니다.</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>곡선</translation>
     </message>
     <message>
         <source>Degree</source>
-        <translation type="unfinished"></translation>
+        <translation>차수</translation>
     </message>
     <message>
         <source>Of the polynomial: 1 is a straight line.</source>
-        <translation type="unfinished"></translation>
+        <translation>다항식의 차수: 1은 직선입니다.</translation>
     </message>
     <message>
         <source>Origin x_0</source>
-        <translation type="unfinished"></translation>
+        <translation>원점 x_0</translation>
     </message>
     <message>
         <source>The polynomial is one of x - x_0, in the unit of x. In the middle of the points the coefficients are hardly correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>다항식은 x의 단위로 나타낸 x - x_0의 다항식입니다. 점들의 가운데에서는 계수들의 상관이 거의 없습니다.</translation>
     </message>
     <message>
         <source>Through the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>원점 통과</translation>
     </message>
     <message>
         <source>No constant term: the curve is zero at x_0.</source>
-        <translation type="unfinished"></translation>
+        <translation>상수항 없음: 곡선은 x_0에서 0입니다.</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도</translation>
     </message>
     <message>
         <source>From the scatter of the residuals about the curve (JCGM 100 H.3), or as stated for each point.</source>
-        <translation type="unfinished"></translation>
+        <translation>곡선 둘레 잔차의 산포에서(JCGM 100 H.3), 또는 각 점에 제시된 대로.</translation>
     </message>
     <message>
         <source>from the residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>잔차에서</translation>
     </message>
     <message>
         <source>as stated for x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>x와 y에 제시된 대로</translation>
     </message>
     <message>
         <source>Use of the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>곡선의 사용</translation>
     </message>
     <message>
         <source>Where the value of the curve is wanted, with its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>곡선의 값과 그 불확도를 구할 곳.</translation>
     </message>
     <message>
         <source>In the unit of x.</source>
-        <translation type="unfinished"></translation>
+        <translation>x의 단위로.</translation>
     </message>
     <message>
         <source>Inverse use</source>
-        <translation type="unfinished"></translation>
+        <translation>역사용</translation>
     </message>
     <message>
         <source>Observed values of y whose x is wanted, with its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>x와 그 불확도를 구할 y의 관측값.</translation>
     </message>
     <message>
         <source>Observed, in the unit of y.</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값, y의 단위로.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the observed y; empty: none beside that of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>관측된 y의 표준불확도. 비어 있으면 읽음값의 불확도뿐입니다.</translation>
     </message>
     <message>
         <source>The observed y is the mean of so many readings, which scatter as the points of the calibration do. With the uncertainty from the residuals only.</source>
-        <translation type="unfinished"></translation>
+        <translation>관측된 y는 이만큼의 읽음값의 평균이며, 읽음값은 교정의 점처럼 흩어집니다. 불확도를 잔차에서 구할 때만 해당합니다.</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished"></translation>
+        <translation>근처</translation>
     </message>
     <message>
         <source>Of several x that give this y, the one nearest to here, in the unit of x. Needed where the curve reaches y more than once between its points.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 y를 주는 여러 x 가운데 여기에 가장 가까운 것, x의 단위로. 곡선이 점들 사이에서 y에 두 번 이상 이르는 경우에 필요합니다.</translation>
     </message>
     <message>
         <source>Observations in groups</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹별 관측값</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>양</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>기호</translation>
     </message>
     <message>
         <source>Of the measured quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 양의 기호.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름</translation>
     </message>
     <message>
         <source>What is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>무엇을 측정하는지.</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>단위</translation>
     </message>
     <message>
         <source>In which the observations are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값을 나타내는 단위.</translation>
     </message>
     <message>
         <source>Data</source>
-        <translation type="unfinished"></translation>
+        <translation>데이터</translation>
     </message>
     <message>
         <source>Every observation, or mean and standard deviation of each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 관측값, 또는 각 그룹의 평균과 표준편차.</translation>
     </message>
     <message>
         <source>observations</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값</translation>
     </message>
     <message>
         <source>means and standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>평균과 표준편차</translation>
     </message>
     <message>
         <source>Observations with the day, instrument or operator they belong to, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값과 그것이 속한 날짜, 측정기 또는 측정자. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>Day, instrument or operator.</source>
-        <translation type="unfinished"></translation>
+        <translation>날짜, 측정기 또는 측정자.</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹</translation>
     </message>
     <message>
         <source>Mean and experimental standard deviation of the observations of each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 그룹 관측값의 평균과 실험표준편차.</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation type="unfinished"></translation>
+        <translation>평균</translation>
     </message>
     <message>
         <source>Of the observations of the group, in the unit of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹 관측값의 평균, 양의 단위로.</translation>
     </message>
     <message>
         <source>Experimental standard deviation of a single observation of the group.</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹의 단일 관측값의 실험표준편차.</translation>
     </message>
     <message>
         <source>Number of observations in the group; empty: observations per group, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹의 관측 횟수. 비어 있으면 아래의 그룹당 관측 횟수.</translation>
     </message>
     <message>
         <source>Observations per group</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹당 관측 횟수</translation>
     </message>
     <message>
         <source>Number of observations in each group whose row does not say it.</source>
-        <translation type="unfinished"></translation>
+        <translation>행에 적혀 있지 않은 각 그룹의 관측 횟수.</translation>
     </message>
     <message>
         <source>Effect of the groups</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹의 효과</translation>
     </message>
     <message>
         <source>Included: u of the mean of the groups&apos; means from their scatter. By components of variance: the same for groups of one size, else groups with more observations have more weight. Not included: all observations count as independent, which the F-test in the evaluation must allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함: 그룹 평균의 산포에서 구한, 그룹 평균들의 평균의 u. 분산 성분: 그룹의 크기가 같으면 동일하고, 다르면 관측값이 많은 그룹의 가중치가 더 큽니다. 미포함: 모든 관측값을 독립으로 보며, 평가의 F 검정이 이를 허용해야 합니다.</translation>
     </message>
     <message>
         <source>included</source>
-        <translation type="unfinished"></translation>
+        <translation>포함</translation>
     </message>
     <message>
         <source>by components of variance</source>
-        <translation type="unfinished"></translation>
+        <translation>분산 성분에 의함</translation>
     </message>
     <message>
         <source>not included</source>
-        <translation type="unfinished"></translation>
+        <translation>미포함</translation>
     </message>
     <message>
         <source>Artefact with calibrated points</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 점을 갖는 기준물</translation>
     </message>
     <message>
         <source>Artefact</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물</translation>
     </message>
     <message>
         <source>Calibrated points</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 점</translation>
     </message>
     <message>
         <source>The artefact&apos;s points with their calibrated coordinates in the artefact&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물 좌표계에서 교정된 좌표를 갖는 기준물의 점.</translation>
     </message>
     <message>
         <source>Calibrated coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 좌표 x.</translation>
     </message>
     <message>
         <source>Calibrated coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 좌표 y.</translation>
     </message>
     <message>
         <source>Calibrated coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 좌표 z.</translation>
     </message>
     <message>
         <source>defines</source>
-        <translation type="unfinished"></translation>
+        <translation>정의</translation>
     </message>
     <message>
         <source>Coordinates that define the frame (&quot;xyz&quot;, &quot;yz&quot;), when they are named by point.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계를 점별로 지정할 때, 좌표계를 정의하는 좌표(&quot;xyz&quot;, &quot;yz&quot;).</translation>
     </message>
     <message>
         <source>Evaluate from</source>
-        <translation type="unfinished"></translation>
+        <translation>평가의 근거</translation>
     </message>
     <message>
         <source>Repeated measurements of the artefact, or the components of uncertainty as a report prints them (Table 1 of the paper).</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물의 반복 측정, 또는 보고서에 적힌 불확도 성분(논문의 표 1).</translation>
     </message>
     <message>
         <source>components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 성분</translation>
     </message>
     <message>
         <source>Measured coordinates in the artefact&apos;s frame: one row for each point and run, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물 좌표계에서 측정된 좌표. 점과 회차마다 한 행이며, 직접 입력하거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>Name of a calibrated point.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 점의 이름.</translation>
     </message>
     <message>
         <source>run</source>
-        <translation type="unfinished"></translation>
+        <translation>회차</translation>
     </message>
     <message>
         <source>Indicated coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>지시된 좌표 x.</translation>
     </message>
     <message>
         <source>Indicated coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>지시된 좌표 y.</translation>
     </message>
     <message>
         <source>Indicated coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>지시된 좌표 z.</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 성분</translation>
     </message>
     <message>
         <source>One row for each coordinate, as Table 1 of the paper prints them.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 표 1에 적힌 대로, 좌표마다 한 행.</translation>
     </message>
     <message>
         <source>coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표</translation>
     </message>
     <message>
         <source>Coordinate of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>행의 좌표.</translation>
     </message>
     <message>
         <source>Calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정.</translation>
     </message>
     <message>
         <source>Temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>온도.</translation>
     </message>
     <message>
         <source>Variability: standard deviation of the errors of indication.</source>
-        <translation type="unfinished"></translation>
+        <translation>변동: 지시오차의 표준편차.</translation>
     </message>
     <message>
         <source>Bias: mean of the errors of indication.</source>
-        <translation type="unfinished"></translation>
+        <translation>편의: 지시오차의 평균.</translation>
     </message>
     <message>
         <source>Number of observations, where it is known; gives the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>알려진 경우의 관측 횟수. 자유도를 줍니다.</translation>
     </message>
     <message>
         <source>Coordinates that define the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계를 정의하는 좌표</translation>
     </message>
     <message>
         <source>Errors of these coordinates are zero by construction of the frame and are left out of the statistics.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 좌표의 오차는 좌표계를 만드는 방식 때문에 0이므로 통계에서 제외합니다.</translation>
     </message>
     <message>
         <source>first point x, y, z; second y, z; third z</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 점 x, y, z; 둘째 점 y, z; 셋째 점 z</translation>
     </message>
     <message>
         <source>as the points&apos; column &apos;defines&apos; says</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 &apos;정의&apos; 열에 적힌 대로</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>Systematic error of indication</source>
-        <translation type="unfinished"></translation>
+        <translation>계통 지시오차</translation>
     </message>
     <message>
         <source>What becomes of the mean error b. The paper leaves it uncorrected and counts |b| as a standard uncertainty; JCGM 100 3.2.4 asks for a correction.</source>
-        <translation type="unfinished"></translation>
+        <translation>평균 오차 b의 처리. 논문은 보정하지 않고 |b|를 표준불확도로 셈하며, JCGM 100 3.2.4는 보정을 요구합니다.</translation>
     </message>
     <message>
         <source>counts as a standard uncertainty (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>표준불확도로 셈함(논문)</translation>
     </message>
     <message>
         <source>ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>무시</translation>
     </message>
     <message>
         <source>corrected, the uncertainty of the correction remains</source>
-        <translation type="unfinished"></translation>
+        <translation>보정함, 보정의 불확도는 남음</translation>
     </message>
     <message>
         <source>Systematic parts are common to all points</source>
-        <translation type="unfinished"></translation>
+        <translation>계통 부분은 모든 점에 공통</translation>
     </message>
     <message>
         <source>Calibration, temperature and bias are drawn once for all points instead of independently for each, as the paper does.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정, 온도, 편의를 논문처럼 점마다 독립으로 추출하지 않고 모든 점에 한 번만 추출합니다.</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>교정</translation>
     </message>
     <message>
         <source>Standard uncertainty of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>교정의 표준불확도</translation>
     </message>
     <message>
         <source>Largest standard uncertainty of the calibrated values, from the certificate (U divided by its k).</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서에 나온 교정값의 최대 표준불확도(U를 k로 나눈 값).</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>온도</translation>
     </message>
     <message>
         <source>Coefficient of thermal expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>열팽창계수</translation>
     </message>
     <message>
         <source>Linear expansion of the artefact&apos;s material; aluminium has about 23e-6 1/K.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물 재료의 선팽창계수. 알루미늄은 약 23e-6 1/K입니다.</translation>
     </message>
     <message>
         <source>Temperature of the artefact</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물의 온도</translation>
     </message>
     <message>
         <source>Whether indications are corrected to 20 °C with a measured temperature. If not, the largest deviation from 20 °C is a component of uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>지시값을 측정 온도로 20 °C로 보정하는지 여부. 보정하지 않으면 20 °C로부터의 최대 편차가 불확도 성분이 됩니다.</translation>
     </message>
     <message>
         <source>not corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>보정하지 않음</translation>
     </message>
     <message>
         <source>corrected to 20 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>20 °C로 보정</translation>
     </message>
     <message>
         <source>Largest deviation from 20 °C, or U of the temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>20 °C로부터의 최대 편차, 또는 온도의 U</translation>
     </message>
     <message>
         <source>ΔT of Eqs 3 and 6: without correction the largest absolute deviation from 20 °C, with correction the expanded uncertainty of the measured temperature. Half-width of a rectangular distribution.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 3과 6의 ΔT: 보정하지 않으면 20 °C로부터의 최대 절대 편차, 보정하면 측정 온도의 확장불확도. 직사각형 분포의 반폭입니다.</translation>
     </message>
     <message>
         <source>Measured temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 온도</translation>
     </message>
     <message>
         <source>Temperature of the artefact during the measurement; indications are divided by 1 + α (T − 20 °C).</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 중 기준물의 온도. 지시값을 1 + α (T − 20 °C)로 나눕니다.</translation>
     </message>
     <message>
         <source>Length for the thermal expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>열팽창의 길이</translation>
     </message>
     <message>
         <source>L_max of Eq 3. The paper&apos;s figures result with the largest distance between two points; its text says the largest value of the coordinate, which gives 0 for a flat artefact&apos;s z.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 3의 L_max. 논문의 수치는 두 점 사이의 최대 거리로 얻어집니다. 논문의 본문은 좌표의 최댓값이라고 하며, 이는 평평한 기준물의 z에 0을 줍니다.</translation>
     </message>
     <message>
         <source>largest distance between two points</source>
-        <translation type="unfinished"></translation>
+        <translation>두 점 사이의 최대 거리</translation>
     </message>
     <message>
         <source>largest value of the coordinate (text of Eq 3)</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표의 최댓값(식 3의 본문)</translation>
     </message>
     <message>
         <source>Length standard</source>
-        <translation type="unfinished"></translation>
+        <translation>길이 표준기</translation>
     </message>
     <message>
         <source>Calibrated length</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 길이</translation>
     </message>
     <message>
         <source>Distance between the two nests, from the certificate. It should be like the largest distance between the points of both frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서에 나온 두 네스트 사이의 거리. 두 좌표계의 점 사이의 최대 거리와 비슷해야 합니다.</translation>
     </message>
     <message>
         <source>Repeated measurements of the artefact, or the components of uncertainty as a report prints them (Table 2 of the paper).</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물의 반복 측정, 또는 보고서에 적힌 불확도 성분(논문의 표 2).</translation>
     </message>
     <message>
         <source>Measured lengths: one row for each position and run, typed or from a CSV file. The paper proposes at least 14 positions of three runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 길이. 위치와 회차마다 한 행이며, 직접 입력하거나 CSV 파일에서 읽습니다. 논문은 3회씩 최소 14개 위치를 제안합니다.</translation>
     </message>
     <message>
         <source>position</source>
-        <translation type="unfinished"></translation>
+        <translation>위치</translation>
     </message>
     <message>
         <source>Where the standard stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준기가 놓인 곳.</translation>
     </message>
     <message>
         <source>Indicated length.</source>
-        <translation type="unfinished"></translation>
+        <translation>지시된 길이.</translation>
     </message>
     <message>
         <source>One row, as Table 2 of the paper prints it.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 표 2에 적힌 대로 한 행.</translation>
     </message>
     <message>
         <source>Uncertainty of a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표의 불확도</translation>
     </message>
     <message>
         <source>A length is the difference of two points, so u of a length is √2 times u of a coordinate. The paper uses the length&apos;s figure unchanged, which is cautious.</source>
-        <translation type="unfinished"></translation>
+        <translation>길이는 두 점의 차이므로 길이의 u는 좌표의 u의 √2배입니다. 논문은 길이의 수치를 그대로 쓰며, 이는 신중한 쪽입니다.</translation>
     </message>
     <message>
         <source>that of the length (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>길이의 값(논문)</translation>
     </message>
     <message>
         <source>that of the length divided by √2</source>
-        <translation type="unfinished"></translation>
+        <translation>길이의 값을 √2로 나눔</translation>
     </message>
     <message>
         <source>Tracker, total station, camera or distance meter</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커, 토탈 스테이션, 카메라 또는 거리계</translation>
     </message>
     <message>
         <source>Station</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션</translation>
     </message>
     <message>
         <source>Where the instrument stands in the world frame: the point where its axes meet. x is the zero of the azimuth (the optical axis of a camera), z the vertical axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>월드 좌표계에서 측정기가 놓인 곳: 축들이 만나는 점. x는 방위각의 영점(카메라의 광축), z는 수직축입니다.</translation>
     </message>
     <message>
         <source>The angles are</source>
-        <translation type="unfinished"></translation>
+        <translation>각의 종류</translation>
     </message>
     <message>
         <source>How the three angles of the station turn its axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 세 각이 축을 회전하는 방식.</translation>
     </message>
     <message>
         <source>α, β, γ: R = Rz(γ) Ry(β) Rx(α)</source>
-        <translation type="unfinished"></translation>
+        <translation>α, β, γ: R = Rz(γ) Ry(β) Rx(α)</translation>
     </message>
     <message>
         <source>ω, φ, κ: R = Rx(ω) Ry(φ) Rz(κ), photogrammetric</source>
-        <translation type="unfinished"></translation>
+        <translation>ω, φ, κ: R = Rx(ω) Ry(φ) Rz(κ), 사진측량</translation>
     </message>
     <message>
         <source>What the instrument reads, and how it is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기가 무엇을 읽고 어떻게 그려지는지.</translation>
     </message>
     <message>
         <source>total station: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>토탈 스테이션: 거리와 두 각</translation>
     </message>
     <message>
         <source>laser tracker: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>레이저 트래커: 거리와 두 각</translation>
     </message>
     <message>
         <source>laser scanner: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>레이저 스캐너: 거리와 두 각</translation>
     </message>
     <message>
         <source>camera: two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>카메라: 두 각</translation>
     </message>
     <message>
         <source>distance meter: distance only</source>
-        <translation type="unfinished"></translation>
+        <translation>거리계: 거리만</translation>
     </message>
     <message>
         <source>other: chosen readings</source>
-        <translation type="unfinished"></translation>
+        <translation>기타: 선택한 읽음값</translation>
     </message>
     <message>
         <source>Reads the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>거리를 읽음</translation>
     </message>
     <message>
         <source>Whether the sensor reads a distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서가 거리를 읽는지 여부.</translation>
     </message>
     <message>
         <source>Reads the azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>방위각을 읽음</translation>
     </message>
     <message>
         <source>Whether the sensor reads a horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서가 수평각을 읽는지 여부.</translation>
     </message>
     <message>
         <source>Reads the elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>고도각을 읽음</translation>
     </message>
     <message>
         <source>Whether the sensor reads a vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서가 수직각을 읽는지 여부.</translation>
     </message>
     <message>
         <source>Specification</source>
-        <translation type="unfinished"></translation>
+        <translation>사양</translation>
     </message>
     <message>
         <source>Distance: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>거리: 상수부 a</translation>
     </message>
     <message>
         <source>Part of the distance&apos;s figure that does not depend on the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리 수치 가운데 거리와 무관한 부분.</translation>
     </message>
     <message>
         <source>Distance: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>거리: 길이당 b</translation>
     </message>
     <message>
         <source>Part of the distance&apos;s figure in proportion to the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리 수치 가운데 거리에 비례하는 부분.</translation>
     </message>
     <message>
         <source>Azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>방위각</translation>
     </message>
     <message>
         <source>Figure for the horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>수평각의 수치.</translation>
     </message>
     <message>
         <source>Elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>고도각</translation>
     </message>
     <message>
         <source>Figure for the vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>수직각의 수치.</translation>
     </message>
     <message>
         <source>Angles: constant part across</source>
-        <translation type="unfinished"></translation>
+        <translation>각: 시준선에 직각인 상수부</translation>
     </message>
     <message>
         <source>Part of both angles&apos; figures that is a length across the line of sight, as trackers state it (15 µm + 6 µm/m); an angle&apos;s figure is this over the distance plus its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 각의 수치 가운데 시준선에 직각인 길이인 부분, 트래커의 표기 방식(15 µm + 6 µm/m). 각의 수치는 이것을 거리로 나눈 값에 각 자체의 값을 더한 것입니다.</translation>
     </message>
     <message>
         <source>The figures are</source>
-        <translation type="unfinished"></translation>
+        <translation>수치의 종류</translation>
     </message>
     <message>
         <source>What the data sheet states: a standard uncertainty, an expanded one, or a limit that is not exceeded (maximum permissible error).</source>
-        <translation type="unfinished"></translation>
+        <translation>사양서가 제시하는 것: 표준불확도, 확장불확도, 또는 넘지 않는 한계(최대허용오차).</translation>
     </message>
     <message>
         <source>standard uncertainty (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>표준불확도(정규)</translation>
     </message>
     <message>
         <source>expanded uncertainty, k = 2 (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>확장불확도, k = 2(정규)</translation>
     </message>
     <message>
         <source>limit (MPE), rectangular: divided by √3</source>
-        <translation type="unfinished"></translation>
+        <translation>한계(MPE), 직사각형: √3으로 나눔</translation>
     </message>
     <message>
         <source>limit (MPE), triangular: divided by √6</source>
-        <translation type="unfinished"></translation>
+        <translation>한계(MPE), 삼각형: √6으로 나눔</translation>
     </message>
     <message>
         <source>limit (MPE), arc sine: divided by √2</source>
-        <translation type="unfinished"></translation>
+        <translation>한계(MPE), 아크사인: √2로 나눔</translation>
     </message>
     <message>
         <source>Range and field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>범위와 시야</translation>
     </message>
     <message>
         <source>Shortest distance</source>
-        <translation type="unfinished"></translation>
+        <translation>최단 거리</translation>
     </message>
     <message>
         <source>Targets nearer than this are not measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>이보다 가까운 표적은 측정하지 않습니다.</translation>
     </message>
     <message>
         <source>Longest distance</source>
-        <translation type="unfinished"></translation>
+        <translation>최장 거리</translation>
     </message>
     <message>
         <source>Targets farther than this are not measured; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>이보다 먼 표적은 측정하지 않습니다. 비어 있으면 한계 없음.</translation>
     </message>
     <message>
         <source>Horizontal field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>수평 시야</translation>
     </message>
     <message>
         <source>Full angle, half of it to either side of the sensor&apos;s x-axis; empty: all round.</source>
-        <translation type="unfinished"></translation>
+        <translation>전체 각, 센서의 x축 양쪽으로 절반씩. 비어 있으면 전 둘레.</translation>
     </message>
     <message>
         <source>Vertical field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>수직 시야</translation>
     </message>
     <message>
         <source>Full angle, half of it above the sensor&apos;s xy-plane and half below; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>전체 각, 센서의 xy 평면 위와 아래로 절반씩. 비어 있으면 한계 없음.</translation>
     </message>
     <message>
         <source>Shared by all readings</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 읽음값의 공통 요인</translation>
     </message>
     <message>
         <source>Scale of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 스케일</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale, which all distances share: wavelength, refractive index, temperature of a scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 거리가 공유하는 스케일의 표준불확도: 파장, 굴절률, 스케일의 온도.</translation>
     </message>
     <message>
         <source>Zero offset of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 영점 오프셋</translation>
     </message>
     <message>
         <source>Standard uncertainty of the constant offset of all distances: home position, reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 거리의 일정한 오프셋의 표준불확도: 홈 위치, 반사경.</translation>
     </message>
     <message>
         <source>Index of the elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>고도각의 영점</translation>
     </message>
     <message>
         <source>Standard uncertainty of the zero of the vertical circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>수직 눈금판 영점의 표준불확도.</translation>
     </message>
     <message>
         <source>Collimation</source>
-        <translation type="unfinished"></translation>
+        <translation>시준</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle between beam and tilting axis off square: the azimuth changes by it over the cosine of the elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>빔과 수평축 사이 각의 직각에서 벗어난 양의 표준불확도. 방위각은 이것을 고도각의 코사인으로 나눈 만큼 변합니다.</translation>
     </message>
     <message>
         <source>Squareness of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>축의 직각도</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle between the two axes off square: the azimuth changes by it times the tangent of the elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 축 사이 각의 직각에서 벗어난 양의 표준불확도. 방위각은 이것에 고도각의 탄젠트를 곱한 만큼 변합니다.</translation>
     </message>
     <message>
         <source>Offset of the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>빔의 오프셋</translation>
     </message>
     <message>
         <source>Standard uncertainty of the distance by which the beam misses the vertical axis sideways: the azimuth changes by it over the horizontal distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>빔이 수직축에서 옆으로 벗어난 거리의 표준불확도. 방위각은 이것을 수평 거리로 나눈 만큼 변합니다.</translation>
     </message>
     <message>
         <source>Coefficient of refraction</source>
-        <translation type="unfinished"></translation>
+        <translation>굴절계수</translation>
     </message>
     <message>
         <source>Standard uncertainty of k: the elevation changes by k L/(2 × 6371 km) over a distance L.</source>
-        <translation type="unfinished"></translation>
+        <translation>k의 표준불확도. 거리 L에서 고도각은 k L/(2 × 6371 km)만큼 변합니다.</translation>
     </message>
     <message>
         <source>The distribution of what all readings share; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 읽음값이 공유하는 것의 분포. 형태와 관계없이 제시된 값은 표준불확도입니다.</translation>
     </message>
     <message>
         <source>Uncertainty of the station</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 불확도</translation>
     </message>
     <message>
         <source>position x</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 x</translation>
     </message>
     <message>
         <source>Standard uncertainty of this coordinate of the station, shared by everything measured from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 이 좌표의 표준불확도. 여기서 측정된 모든 것이 공유합니다.</translation>
     </message>
     <message>
         <source>position y</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 y</translation>
     </message>
     <message>
         <source>position z</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 z</translation>
     </message>
     <message>
         <source>rotation about x</source>
-        <translation type="unfinished"></translation>
+        <translation>x축 둘레 회전</translation>
     </message>
     <message>
         <source>rotation about y</source>
-        <translation type="unfinished"></translation>
+        <translation>y축 둘레 회전</translation>
     </message>
     <message>
         <source>rotation about z</source>
-        <translation type="unfinished"></translation>
+        <translation>z축 둘레 회전</translation>
     </message>
     <message>
         <source>The distribution of the coordinates of the station; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션 좌표의 분포. 형태와 관계없이 제시된 값은 표준불확도입니다.</translation>
     </message>
     <message>
         <source>Correlation of the station&apos;s coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션 좌표의 상관</translation>
     </message>
     <message>
         <source>Correlation coefficients from the adjustment that located the station; pairs left out are uncorrelated.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 위치를 구한 조정에서 나온 상관계수. 적지 않은 쌍은 상관이 없습니다.</translation>
     </message>
     <message>
         <source>first</source>
-        <translation type="unfinished"></translation>
+        <translation>첫째</translation>
     </message>
     <message>
         <source>A coordinate of the station.</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 좌표.</translation>
     </message>
     <message>
         <source>second</source>
-        <translation type="unfinished"></translation>
+        <translation>둘째</translation>
     </message>
     <message>
         <source>Correlation coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>상관계수.</translation>
     </message>
     <message>
         <source>Network of sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>센서망</translation>
     </message>
     <message>
         <source>What the weights of the readings account for. With the stations, all points of one analysis are estimated together.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 가중치가 고려하는 것. 스테이션을 포함하면 한 분석의 모든 점을 함께 추정합니다.</translation>
     </message>
     <message>
         <source>readings and stations, all points at once</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값과 스테이션, 모든 점을 동시에</translation>
     </message>
     <message>
         <source>readings alone, each point by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값만, 점마다 따로</translation>
     </message>
     <message>
         <source>Specification of a measured point</source>
-        <translation type="unfinished"></translation>
+        <translation>측정점의 사양</translation>
     </message>
     <message>
         <source>Figure of the data sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>사양서의 수치</translation>
     </message>
     <message>
         <source>The uncertainty or limit that the manufacturer states, the same for x, y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>제조사가 제시하는 불확도나 한계, x, y, z에 동일합니다.</translation>
     </message>
     <message>
         <source>The figure applies to</source>
-        <translation type="unfinished"></translation>
+        <translation>수치의 적용 대상</translation>
     </message>
     <message>
         <source>A coordinate of a point, or a length between two points; a length is the difference of two points, so a coordinate has 1/√2 of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 좌표, 또는 두 점 사이의 길이. 길이는 두 점의 차이므로 좌표는 그 1/√2입니다.</translation>
     </message>
     <message>
         <source>a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표</translation>
     </message>
     <message>
         <source>a length between two points</source>
-        <translation type="unfinished"></translation>
+        <translation>두 점 사이의 길이</translation>
     </message>
     <message>
         <source>Telescopic ballbars (multilateration)</source>
-        <translation type="unfinished"></translation>
+        <translation>텔레스코픽 볼바(다변측량)</translation>
     </message>
     <message>
         <source>Supports</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점</translation>
     </message>
     <message>
         <source>Support 1 to support 2</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 1 - 지지점 2</translation>
     </message>
     <message>
         <source>Measured length between supports 1 and 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 1과 2 사이의 측정된 길이.</translation>
     </message>
     <message>
         <source>Support 1 to support 3</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 1 - 지지점 3</translation>
     </message>
     <message>
         <source>Measured length between supports 1 and 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 1과 3 사이의 측정된 길이.</translation>
     </message>
     <message>
         <source>Support 2 to support 3</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 2 - 지지점 3</translation>
     </message>
     <message>
         <source>Measured length between supports 2 and 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 2와 3 사이의 측정된 길이.</translation>
     </message>
     <message>
         <source>Further supports</source>
-        <translation type="unfinished"></translation>
+        <translation>추가 지지점</translation>
     </message>
     <message>
         <source>Supports 4, 5 ...: their lengths to the first three, and their height above the plane of these. More than three lengths are adjusted by least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 4, 5 ...: 처음 세 지지점까지의 길이와 그 평면 위의 높이. 길이가 셋보다 많으면 최소제곱으로 조정합니다.</translation>
     </message>
     <message>
         <source>Length to this support.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 지지점까지의 길이.</translation>
     </message>
     <message>
         <source>Height above the first three supports.</source>
-        <translation type="unfinished"></translation>
+        <translation>처음 세 지지점 위의 높이.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the height.</source>
-        <translation type="unfinished"></translation>
+        <translation>높이의 표준불확도.</translation>
     </message>
     <message>
         <source>The ball is</source>
-        <translation type="unfinished"></translation>
+        <translation>볼의 위치</translation>
     </message>
     <message>
         <source>Three lengths meet in two points, mirror images in the plane of the supports: on which side of it the ball is (sign of the root of Eq 3).</source>
-        <translation type="unfinished"></translation>
+        <translation>세 길이는 지지점 평면에 대해 대칭인 두 점에서 만납니다. 볼이 그 평면의 어느 쪽에 있는지(식 3의 근의 부호).</translation>
     </message>
     <message>
         <source>on the side of +z</source>
-        <translation type="unfinished"></translation>
+        <translation>+z 쪽</translation>
     </message>
     <message>
         <source>on the side of −z</source>
-        <translation type="unfinished"></translation>
+        <translation>−z 쪽</translation>
     </message>
     <message>
         <source>Placement</source>
-        <translation type="unfinished"></translation>
+        <translation>배치</translation>
     </message>
     <message>
         <source>Place in the robot&apos;s frame</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 좌표계에서의 위치</translation>
     </message>
     <message>
         <source>Where the instrument&apos;s frame is in the robot&apos;s: origin in support 1, x towards support 2, z normal to the plane of the first three supports, on the left of the way 1-2-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 좌표계에서 측정기 좌표계가 있는 곳: 원점은 지지점 1, x는 지지점 2를 향하고, z는 처음 세 지지점의 평면에 수직이며 1-2-3 경로의 왼쪽입니다.</translation>
     </message>
     <message>
         <source>Uncertainty of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>길이의 불확도</translation>
     </message>
     <message>
         <source>To the ball: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>볼까지: 상수부 a</translation>
     </message>
     <message>
         <source>Figure for one reading of a bar to the ball, the part that does not depend on the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>볼까지의 바 읽음값 하나의 수치 가운데 길이와 무관한 부분.</translation>
     </message>
     <message>
         <source>To the ball: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>볼까지: 길이당 b</translation>
     </message>
     <message>
         <source>Figure for one reading of a bar to the ball, the part in proportion to the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>볼까지의 바 읽음값 하나의 수치 가운데 길이에 비례하는 부분.</translation>
     </message>
     <message>
         <source>Between supports: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 사이: 상수부 a</translation>
     </message>
     <message>
         <source>Figure for a length between two supports, which one measurement gives for all points: the part that does not depend on the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 번의 측정으로 모든 점에 주어지는 두 지지점 사이 길이의 수치 가운데 길이와 무관한 부분.</translation>
     </message>
     <message>
         <source>Between supports: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>지지점 사이: 길이당 b</translation>
     </message>
     <message>
         <source>Figure for a length between two supports, the part in proportion to the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 지지점 사이 길이의 수치 가운데 길이에 비례하는 부분.</translation>
     </message>
     <message>
         <source>Shared by all lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 길이의 공통 요인</translation>
     </message>
     <message>
         <source>Scale of all lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 길이의 스케일</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale that all lengths share: wavelength, refractive index.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 길이가 공유하는 스케일의 표준불확도: 파장, 굴절률.</translation>
     </message>
     <message>
         <source>Constant of each bar</source>
-        <translation type="unfinished"></translation>
+        <translation>각 바의 상수</translation>
     </message>
     <message>
         <source>Standard uncertainty of the constant of a bar, the same in all its readings to the ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>바의 상수의 표준불확도. 볼까지의 모든 읽음값에서 동일합니다.</translation>
     </message>
     <message>
         <source>The distribution of scale and constants; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>스케일과 상수의 분포. 형태와 관계없이 제시된 값은 표준불확도입니다.</translation>
     </message>
     <message>
         <source>Robot: repeatability of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇: 포즈 반복성</translation>
     </message>
     <message>
         <source>Positioning</source>
-        <translation type="unfinished"></translation>
+        <translation>위치결정</translation>
     </message>
     <message>
         <source>The robot&apos;s figure for the scatter of a position that it is sent to again and again.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇을 같은 위치로 거듭 보낼 때의 산포에 대한 로봇의 수치.</translation>
     </message>
     <message>
         <source>The figure is</source>
-        <translation type="unfinished"></translation>
+        <translation>수치의 종류</translation>
     </message>
     <message>
         <source>A largest distance from the mean position, or RP of ISO 9283: the mean distance plus three times its standard deviation. A normal law has no largest distance, so its figure is always RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>평균 위치로부터의 최대 거리, 또는 ISO 9283의 RP, 즉 평균 거리에 그 표준편차의 세 배를 더한 값. 정규분포에는 최대 거리가 없으므로 그 수치는 항상 RP입니다.</translation>
     </message>
     <message>
         <source>the largest distance r</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 거리 r</translation>
     </message>
     <message>
         <source>RP of ISO 9283: mean + 3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283의 RP: 평균 + 3 s</translation>
     </message>
     <message>
         <source>Deviation of a position</source>
-        <translation type="unfinished"></translation>
+        <translation>위치의 편차</translation>
     </message>
     <message>
         <source>How the distance from the mean position is distributed; all directions are equally probable.</source>
-        <translation type="unfinished"></translation>
+        <translation>평균 위치로부터의 거리의 분포. 모든 방향의 확률이 같습니다.</translation>
     </message>
     <message>
         <source>rectangular in [0, r] in a random direction</source>
-        <translation type="unfinished"></translation>
+        <translation>임의의 방향으로 [0, r]의 직사각형</translation>
     </message>
     <message>
         <source>anywhere in a ball of radius r</source>
-        <translation type="unfinished"></translation>
+        <translation>반지름 r인 구 안 어디든</translation>
     </message>
     <message>
         <source>always r, in a random direction</source>
-        <translation type="unfinished"></translation>
+        <translation>항상 r, 임의의 방향으로</translation>
     </message>
     <message>
         <source>normal along each axis</source>
-        <translation type="unfinished"></translation>
+        <translation>각 축을 따라 정규</translation>
     </message>
     <message>
         <source>Orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>자세</translation>
     </message>
     <message>
         <source>Figure for the scatter of the orientation about each axis of the flange; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 각 축 둘레 자세의 산포에 대한 수치. 0: 없음.</translation>
     </message>
     <message>
         <source>The angle is</source>
-        <translation type="unfinished"></translation>
+        <translation>각의 수치</translation>
     </message>
     <message>
         <source>A standard uncertainty, RP of ISO 9283 for an angle (three times its standard deviation), or a limit that is not exceeded.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준불확도, 각에 대한 ISO 9283의 RP(표준편차의 세 배), 또는 넘지 않는 한계.</translation>
     </message>
     <message>
         <source>RP of ISO 9283: ± 3 s (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283의 RP: ± 3 s(정규)</translation>
     </message>
     <message>
         <source>limit, rectangular: divided by √3</source>
-        <translation type="unfinished"></translation>
+        <translation>한계, 직사각형: √3으로 나눔</translation>
     </message>
     <message>
         <source>Serial robot</source>
-        <translation type="unfinished"></translation>
+        <translation>직렬 로봇</translation>
     </message>
     <message>
         <source>Geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>기하</translation>
     </message>
     <message>
         <source>Convention</source>
-        <translation type="unfinished"></translation>
+        <translation>규약</translation>
     </message>
     <message>
         <source>How the parameters of a row lead from one joint&apos;s frame to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>행의 매개변수가 한 관절의 좌표계에서 다음 좌표계로 이어지는 방식.</translation>
     </message>
     <message>
         <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): 평행 관절에 beta</translation>
     </message>
     <message>
         <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</translation>
     </message>
     <message>
         <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation type="unfinished"></translation>
+        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; 행 i는 관절 i 앞의 alpha와 a</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>관절</translation>
     </message>
     <message>
         <source>One row for each joint from the base to the tool, in the chosen convention.</source>
-        <translation type="unfinished"></translation>
+        <translation>선택한 규약에 따라 베이스에서 공구까지 관절마다 한 행.</translation>
     </message>
     <message>
         <source>Joint angle where the reading is the zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값이 영점 읽음값일 때의 관절 각.</translation>
     </message>
     <message>
         <source>Offset along the joint&apos;s axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 축을 따른 오프셋.</translation>
     </message>
     <message>
         <source>Length of the common perpendicular.</source>
-        <translation type="unfinished"></translation>
+        <translation>공통 수선의 길이.</translation>
     </message>
     <message>
         <source>Twist about x between two axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 축 사이의 x 둘레 비틀림.</translation>
     </message>
     <message>
         <source>Twist about y, of a joint whose axis is parallel to the next: d is then 0 by definition. Empty: the axes are not parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>축이 다음 축과 평행한 관절의 y 둘레 비틀림. 이때 d는 정의에 따라 0입니다. 비어 있으면 축이 평행하지 않습니다.</translation>
     </message>
     <message>
         <source>Reading of the joint at which theta holds; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>theta가 성립하는 관절의 읽음값. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>direction</source>
-        <translation type="unfinished"></translation>
+        <translation>방향</translation>
     </message>
     <message>
         <source>Whether the joint angle grows or falls with the reading; empty: grows.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값에 따라 관절 각이 커지는지 작아지는지. 비어 있으면 커집니다.</translation>
     </message>
     <message>
         <source>with the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값과 같은 방향</translation>
     </message>
     <message>
         <source>against the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값과 반대 방향</translation>
     </message>
     <message>
         <source>Lowest reading; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 읽음값. 비어 있으면 한계 없음.</translation>
     </message>
     <message>
         <source>Highest reading; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 읽음값. 비어 있으면 한계 없음.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a reading by the joint&apos;s encoder, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 엔코더 읽음값의 표준불확도, 포즈마다 새로 추출합니다.</translation>
     </message>
     <message>
         <source>Standard uncertainty by which the joint comes back to a reading, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절이 읽음값으로 되돌아오는 표준불확도, 포즈마다 새로 추출합니다.</translation>
     </message>
     <message>
         <source>type</source>
-        <translation type="unfinished"></translation>
+        <translation>유형</translation>
     </message>
     <message>
         <source>A joint that turns has readings q, which add to theta; one that slides has readings s, which add to d. Empty: it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>회전 관절의 읽음값 q는 theta에 더해지고, 직선 관절의 읽음값 s는 d에 더해집니다. 비어 있으면 회전합니다.</translation>
     </message>
     <message>
         <source>turns about its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>축 둘레로 회전</translation>
     </message>
     <message>
         <source>slides along its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>축을 따라 직선 이동</translation>
     </message>
     <message>
         <source>Reading of a sliding joint at which d holds; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>d가 성립하는 직선 관절의 읽음값. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>Lowest reading of a sliding joint; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>직선 관절의 최소 읽음값. 비어 있으면 한계 없음.</translation>
     </message>
     <message>
         <source>Highest reading of a sliding joint; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>직선 관절의 최대 읽음값. 비어 있으면 한계 없음.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>직선 관절 스케일 읽음값의 표준불확도, 포즈마다 새로 추출합니다.</translation>
     </message>
     <message>
         <source>Standard uncertainty by which a sliding joint comes back to a reading, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>직선 관절이 읽음값으로 되돌아오는 표준불확도, 포즈마다 새로 추출합니다.</translation>
     </message>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>베이스</translation>
     </message>
     <message>
         <source>Where frame 0 of the robot stands in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>월드에서 로봇의 좌표계 0이 놓인 곳.</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>공구</translation>
     </message>
     <message>
         <source>Where the tool is in the frame of the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 링크의 좌표계에서 공구가 있는 곳.</translation>
     </message>
     <message>
         <source>Standard uncertainties of the parameters by source. A row for a joint and a source; components of one parameter combine in quadrature.</source>
-        <translation type="unfinished"></translation>
+        <translation>출처별 매개변수의 표준불확도. 관절과 출처마다 한 행이며, 한 매개변수의 성분은 제곱합의 제곱근으로 합성합니다.</translation>
     </message>
     <message>
         <source>Where the figures come from: repeatability, sampling, range, certificate ...</source>
-        <translation type="unfinished"></translation>
+        <translation>수치가 나온 곳: 반복성, 표본추출, 범위, 성적서 ...</translation>
     </message>
     <message>
         <source>Number of the joint; empty: all joints, each with a deviation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절의 번호. 비어 있으면 모든 관절, 각각 자체의 편차를 가집니다.</translation>
     </message>
     <message>
         <source>Standard uncertainty of theta from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 출처에서 나온 theta의 표준불확도. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Standard uncertainty of d from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 출처에서 나온 d의 표준불확도. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 출처에서 나온 a의 표준불확도. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Standard uncertainty of alpha from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 출처에서 나온 alpha의 표준불확도. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Standard uncertainty of beta from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 출처에서 나온 beta의 표준불확도. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Degrees of freedom of the figures; empty: infinitely many.</source>
-        <translation type="unfinished"></translation>
+        <translation>수치의 자유도. 비어 있으면 무한대.</translation>
     </message>
     <message>
         <source>Form of the distribution with this standard uncertainty; empty: normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 표준불확도를 갖는 분포의 형태. 비어 있으면 정규.</translation>
     </message>
     <message>
         <source>Correlation coefficients from the identification; pairs left out are uncorrelated. A correlated parameter has one component.</source>
-        <translation type="unfinished"></translation>
+        <translation>식별에서 나온 상관계수. 적지 않은 쌍은 상관이 없습니다. 상관된 매개변수는 성분이 하나입니다.</translation>
     </message>
     <message>
         <source>Tool, position</source>
-        <translation type="unfinished"></translation>
+        <translation>공구, 위치</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the tool in the frame of the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 링크의 좌표계에서 공구의 각 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>Tool, orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>공구, 자세</translation>
     </message>
     <message>
         <source>Standard uncertainty of each rotation of the tool about its own axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>공구의 자체 축 둘레 각 회전의 표준불확도.</translation>
     </message>
     <message>
         <source>Robot identified by joint trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 궤적으로 식별한 로봇</translation>
     </message>
     <message>
         <source>Robot identified from measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 포즈로 식별한 로봇</translation>
     </message>
     <message>
         <source>Force/moment calibration machine</source>
-        <translation type="unfinished"></translation>
+        <translation>힘/모멘트 교정기</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서</translation>
     </message>
     <message>
         <source>Uncertainty of its loads</source>
-        <translation type="unfinished"></translation>
+        <translation>하중의 불확도</translation>
     </message>
     <message>
         <source>One row for each axis that the machine loads: the relative expanded uncertainty of its certificate and the coverage factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정기가 하중을 가하는 축마다 한 행: 성적서의 상대확장불확도와 포함인자.</translation>
     </message>
     <message>
         <source>Force or moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘 또는 모멘트.</translation>
     </message>
     <message>
         <source>Relative expanded uncertainty of the load: a ratio, not %.</source>
-        <translation type="unfinished"></translation>
+        <translation>하중의 상대확장불확도: %가 아닌 비율.</translation>
     </message>
     <message>
         <source>Coverage factor; empty: 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자. 비어 있으면 2.</translation>
     </message>
     <message>
         <source>Multi-axis force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>다축 힘/모멘트 센서</translation>
     </message>
     <message>
         <source>Channels</source>
-        <translation type="unfinished"></translation>
+        <translation>채널</translation>
     </message>
     <message>
         <source>The forces and moments that the sensor measures, with their rated loads.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서가 측정하는 힘과 모멘트, 그 정격하중.</translation>
     </message>
     <message>
         <source>Force or moment that the channel measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>채널이 측정하는 힘 또는 모멘트.</translation>
     </message>
     <message>
         <source>rated force</source>
-        <translation type="unfinished"></translation>
+        <translation>정격힘</translation>
     </message>
     <message>
         <source>Rated load of Fx, Fy or Fz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fx, Fy 또는 Fz의 정격하중.</translation>
     </message>
     <message>
         <source>rated moment</source>
-        <translation type="unfinished"></translation>
+        <translation>정격모멘트</translation>
     </message>
     <message>
         <source>Rated load of Mx, My or Mz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx, My 또는 Mz의 정격하중.</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>위치</translation>
     </message>
     <message>
         <source>Where the sensor&apos;s axes are; loads are along and about them.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서의 축이 있는 곳. 하중은 이 축을 따라, 그리고 그 둘레로 작용합니다.</translation>
     </message>
     <message>
         <source>Diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>지름</translation>
     </message>
     <message>
         <source>Of its housing, for the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>하우징의 지름, 그림용.</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>높이</translation>
     </message>
     <message>
         <source>Indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>지시계</translation>
     </message>
     <message>
         <source>Resolution of the indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>지시계의 분해능</translation>
     </message>
     <message>
         <source>Smallest step of the indicated value, r of Eq 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>지시값의 최소 간격, 식 6의 r.</translation>
     </message>
     <message>
         <source>Range of the indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>지시계의 범위</translation>
     </message>
     <message>
         <source>Largest value that it can indicate; a reading there is refused as saturated. Empty: only readings that stand still while the load rises are.</source>
-        <translation type="unfinished"></translation>
+        <translation>지시할 수 있는 최댓값. 여기에 이른 읽음값은 포화로 보고 거부합니다. 비어 있으면 하중이 커지는데 멈춰 있는 읽음값만 거부합니다.</translation>
     </message>
     <message>
         <source>Calibration machine</source>
-        <translation type="unfinished"></translation>
+        <translation>교정기</translation>
     </message>
     <message>
         <source>What loaded the sensor; its relative uncertainty enters by Eq 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>센서에 하중을 가한 것. 그 상대불확도는 식 5로 들어갑니다.</translation>
     </message>
     <message>
         <source>Raw readings, from which everything follows, or what an evaluation states.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 것을 계산할 수 있는 원시 읽음값, 또는 평가에서 제시한 값.</translation>
     </message>
     <message>
         <source>raw readings</source>
-        <translation type="unfinished"></translation>
+        <translation>원시 읽음값</translation>
     </message>
     <message>
         <source>summary tables</source>
-        <translation type="unfinished"></translation>
+        <translation>요약표</translation>
     </message>
     <message>
         <source>Indicated values of all channels at each step, the unloaded value not subtracted; typed or from a CSV file, whose columns may have other names.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 단계에서 모든 채널의 지시값, 무하중 값을 빼지 않은 것. 직접 입력하거나 CSV 파일에서 읽으며, 파일의 열 이름은 달라도 됩니다.</translation>
     </message>
     <message>
         <source>Axis on which the machine&apos;s load acts.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정기의 하중이 작용하는 축.</translation>
     </message>
     <message>
         <source>Preloading or calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>예비하중 또는 교정.</translation>
     </message>
     <message>
         <source>preload</source>
-        <translation type="unfinished"></translation>
+        <translation>예비하중</translation>
     </message>
     <message>
         <source>calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>교정</translation>
     </message>
     <message>
         <source>phase</source>
-        <translation type="unfinished"></translation>
+        <translation>구간</translation>
     </message>
     <message>
         <source>Unloaded before, preload, increasing or decreasing load, unloaded after.</source>
-        <translation type="unfinished"></translation>
+        <translation>사전 무하중, 예비하중, 증가 또는 감소 하중, 사후 무하중.</translation>
     </message>
     <message>
         <source>zero before</source>
-        <translation type="unfinished"></translation>
+        <translation>사전 영점</translation>
     </message>
     <message>
         <source>load</source>
-        <translation type="unfinished"></translation>
+        <translation>하중</translation>
     </message>
     <message>
         <source>increasing</source>
-        <translation type="unfinished"></translation>
+        <translation>증가</translation>
     </message>
     <message>
         <source>decreasing</source>
-        <translation type="unfinished"></translation>
+        <translation>감소</translation>
     </message>
     <message>
         <source>zero after</source>
-        <translation type="unfinished"></translation>
+        <translation>사후 영점</translation>
     </message>
     <message>
         <source>step</source>
-        <translation type="unfinished"></translation>
+        <translation>단계</translation>
     </message>
     <message>
         <source>Number of the step: 0 without load, the same number for increasing and decreasing load.</source>
-        <translation type="unfinished"></translation>
+        <translation>단계의 번호: 하중이 없으면 0, 증가와 감소 하중은 같은 번호.</translation>
     </message>
     <message>
         <source>Load in the unit of the next column.</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 열의 단위로 나타낸 하중.</translation>
     </message>
     <message>
         <source>load unit</source>
-        <translation type="unfinished"></translation>
+        <translation>하중 단위</translation>
     </message>
     <message>
         <source>N, kN, Nm ...; empty: N for forces and N·m for moments.</source>
-        <translation type="unfinished"></translation>
+        <translation>N, kN, Nm ...; 비어 있으면 힘은 N, 모멘트는 N·m.</translation>
     </message>
     <message>
         <source>Time of the reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 시각.</translation>
     </message>
     <message>
         <source>Indicated value of this channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 채널의 지시값.</translation>
     </message>
     <message>
         <source>Summary</source>
-        <translation type="unfinished"></translation>
+        <translation>요약</translation>
     </message>
     <message>
         <source>What an evaluation states of each channel, like Tables 1 and 3 of the paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 표 1과 3처럼, 각 채널에 대해 평가에서 제시한 것.</translation>
     </message>
     <message>
         <source>Channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>채널.</translation>
     </message>
     <message>
         <source>rated output</source>
-        <translation type="unfinished"></translation>
+        <translation>정격출력</translation>
     </message>
     <message>
         <source>Mean net reading at the rated load.</source>
-        <translation type="unfinished"></translation>
+        <translation>정격하중에서의 평균 순 읽음값.</translation>
     </message>
     <message>
         <source>non-zero error</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 오차</translation>
     </message>
     <message>
         <source>Non-zero error: change of the unloaded reading over a series.</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 오차: 한 계열 동안 무하중 읽음값의 변화.</translation>
     </message>
     <message>
         <source>Type A standard uncertainty of the mean, the largest of all steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>평균의 A형 표준불확도, 모든 단계 중 최댓값.</translation>
     </message>
     <message>
         <source>hysteresis</source>
-        <translation type="unfinished"></translation>
+        <translation>히스테리시스</translation>
     </message>
     <message>
         <source>Largest difference between increasing and decreasing load.</source>
-        <translation type="unfinished"></translation>
+        <translation>증가와 감소 하중 사이의 최대 차이.</translation>
     </message>
     <message>
         <source>Type B standard uncertainty as stated; empty: from the machine, the resolution and the non-zero error (Eq 8).</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 B형 표준불확도. 비어 있으면 교정기, 분해능, 영점 오차에서(식 8).</translation>
     </message>
     <message>
         <source>Interference</source>
-        <translation type="unfinished"></translation>
+        <translation>간섭</translation>
     </message>
     <message>
         <source>Outputs at rated loads on other axes, like Table 2 of the paper; which index is the load is chosen below.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 표 2처럼, 다른 축의 정격하중에서의 출력. 어느 첨자가 하중인지는 아래에서 선택합니다.</translation>
     </message>
     <message>
         <source>Row of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>표의 행.</translation>
     </message>
     <message>
         <source>Column of the table; empty on the diagonal.</source>
-        <translation type="unfinished"></translation>
+        <translation>표의 열. 대각선에서는 비어 있음.</translation>
     </message>
     <message>
         <source>Interference has signs</source>
-        <translation type="unfinished"></translation>
+        <translation>간섭에 부호가 있음</translation>
     </message>
     <message>
         <source>Whether the signs are printed. Without them interference cannot be compensated.</source>
-        <translation type="unfinished"></translation>
+        <translation>부호가 적혀 있는지 여부. 부호가 없으면 간섭을 보상할 수 없습니다.</translation>
     </message>
     <message>
         <source>Calibration plan</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 계획</translation>
     </message>
     <message>
         <source>Preloads</source>
-        <translation type="unfinished"></translation>
+        <translation>예비하중</translation>
     </message>
     <message>
         <source>How often each axis is loaded to its rated load before.</source>
-        <translation type="unfinished"></translation>
+        <translation>사전에 각 축을 정격하중까지 가하는 횟수.</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>회차</translation>
     </message>
     <message>
         <source>Calibration series of each axis: n of Eqs 2 to 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 축의 교정 계열 수: 식 2부터 4까지의 n.</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>단계</translation>
     </message>
     <message>
         <source>Loads of a series up to the rated load; the paper asks for five or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>정격하중까지 한 계열의 하중. 논문은 다섯 개 이상을 요구합니다.</translation>
     </message>
     <message>
         <source>Decreasing loads too</source>
-        <translation type="unfinished"></translation>
+        <translation>감소 하중 포함</translation>
     </message>
     <message>
         <source>Whether each series goes down again; hysteresis needs it.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 계열이 다시 내려오는지 여부. 히스테리시스에 필요합니다.</translation>
     </message>
     <message>
         <source>Without load before a series</source>
-        <translation type="unfinished"></translation>
+        <translation>계열 전의 무하중 시간</translation>
     </message>
     <message>
         <source>Before each series, Fig. 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 계열 전, 그림 2.</translation>
     </message>
     <message>
         <source>At each load</source>
-        <translation type="unfinished"></translation>
+        <translation>각 하중에서의 시간</translation>
     </message>
     <message>
         <source>Before a reading is taken, Fig. 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽기 전, 그림 2.</translation>
     </message>
     <message>
         <source>Evaluation by the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>논문에 의한 평가</translation>
     </message>
     <message>
         <source>Coverage factor k of Eq 12</source>
-        <translation type="unfinished"></translation>
+        <translation>식 12의 포함인자 k</translation>
     </message>
     <message>
         <source>The paper takes 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문은 2를 씁니다.</translation>
     </message>
     <message>
         <source>A row of the interference table is</source>
-        <translation type="unfinished"></translation>
+        <translation>간섭 표의 행의 의미</translation>
     </message>
     <message>
         <source>Section 2.5 says e_12 is the output of Fy under Fx (row = load), but divides by the rated output of the row and calls the row&apos;s largest the error of that sensor. Raw readings leave no doubt; for a printed table the choice changes U.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.5절은 e_12를 Fx에 의한 Fy의 출력이라 하지만(행 = 하중), 행의 정격출력으로 나누고 행의 최댓값을 그 센서의 오차라 합니다. 원시 읽음값에는 의문이 없지만, 인쇄된 표에서는 이 선택에 따라 U가 달라집니다.</translation>
     </message>
     <message>
         <source>a sensor: its outputs under the other loads</source>
-        <translation type="unfinished"></translation>
+        <translation>센서: 다른 하중에 의한 그 출력</translation>
     </message>
     <message>
         <source>a load: the outputs of the other sensors under it</source>
-        <translation type="unfinished"></translation>
+        <translation>하중: 그 하중에 의한 다른 센서의 출력</translation>
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>비교</translation>
     </message>
     <message>
         <source>Stated values</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 값</translation>
     </message>
     <message>
         <source>Values that a certificate or a paper prints, to be compared with those computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>계산한 값과 비교할, 성적서나 논문에 적힌 값.</translation>
     </message>
     <message>
         <source>As printed, in mV/V; empty: not compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>인쇄된 대로, mV/V 단위. 비어 있으면 비교하지 않음.</translation>
     </message>
     <message>
         <source>interference</source>
-        <translation type="unfinished"></translation>
+        <translation>간섭</translation>
     </message>
     <message>
         <source>U, relative</source>
-        <translation type="unfinished"></translation>
+        <translation>U, 상대</translation>
     </message>
     <message>
         <source>Relative expanded uncertainty of Eq 12b.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 12b의 상대확장불확도.</translation>
     </message>
     <message>
         <source>U, as a load</source>
-        <translation type="unfinished"></translation>
+        <translation>U, 하중으로</translation>
     </message>
     <message>
         <source>Expanded uncertainty of Eq 12c in N or N·m, a number without unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>식 12c의 확장불확도, N 또는 N·m, 단위 없는 수.</translation>
     </message>
     <message>
         <source>Stated interference in %</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 간섭(%)</translation>
     </message>
     <message>
         <source>Table 4 of the paper: interference by the rated output of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 표 4: 행의 정격출력에 대한 간섭.</translation>
     </message>
     <message>
         <source>largest</source>
-        <translation type="unfinished"></translation>
+        <translation>최대</translation>
     </message>
     <message>
         <source>Largest of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>행의 최댓값.</translation>
     </message>
     <message>
         <source>Typed measurement equation</source>
-        <translation type="unfinished"></translation>
+        <translation>직접 입력한 측정 방정식</translation>
     </message>
     <message>
         <source>The uncertainty of a quantity computed from others by an equation.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 양들에서 방정식으로 계산한 양의 불확도.</translation>
     </message>
     <message>
         <source>Gauge block by comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>비교에 의한 게이지 블록</translation>
     </message>
     <message>
         <source>The length of a gauge block compared with a standard of the same length.</source>
-        <translation type="unfinished"></translation>
+        <translation>같은 길이의 표준기와 비교한 게이지 블록의 길이.</translation>
     </message>
     <message>
         <source>Two quantities from the same readings</source>
-        <translation type="unfinished"></translation>
+        <translation>같은 읽음값에서 나온 두 양</translation>
     </message>
     <message>
         <source>Resistance and reactance from simultaneous readings, with their correlation.</source>
-        <translation type="unfinished"></translation>
+        <translation>동시 읽음값에서 구한 저항과 리액턴스, 그 상관 포함.</translation>
     </message>
     <message>
         <source>Calibration line of a thermometer</source>
-        <translation type="unfinished"></translation>
+        <translation>온도계의 교정 직선</translation>
     </message>
     <message>
         <source>The correction at any reading, from a line through calibration points.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정점을 지나는 직선에서 구한, 임의 읽음값의 보정값.</translation>
     </message>
     <message>
         <source>Observations on several days</source>
-        <translation type="unfinished"></translation>
+        <translation>여러 날의 관측값</translation>
     </message>
     <message>
         <source>The mean of readings in groups, and whether the groups differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹별 읽음값의 평균, 그리고 그룹이 서로 다른지 여부.</translation>
     </message>
     <message>
         <source>Pose of a platform from a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커에 의한 플랫폼의 포즈</translation>
     </message>
     <message>
         <source>Where a robot&apos;s flange or platform is, from nests measured by a laser tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>레이저 트래커로 측정한 네스트에서 구한 로봇 플랜지나 플랫폼의 위치.</translation>
     </message>
     <message>
         <source>Pose from two instruments together</source>
-        <translation type="unfinished"></translation>
+        <translation>두 측정기를 함께 쓴 포즈</translation>
     </message>
     <message>
         <source>The same pose measured by a tracker and a total station as one network.</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커와 토탈 스테이션을 하나의 센서망으로 하여 측정한 같은 포즈.</translation>
     </message>
     <message>
         <source>Pose from calibrated artefacts</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 기준물에 의한 포즈</translation>
     </message>
     <message>
         <source>A pose whose point uncertainties come from measurements of artefacts.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물의 측정에서 점의 불확도를 얻는 포즈.</translation>
     </message>
     <message>
         <source>Points by cameras and a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>카메라와 트래커에 의한 점</translation>
     </message>
     <message>
         <source>Coordinates of targets that several instruments measure together.</source>
-        <translation type="unfinished"></translation>
+        <translation>여러 측정기가 함께 측정하는 표적의 좌표.</translation>
     </message>
     <message>
         <source>Where do I put the station?</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션을 어디에 둘까?</translation>
     </message>
     <message>
         <source>The place of an instrument that makes the uncertainties smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도를 가장 작게 하는 측정기의 위치.</translation>
     </message>
     <message>
         <source>Tool by ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>볼바에 의한 공구</translation>
     </message>
     <message>
         <source>A robot&apos;s tool centre point from rotations measured by telescopic ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>텔레스코픽 볼바로 측정한 회전에서 구한 로봇의 공구 중심점.</translation>
     </message>
     <message>
         <source>Which points do I measure?</source>
-        <translation type="unfinished"></translation>
+        <translation>어떤 점을 측정할까?</translation>
     </message>
     <message>
         <source>The dozen of a plan of points that makes the uncertainty smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>점 계획 가운데 불확도를 가장 작게 하는 12개 점.</translation>
     </message>
     <message>
         <source>Tool position of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 공구 위치</translation>
     </message>
     <message>
         <source>Where the tool is, from joint readings and Denavit-Hartenberg parameters.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 읽음값과 Denavit-Hartenberg 매개변수에서 구한 공구의 위치.</translation>
     </message>
     <message>
         <source>Parameters of an arm from circles that its joints describe one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절이 하나씩 그리는 원에서 구한 로봇 팔의 매개변수.</translation>
     </message>
     <message>
         <source>Parameters of an arm from measured places of its flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 측정된 위치에서 구한 로봇 팔의 매개변수.</translation>
     </message>
     <message>
         <source>Calibration of a force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>힘/모멘트 센서의 교정</translation>
     </message>
     <message>
         <source>Errors and uncertainty of the channels of a multi-axis sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>다축 센서 채널의 오차와 불확도.</translation>
     </message>
     <message>
         <source>Forces and moments from readings</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값에서 구한 힘과 모멘트</translation>
     </message>
     <message>
         <source>Loads from the readings of a multi-axis sensor by its calibration matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>다축 센서의 읽음값에서 교정 행렬로 구한 하중.</translation>
     </message>
     <message>
         <source>Law of propagation alone (JCGM 100), with a fixed number of trials (JCGM 101), or with as many as the tolerance needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙만(JCGM 100), 정해진 시행 횟수로(JCGM 101), 또는 허용차에 필요한 횟수만큼.</translation>
     </message>
     <message>
         <source>Law of propagation only</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙만</translation>
     </message>
     <message>
         <source>Monte Carlo, fixed number of trials</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로, 고정 시행 횟수</translation>
     </message>
     <message>
         <source>Monte Carlo, adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로, 적응형</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>시행 횟수</translation>
     </message>
     <message>
         <source>Of the method monte-carlo.</source>
-        <translation type="unfinished"></translation>
+        <translation>monte-carlo 방법의 값.</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>시드</translation>
     </message>
     <message>
         <source>0 to 18446744073709551615, as text.</source>
-        <translation type="unfinished"></translation>
+        <translation>0부터 18446744073709551615까지, 텍스트로.</translation>
     </message>
     <message>
         <source>Variance reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>분산 감소</translation>
     </message>
     <message>
         <source>Makes each trial tell more; the gain is measured and stated with the result. Plain trials are those of JCGM 101.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 시행이 더 많은 정보를 주게 합니다. 이득을 측정하여 결과와 함께 제시합니다. 일반 시행은 JCGM 101의 시행입니다.</translation>
     </message>
     <message>
         <source>None: plain trials</source>
-        <translation type="unfinished"></translation>
+        <translation>없음: 일반 시행</translation>
     </message>
     <message>
         <source>Control variate: the linear part</source>
-        <translation type="unfinished"></translation>
+        <translation>제어 변량: 선형 부분</translation>
     </message>
     <message>
         <source>Sobol points, scrambled</source>
-        <translation type="unfinished"></translation>
+        <translation>소볼 점, 스크램블</translation>
     </message>
     <message>
         <source>Coverage probability</source>
-        <translation type="unfinished"></translation>
+        <translation>포함확률</translation>
     </message>
     <message>
         <source>Of the expanded uncertainty, of intervals and regions.</source>
-        <translation type="unfinished"></translation>
+        <translation>확장불확도, 구간, 영역의 포함확률.</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자</translation>
     </message>
     <message>
         <source>A fixed k for U = k u; absent: U by the effective degrees of freedom (law of propagation), or half of the coverage interval (Monte Carlo).</source>
-        <translation type="unfinished"></translation>
+        <translation>U = k u의 고정 k. 없으면 유효자유도에 의한 U(전파 법칙), 또는 포함구간의 절반(몬테카를로).</translation>
     </message>
     <message>
         <source>Second-order terms</source>
-        <translation type="unfinished"></translation>
+        <translation>이차항</translation>
     </message>
     <message>
         <source>Terms of second order of the law of propagation (JCGM 100 5.1.2).</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙의 이차항(JCGM 100 5.1.2).</translation>
     </message>
     <message>
         <source>Trials one at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>단일 성분 시행</translation>
     </message>
     <message>
         <source>Of Monte Carlo with all components but one kept constant, for each component; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 성분에 대해 그 성분 외에는 모두 일정하게 둔 몬테카를로의 시행 횟수. 0: 없음.</translation>
     </message>
     <message>
         <source>Trials by contributor</source>
-        <translation type="unfinished"></translation>
+        <translation>기여요인별 시행</translation>
     </message>
     <message>
         <source>Of Monte Carlo without each contributor, and of it alone; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>각 기여요인을 뺀 몬테카를로와 그것만의 몬테카를로의 시행 횟수. 0: 없음.</translation>
     </message>
     <message>
         <source>Trials for Sobol indices</source>
-        <translation type="unfinished"></translation>
+        <translation>소볼 지수의 시행</translation>
     </message>
     <message>
         <source>Pairs of trials for Sobol indices; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>소볼 지수를 위한 시행 쌍의 수. 0: 없음.</translation>
     </message>
     <message>
         <source>Significant digits</source>
-        <translation type="unfinished"></translation>
+        <translation>유효숫자</translation>
     </message>
     <message>
         <source>Of u, for the numerical tolerance of adaptive runs and of the validation (JCGM 101 7.9.2, 8).</source>
-        <translation type="unfinished"></translation>
+        <translation>적응형 실행과 검증의 수치 허용차를 위한 u의 유효숫자(JCGM 101 7.9.2, 8).</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>허용차</translation>
     </message>
     <message>
         <source>A quantity applies to the outputs of its dimension; a number to every output in its SI unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>단위가 있는 양은 같은 차원의 출력에 적용하고, 수는 모든 출력에 그 SI 단위로 적용합니다.</translation>
     </message>
     <message>
         <source>Least number of batches</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 배치 수</translation>
     </message>
     <message>
         <source>Of an adaptive run, before it may stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>적응형 실행이 멈출 수 있기 전까지의 배치 수.</translation>
     </message>
     <message>
         <source>Most trials</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 시행 횟수</translation>
     </message>
     <message>
         <source>At which an adaptive run stops in any case.</source>
-        <translation type="unfinished"></translation>
+        <translation>적응형 실행이 어떤 경우에도 멈추는 횟수.</translation>
     </message>
     <message>
         <source>Certificate and laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서와 교정기관</translation>
     </message>
     <message>
         <source>Certificate number</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서 번호</translation>
     </message>
     <message>
         <source>Unique; it stands on every page.</source>
-        <translation type="unfinished"></translation>
+        <translation>고유해야 하며, 모든 쪽에 표시됩니다.</translation>
     </message>
     <message>
         <source>Laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>교정기관</translation>
     </message>
     <message>
         <source>That issues the certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서를 발행하는 기관.</translation>
     </message>
     <message>
         <source>Address of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>교정기관의 주소</translation>
     </message>
     <message>
         <source>Street, town, country.</source>
-        <translation type="unfinished"></translation>
+        <translation>도로, 도시, 국가.</translation>
     </message>
     <message>
         <source>Country of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>교정기관의 국가</translation>
     </message>
     <message>
         <source>Two capital letters (ISO 3166-1): DE. For a Digital Calibration Certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>대문자 두 자(ISO 3166-1): DE. 디지털 교정성적서용.</translation>
     </message>
     <message>
         <source>Accreditation number</source>
-        <translation type="unfinished"></translation>
+        <translation>인정번호</translation>
     </message>
     <message>
         <source>Absent: not accredited for this.</source>
-        <translation type="unfinished"></translation>
+        <translation>없으면 이에 대해 인정받지 않음.</translation>
     </message>
     <message>
         <source>Place of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 장소</translation>
     </message>
     <message>
         <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정기관이 아닌 경우 교정한 곳: 고객의 사업장, 현장.</translation>
     </message>
     <message>
         <source>Customer</source>
-        <translation type="unfinished"></translation>
+        <translation>고객</translation>
     </message>
     <message>
         <source>For whom it was done.</source>
-        <translation type="unfinished"></translation>
+        <translation>의뢰한 고객.</translation>
     </message>
     <message>
         <source>Address of the customer</source>
-        <translation type="unfinished"></translation>
+        <translation>고객의 주소</translation>
     </message>
     <message>
         <source>Item</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 품목</translation>
     </message>
     <message>
         <source>What was calibrated.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정 대상.</translation>
     </message>
     <message>
         <source>Manufacturer</source>
-        <translation type="unfinished"></translation>
+        <translation>제조사</translation>
     </message>
     <message>
         <source>Of the item.</source>
-        <translation type="unfinished"></translation>
+        <translation>품목의 제조사.</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>유형</translation>
     </message>
     <message>
         <source>The manufacturer&apos;s name for it: model, size, class.</source>
-        <translation type="unfinished"></translation>
+        <translation>제조사의 명칭: 모델, 크기, 등급.</translation>
     </message>
     <message>
         <source>Serial number</source>
-        <translation type="unfinished"></translation>
+        <translation>일련번호</translation>
     </message>
     <message>
         <source>By which the item is recognised, unless it has an identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>식별표시가 없을 때 품목을 알아보는 번호.</translation>
     </message>
     <message>
         <source>Identification</source>
-        <translation type="unfinished"></translation>
+        <translation>식별표시</translation>
     </message>
     <message>
         <source>The customer&apos;s mark, an inventory number.</source>
-        <translation type="unfinished"></translation>
+        <translation>고객의 표시, 관리번호.</translation>
     </message>
     <message>
         <source>Condition of the item</source>
-        <translation type="unfinished"></translation>
+        <translation>품목의 상태</translation>
     </message>
     <message>
         <source>As it was received, where that matters.</source>
-        <translation type="unfinished"></translation>
+        <translation>중요한 경우, 접수 당시의 상태.</translation>
     </message>
     <message>
         <source>Dates</source>
-        <translation type="unfinished"></translation>
+        <translation>날짜</translation>
     </message>
     <message>
         <source>Received</source>
-        <translation type="unfinished"></translation>
+        <translation>접수일</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-17.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 8601: 2026-04-17.</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>교정일</translation>
     </message>
     <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
-        <translation type="unfinished"></translation>
+        <translation>날짜 하나, 또는 기간의 두 날짜: 2026-04-17/2026-04-18.</translation>
     </message>
     <message>
         <source>Issued</source>
-        <translation type="unfinished"></translation>
+        <translation>발행일</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 8601: 2026-04-20.</translation>
     </message>
     <message>
         <source>Procedure by which it was calibrated, with its edition.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정에 쓴 절차와 그 판.</translation>
     </message>
     <message>
         <source>Deviations from the method</source>
-        <translation type="unfinished"></translation>
+        <translation>방법으로부터의 이탈</translation>
     </message>
     <message>
         <source>Additions, exclusions.</source>
-        <translation type="unfinished"></translation>
+        <translation>추가, 제외.</translation>
     </message>
     <message>
         <source>Environmental conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>환경 조건</translation>
     </message>
     <message>
         <source>Those that influence the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과에 영향을 주는 조건.</translation>
     </message>
     <message>
         <source>Metrological traceability</source>
-        <translation type="unfinished"></translation>
+        <translation>측정소급성</translation>
     </message>
     <message>
         <source>To which references, by which certificates the results are traceable.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과가 어떤 기준에, 어떤 성적서로 소급되는지.</translation>
     </message>
     <message>
         <source>Adjustment or repair</source>
-        <translation type="unfinished"></translation>
+        <translation>조정 또는 수리</translation>
     </message>
     <message>
         <source>Results before and after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>그 전후의 결과.</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>비고</translation>
     </message>
     <message>
         <source>Opinions and interpretations are marked as such (7.8.7).</source>
-        <translation type="unfinished"></translation>
+        <translation>의견과 해석은 그렇게 표시합니다(7.8.7).</translation>
     </message>
     <message>
         <source>Authorisation</source>
-        <translation type="unfinished"></translation>
+        <translation>승인</translation>
     </message>
     <message>
         <source>Authorised by</source>
-        <translation type="unfinished"></translation>
+        <translation>승인자</translation>
     </message>
     <message>
         <source>The person who authorises the certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서를 승인하는 사람.</translation>
     </message>
     <message>
         <source>Function</source>
-        <translation type="unfinished"></translation>
+        <translation>직위</translation>
     </message>
     <message>
         <source>Of that person in the laboratory.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정기관에서 그 사람의 직위.</translation>
     </message>
     <message>
         <source>Measurement model</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 모델</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성</translation>
     </message>
     <message>
         <source>Input quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>입력량</translation>
     </message>
     <message>
         <source>Artefacts and instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물과 측정기</translation>
     </message>
     <message>
         <source>Uncertainty budgets</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 총괄표</translation>
     </message>
     <message>
         <source>Sobol indices and contributors</source>
-        <translation type="unfinished"></translation>
+        <translation>소볼 지수와 기여요인</translation>
     </message>
     <message>
         <source>Evaluation of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성의 평가</translation>
     </message>
     <message>
         <source>Law of propagation beside Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙과 몬테카를로</translation>
     </message>
     <message>
         <source>Joint coverage regions</source>
-        <translation type="unfinished"></translation>
+        <translation>결합 포함영역</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>분포</translation>
     </message>
     <message>
         <source>Set-up in space</source>
-        <translation type="unfinished"></translation>
+        <translation>공간상의 측정 구성</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>상관</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디</translation>
     </message>
     <message>
         <source>Designs</source>
-        <translation type="unfinished"></translation>
+        <translation>설계</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>메모</translation>
     </message>
     <message>
         <source>Provenance</source>
-        <translation type="unfinished"></translation>
+        <translation>이력 정보</translation>
     </message>
     <message>
         <source>mean value</source>
-        <translation type="unfinished"></translation>
+        <translation>평균값</translation>
     </message>
     <message>
         <source>standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>표준편차</translation>
     </message>
     <message>
         <source>scale</source>
-        <translation type="unfinished"></translation>
+        <translation>척도</translation>
     </message>
     <message>
         <source>degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도</translation>
     </message>
     <message>
         <source>lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>하한</translation>
     </message>
     <message>
         <source>upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>상한</translation>
     </message>
     <message>
         <source>curvilinear trapezoid</source>
-        <translation type="unfinished"></translation>
+        <translation>곡선 사다리꼴</translation>
     </message>
     <message>
         <source>inexactness of the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>한계의 부정확도</translation>
     </message>
     <message>
         <source>ratio of top to base</source>
-        <translation type="unfinished"></translation>
+        <translation>윗변과 밑변의 비</translation>
     </message>
     <message>
         <source>shape</source>
-        <translation type="unfinished"></translation>
+        <translation>형상</translation>
     </message>
     <message>
         <source>truncated normal</source>
-        <translation type="unfinished"></translation>
+        <translation>절단 정규</translation>
     </message>
     <message>
         <source>lognormal</source>
-        <translation type="unfinished"></translation>
+        <translation>로그정규</translation>
     </message>
     <message>
         <source>mean value of the logarithm of the number in SI</source>
-        <translation type="unfinished"></translation>
+        <translation>SI 단위 수치의 로그의 평균값</translation>
     </message>
     <message>
         <source>standard deviation of the logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>로그의 표준편차</translation>
     </message>
     <message>
         <source>parameter alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수 alpha</translation>
     </message>
     <message>
         <source>parameter beta</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수 beta</translation>
     </message>
     <message>
         <source>discrete</source>
-        <translation type="unfinished"></translation>
+        <translation>이산</translation>
     </message>
     <message>
         <source>SpatialAnalyzer points (ASCII)</source>
-        <translation type="unfinished"></translation>
+        <translation>SpatialAnalyzer 점(ASCII)</translation>
     </message>
     <message>
         <source>Table of points</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 표</translation>
     </message>
     <message>
         <source>Digital Calibration Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>디지털 교정성적서</translation>
     </message>
     <message>
         <source>Leica GSI-8 and GSI-16</source>
-        <translation type="unfinished"></translation>
+        <translation>Leica GSI-8 및 GSI-16</translation>
     </message>
     <message>
         <source>GNU Gama network</source>
-        <translation type="unfinished"></translation>
+        <translation>GNU Gama 망</translation>
     </message>
     <message>
         <source>Comp3D coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D 좌표</translation>
     </message>
     <message>
         <source>Comp3D observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D 관측값</translation>
     </message>
     <message>
         <source>Uncertainty budget in Excel</source>
-        <translation type="unfinished"></translation>
+        <translation>Excel 불확도 총괄표</translation>
     </message>
     <message>
         <source>GUM Workbench</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM Workbench</translation>
     </message>
     <message>
         <source>Suncal project</source>
-        <translation type="unfinished"></translation>
+        <translation>Suncal 프로젝트</translation>
     </message>
     <message>
         <source>OptiTrack Motive tracking data</source>
-        <translation type="unfinished"></translation>
+        <translation>OptiTrack Motive 추적 데이터</translation>
     </message>
     <message>
         <source>Kinematic calibration of a UR robot (ROS)</source>
-        <translation type="unfinished"></translation>
+        <translation>UR 로봇의 기구학 교정(ROS)</translation>
     </message>
     <message>
         <source>Point list with Ux Uy Uz (SpatialAnalyzer ASCII)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ux Uy Uz가 있는 점 목록(SpatialAnalyzer ASCII)</translation>
     </message>
     <message>
         <source>Digital Calibration Certificate 3.2.1</source>
-        <translation type="unfinished"></translation>
+        <translation>디지털 교정성적서 3.2.1</translation>
     </message>
     <message>
         <source>Excel workbook</source>
-        <translation type="unfinished"></translation>
+        <translation>Excel 통합 문서</translation>
     </message>
     <message>
         <source>Robot description (URDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 기술 파일(URDF)</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹</translation>
     </message>
     <message>
         <source>The pose, point or target the quantity belongs to</source>
-        <translation type="unfinished"></translation>
+        <translation>그 양이 속한 포즈, 점 또는 표적</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>출력량</translation>
     </message>
     <message>
         <source>Estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값</translation>
     </message>
     <message>
         <source>Best value of the output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>출력량의 최선의 값</translation>
     </message>
     <message>
         <source>Standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>표준불확도</translation>
     </message>
     <message>
         <source>Coverage factor. U = k u with k of the t distribution for the effective degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자. U = k u, k는 유효자유도에 대한 t 분포의 값.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U = k u with k of the t distribution for the effective degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>확장불확도. U = k u, k는 유효자유도에 대한 t 분포의 값.</translation>
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>하한</translation>
     </message>
     <message>
         <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>확률적 대칭 포함구간의 한계</translation>
     </message>
     <message>
         <source>High</source>
-        <translation type="unfinished"></translation>
+        <translation>상한</translation>
     </message>
     <message>
         <source>Limit of the shortest coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>최단 포함구간의 한계</translation>
     </message>
     <message>
         <source>Estimate (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값(일차)</translation>
     </message>
     <message>
         <source>By the law of propagation of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 전파 법칙에 의함</translation>
     </message>
     <message>
         <source>u (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>u(일차)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom (JCGM 100 G.4)</source>
-        <translation type="unfinished"></translation>
+        <translation>유효자유도(JCGM 100 G.4)</translation>
     </message>
     <message>
         <source>U (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>U(일차)</translation>
     </message>
     <message>
         <source>First order validated</source>
-        <translation type="unfinished"></translation>
+        <translation>일차 검증됨</translation>
     </message>
     <message>
         <source>JCGM 101 clause 8: agrees with Monte Carlo within the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 101 8절: 허용차 안에서 몬테카를로와 일치</translation>
     </message>
     <message>
         <source>u (second order)</source>
-        <translation type="unfinished"></translation>
+        <translation>u(이차)</translation>
     </message>
     <message>
         <source>With the second-order terms of JCGM 100 5.1.2; for information</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 5.1.2의 이차항 포함, 참고용</translation>
     </message>
     <message>
         <source>shift (second order)</source>
-        <translation type="unfinished"></translation>
+        <translation>이동량(이차)</translation>
     </message>
     <message>
         <source>What the curvature of the equation adds to the estimate; for information, not added</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식의 곡률이 추정값에 더하는 양. 참고용이며 더하지 않음</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished"></translation>
+        <translation>목표</translation>
     </message>
     <message>
         <source>Target uncertainty that is required</source>
-        <translation type="unfinished"></translation>
+        <translation>요구되는 목표불확도</translation>
     </message>
     <message>
         <source>U / target</source>
-        <translation type="unfinished"></translation>
+        <translation>U / 목표</translation>
     </message>
     <message>
         <source>Expanded uncertainty as a part of its target: above 1 the target is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>목표에 대한 확장불확도의 비: 1보다 크면 목표 미충족</translation>
     </message>
     <message>
         <source>Requirement</source>
-        <translation type="unfinished"></translation>
+        <translation>요구사항</translation>
     </message>
     <message>
         <source>Whether the target uncertainty is met and the value is accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>목표불확도를 충족하고 값이 합격인지 여부</translation>
     </message>
     <message>
         <source>Input quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>입력량</translation>
     </message>
     <message>
         <source>Component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 성분</translation>
     </message>
     <message>
         <source>Of the component&apos;s u</source>
-        <translation type="unfinished"></translation>
+        <translation>성분의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>성분의 표준불확도</translation>
     </message>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>분포</translation>
     </message>
     <message>
         <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
-        <translation type="unfinished"></translation>
+        <translation>A형 또는 B형 평가(JCGM 100 2.3.2, 2.3.3)</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도</translation>
     </message>
     <message>
         <source>Sensitivity coefficient, unit of the output quantity per unit of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>감도계수, 성분의 단위당 출력량의 단위</translation>
     </message>
     <message>
         <source>|c|·u</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u</translation>
     </message>
     <message>
         <source>Contribution to the standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>표준불확도에 대한 기여</translation>
     </message>
     <message>
         <source>Share / %</source>
-        <translation type="unfinished"></translation>
+        <translation>비율 / %</translation>
     </message>
     <message>
         <source>Of the variance, with its part of the covariances</source>
-        <translation type="unfinished"></translation>
+        <translation>공분산의 몫을 포함한 분산의 비율</translation>
     </message>
     <message>
         <source>u one at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>단일 성분 u</translation>
     </message>
     <message>
         <source>By Monte Carlo with every other component kept constant</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 모든 성분을 일정하게 둔 몬테카를로에 의함</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>출처</translation>
     </message>
     <message>
         <source>Where the figure comes from</source>
-        <translation type="unfinished"></translation>
+        <translation>수치가 나온 곳</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>포함</translation>
     </message>
     <message>
         <source>Whether both results have the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>두 결과에 모두 그 양이 있는지 여부</translation>
     </message>
     <message>
         <source>U before</source>
-        <translation type="unfinished"></translation>
+        <translation>U 전</translation>
     </message>
     <message>
         <source>Expanded uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>확장불확도</translation>
     </message>
     <message>
         <source>U after</source>
-        <translation type="unfinished"></translation>
+        <translation>U 후</translation>
     </message>
     <message>
         <source>Change of U in %</source>
-        <translation type="unfinished"></translation>
+        <translation>U의 변화 %</translation>
     </message>
     <message>
         <source>Change of the expanded uncertainty, in per cent of that before</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 값에 대한 확장불확도의 변화(%)</translation>
     </message>
     <message>
         <source>Estimate before</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값 전</translation>
     </message>
     <message>
         <source>Estimate after</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값 후</translation>
     </message>
     <message>
         <source>Change of estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값의 변화</translation>
     </message>
     <message>
         <source>Estimate after less estimate before</source>
-        <translation type="unfinished"></translation>
+        <translation>이후 추정값에서 이전 추정값을 뺀 값</translation>
     </message>
     <message>
         <source>u before</source>
-        <translation type="unfinished"></translation>
+        <translation>u 전</translation>
     </message>
     <message>
         <source>u after</source>
-        <translation type="unfinished"></translation>
+        <translation>u 후</translation>
     </message>
     <message>
         <source>k before</source>
-        <translation type="unfinished"></translation>
+        <translation>k 전</translation>
     </message>
     <message>
         <source>k after</source>
-        <translation type="unfinished"></translation>
+        <translation>k 후</translation>
     </message>
     <message>
         <source>Changed, the same, new, or gone</source>
-        <translation type="unfinished"></translation>
+        <translation>변경, 동일, 신규 또는 삭제</translation>
     </message>
     <message>
         <source>|c|·u before</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u 전</translation>
     </message>
     <message>
         <source>|c|·u after</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u 후</translation>
     </message>
     <message>
         <source>Share before / %</source>
-        <translation type="unfinished"></translation>
+        <translation>비율 전 / %</translation>
     </message>
     <message>
         <source>Of the variance before</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 분산의 비율</translation>
     </message>
     <message>
         <source>Share after / %</source>
-        <translation type="unfinished"></translation>
+        <translation>비율 후 / %</translation>
     </message>
     <message>
         <source>Of the variance after</source>
-        <translation type="unfinished"></translation>
+        <translation>이후 분산의 비율</translation>
     </message>
     <message>
         <source>Change of variance / %</source>
-        <translation type="unfinished"></translation>
+        <translation>분산의 변화 / %</translation>
     </message>
     <message>
         <source>By how much this component changes the variance of the output, in per cent of the whole variance before; the rows add up to the change of the whole</source>
-        <translation type="unfinished"></translation>
+        <translation>이 성분이 출력의 분산을 바꾸는 정도, 이전 전체 분산에 대한 %. 행의 합은 전체의 변화입니다</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>충족</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished"></translation>
+        <translation>미충족</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>예</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>아니요</translation>
     </message>
     <message>
         <source>gamma</source>
-        <translation type="unfinished"></translation>
+        <translation>gamma</translation>
     </message>
     <message>
         <source>beta</source>
-        <translation type="unfinished"></translation>
+        <translation>beta</translation>
     </message>
     <message>
         <source>Coverage factor. U = k u with the coverage factor that was fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자. U = k u, 포함인자는 고정된 값.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U = k u with the coverage factor that was fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>확장불확도. U = k u, 포함인자는 고정된 값.</translation>
     </message>
     <message>
         <source>Coverage factor. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자. U는 확률적 대칭 포함구간 폭의 절반이고, k = U/u.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation type="unfinished"></translation>
+        <translation>확장불확도. U는 확률적 대칭 포함구간 폭의 절반이고, k = U/u.</translation>
     </message>
     <message>
         <source>75 nm: standard uncertainty
@@ -4443,122 +4443,304 @@ rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcs
 limits 19.5 to 20.5: they give the value
 resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>75 nm: 표준불확도
+2 ppm: 표준불확도, 값에 대한 비
+U = 0.3 um, k = 2 (또는 p = 95 %): 성적서
+rectangular 0.5 (또는 rect, ±): 값을 중심으로 한 한계. triangular, arcsine도 같음
+limits 19.5 to 20.5: 한계가 값을 줌
+resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+이들 뒤의 nu 18: 자유도</translation>
+    </message>
+    <message>
+        <source>Target uncertainty</source>
+        <translation>목표불확도</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U must not exceed this.</source>
+        <translation>확장불확도 U가 이 값을 넘지 않아야 함.</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>하한</translation>
+    </message>
+    <message>
+        <source>Of the tolerance; empty: none.</source>
+        <translation>허용차의 한계; 비우면 없음.</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>상한</translation>
+    </message>
+    <message>
+        <source>Guard factor</source>
+        <translation>보호인자</translation>
+    </message>
+    <message>
+        <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
+        <translation>허용차 안쪽에 U의 이 배수만큼 보호대역을 둠: 1은 적합성을 입증(ISO 14253-1), 0은 단순 합격, 음수는 생산자에게 유리함.</translation>
+    </message>
+    <message>
+        <source>Prior mean</source>
+        <translation>사전 평균</translation>
+    </message>
+    <message>
+        <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
+        <translation>측정 전에 이러한 양에 대해 아는 것을 정규분포로 나타냄(생산 공정): JCGM 106의 전역 위험에 사용.</translation>
+    </message>
+    <message>
+        <source>Prior standard deviation</source>
+        <translation>사전 표준편차</translation>
+    </message>
+    <message>
+        <source>Of the production process.</source>
+        <translation>생산 공정의 값.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui</name>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 추가</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 수가 아닙니다.</translation>
     </message>
     <message>
         <source>“%1” is not a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 단위가 아닙니다.</translation>
     </message>
     <message>
         <source>a number without unit is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>단위 없는 수가 필요합니다.</translation>
     </message>
     <message>
         <source>a unit like %1 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 같은 단위가 필요합니다.</translation>
     </message>
     <message>
         <source>The unit %1 does not fit here: </source>
-        <translation type="unfinished"></translation>
+        <translation>단위 %1은(는) 여기에 맞지 않습니다: </translation>
     </message>
     <message>
         <source>“%1” is not a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 정수가 아닙니다.</translation>
     </message>
     <message>
         <source>“%1” is not one of: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 다음 중 하나가 아닙니다: %2.</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>예</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>아니요</translation>
     </message>
     <message>
         <source>“%1” is neither yes nor no.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 예도 아니요도 아닙니다.</translation>
     </message>
     <message>
         <source>The value must be greater than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>값은 %1보다 커야 합니다.</translation>
     </message>
     <message>
         <source>The value must be at least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>값은 %1 이상이어야 합니다.</translation>
     </message>
     <message>
         <source>The value must be at most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>값은 %1 이하여야 합니다.</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도</translation>
     </message>
     <message>
         <source>Unsaved Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하지 않은 변경</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”의 변경 내용을 저장할까요?</translation>
     </message>
     <message>
         <source>Without saving they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하지 않으면 사라집니다.</translation>
     </message>
     <message>
         <source>File Changed</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 변경됨</translation>
     </message>
     <message>
         <source>Another program changed “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 프로그램이 “%1”을(를) 변경했습니다.</translation>
     </message>
     <message>
         <source>Reading it again loses your unsaved changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 읽으면 저장하지 않은 변경이 사라집니다.</translation>
     </message>
     <message>
         <source>It can be read again.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 읽을 수 있습니다.</translation>
     </message>
     <message>
         <source>Read Again</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 읽기</translation>
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation type="unfinished"></translation>
+        <translation>내 것 유지</translation>
     </message>
     <message>
         <source>Recover Unsaved Work</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하지 않은 작업 복구</translation>
     </message>
     <message>
         <source>Covaria did not end properly. Unsaved work was kept:</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria가 정상적으로 종료되지 않았습니다. 저장하지 않은 작업이 보존되었습니다:</translation>
     </message>
     <message>
         <source>Open Project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트 열기</translation>
     </message>
     <message>
         <source>Covaria project or report (*.covaria *.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria 프로젝트 또는 보고서 (*.covaria *.pdf)</translation>
+    </message>
+    <message>
+        <source>About Covaria</source>
+        <translation>Covaria 정보</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;로봇과 대형 측정의 측정불확도.&lt;br&gt;JCGM 100, 101, 102에 따라 평가합니다.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>symbol</source>
+        <translation>기호</translation>
+    </message>
+    <message>
+        <source>As the equations use it; further rows of a symbol add components</source>
+        <translation>방정식이 쓰는 기호. 같은 기호의 다음 행은 성분을 추가합니다</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>양</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>무엇인지</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>추정값</translation>
+    </message>
+    <message>
+        <source>In the row&apos;s unit: 50.000 838 or 50.000 838 mm</source>
+        <translation>행의 단위로: 50.000 838 또는 50.000 838 mm</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>단위</translation>
+    </message>
+    <message>
+        <source>Of the estimate and of what is stated</source>
+        <translation>추정값과 제시된 값의 단위</translation>
+    </message>
+    <message>
+        <source>stated as</source>
+        <translation>제시 형식</translation>
+    </message>
+    <message>
+        <source>distribution</source>
+        <translation>분포</translation>
+    </message>
+    <message>
+        <source>That Monte Carlo draws</source>
+        <translation>몬테카를로가 추출하는 분포</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>유형</translation>
+    </message>
+    <message>
+        <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
+        <translation>A형 또는 B형 평가(JCGM 100 2.3.2, 2.3.3)</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom; empty: infinite, or those of the observations</source>
+        <translation>자유도. 비어 있으면 무한대, 또는 관측값의 자유도</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty, in the row&apos;s unit</source>
+        <translation>표준불확도, 행의 단위로</translation>
+    </message>
+    <message>
+        <source>Sensitivity coefficient, unit of the result per unit of the row</source>
+        <translation>감도계수, 행의 단위당 결과의 단위</translation>
+    </message>
+    <message>
+        <source>Contribution to the standard uncertainty of the result</source>
+        <translation>결과의 표준불확도에 대한 기여</translation>
+    </message>
+    <message>
+        <source>index / %</source>
+        <translation>지수 / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance, with its part of the covariances</source>
+        <translation>공분산의 몫을 포함한 분산의 비율</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>출처</translation>
+    </message>
+    <message>
+        <source>Where the figure comes from</source>
+        <translation>수치가 나온 곳</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the position in space: square root of the sum of the variances of its three coordinates</source>
+        <translation>공간상 위치의 표준불확도: 세 좌표의 분산의 합의 제곱근</translation>
+    </message>
+    <message>
+        <source>, worth %1</source>
+        <translation>, %1회 상당</translation>
+    </message>
+    <message>
+        <source>Preview by the law of propagation, without Monte Carlo</source>
+        <translation>전파 법칙에 의한 미리보기, 몬테카를로 없음</translation>
+    </message>
+    <message>
+        <source>Preview with %1 trials, before the adaptive procedure</source>
+        <translation>적응형 절차 전, 시행 %1회의 미리보기</translation>
+    </message>
+    <message>
+        <source>Preview with %1 of %2 trials</source>
+        <translation>시행 %2회 중 %1회의 미리보기</translation>
+    </message>
+    <message>
+        <source>Law of propagation of uncertainty</source>
+        <translation>불확도 전파 법칙</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials</source>
+        <translation>몬테카를로, 시행 %1회</translation>
+    </message>
+    <message>
+        <source>Out of date: of the project as it was</source>
+        <translation>갱신 필요: 이전 상태의 프로젝트</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 복제</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty</source>
+        <translation>확장불확도</translation>
     </message>
     <message>
         <source># Keys
@@ -4572,651 +4754,563 @@ nu 18 behind any of them: degrees of freedom</source>
 | Arrow keys, + and − | turn and zoom the scene |
 | 1, 2, 3, 4, F | iso, top, front, right view, fit |
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| F1 | help on the model of the selected analysis |
+| F1 | help on the field, cell or entry with the focus |
 </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>About Covaria</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
+        <translation># 단축키
 
-## Equations as evaluated
-
-</source>
-        <translation type="unfinished"></translation>
+| 키 | 동작 |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | 새로 만들기, 열기, 저장 |
+| Ctrl+Z, Ctrl+Y | 실행 취소, 다시 실행 |
+| F5, Ctrl+F5, Esc | 이 분석 실행, 모두 실행, 중지 |
+| F2, Ctrl+D, Delete | 선택한 항목 이름 바꾸기, 복제, 삭제 |
+| 화살표 키, + 및 − | 장면 회전과 확대/축소 |
+| 1, 2, 3, 4, F | 등각, 위, 앞, 오른쪽 보기, 맞춤 |
+| Ctrl+C, Ctrl+V | 셀 블록 복사와 붙여넣기 |
+| F1 | 포커스가 있는 필드, 셀, 항목의 도움말 |
+</translation>
     </message>
     <message>
-        <source>
-## Notes
-
-</source>
-        <translation type="unfinished"></translation>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation>분석이 아직 완전하지 않습니다: 더 입력해야 할 것이 아래에 있습니다.</translation>
     </message>
     <message>
-        <source>
-## References
-
-</source>
-        <translation type="unfinished"></translation>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation>분석에 문제가 있습니다. 아래에 나열되어 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::AllResultsModel</name>
+    <message>
+        <source>%1 interval</source>
+        <translation>%1 구간</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <source>Interval</source>
+        <translation>구간</translation>
     </message>
     <message>
-        <source>Help on This &amp;Model</source>
-        <translation type="unfinished"></translation>
+        <source>Analysis</source>
+        <translation>분석</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <source>Coverage interval of the result line</source>
+        <translation>결과 줄의 포함구간</translation>
     </message>
     <message>
-        <source>M&amp;odels</source>
-        <translation type="unfinished"></translation>
+        <source>, low</source>
+        <translation>, 하한</translation>
     </message>
     <message>
-        <source>&amp;Results and Requirements</source>
-        <translation type="unfinished"></translation>
+        <source>, high</source>
+        <translation>, 상한</translation>
     </message>
     <message>
-        <source>Results and requirements</source>
-        <translation type="unfinished"></translation>
+        <source>State</source>
+        <translation>상태</translation>
     </message>
     <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation type="unfinished"></translation>
+        <source>Double click: goes to the analysis</source>
+        <translation>두 번 클릭: 해당 분석으로 이동</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::AllResultsTab</name>
+    <message>
+        <source>Filter: analysis, symbol, name, group</source>
+        <translation>필터: 분석, 기호, 이름, 그룹</translation>
     </message>
     <message>
-        <source>What every analysis has</source>
-        <translation type="unfinished"></translation>
+        <source>Filter of all results</source>
+        <translation>모든 결과 필터</translation>
     </message>
     <message>
-        <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <source>Not met only</source>
+        <translation>미충족만</translation>
     </message>
     <message>
-        <source>&amp;About Covaria</source>
-        <translation type="unfinished"></translation>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>목표불확도 또는 허용차를 충족하지 않는 결과만</translation>
     </message>
     <message>
-        <source>symbol</source>
-        <translation type="unfinished"></translation>
+        <source>all-results</source>
+        <translation>모든-결과</translation>
     </message>
     <message>
-        <source>As the equations use it; further rows of a symbol add components</source>
-        <translation type="unfinished"></translation>
+        <source>Output quantity</source>
+        <translation>출력량</translation>
     </message>
     <message>
-        <source>quantity</source>
-        <translation type="unfinished"></translation>
+        <source>k</source>
+        <translation>k</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation type="unfinished"></translation>
+        <source>up to date</source>
+        <translation>최신</translation>
     </message>
     <message>
-        <source>estimate</source>
-        <translation type="unfinished"></translation>
+        <source>%1 of %2 requirements met</source>
+        <translation>요구사항 %2개 중 %1개 충족</translation>
     </message>
     <message>
-        <source>In the row&apos;s unit: 50.000 838 or 50.000 838 mm</source>
-        <translation type="unfinished"></translation>
+        <source>%1 of %2 analyses have no result: press Ctrl+F5</source>
+        <translation>분석 %2개 중 %1개에 결과가 없습니다: Ctrl+F5를 누르십시오</translation>
     </message>
     <message>
-        <source>unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the estimate and of what is stated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>stated as</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>distribution</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>That Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Degrees of freedom; empty: infinite, or those of the observations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Standard uncertainty, in the row&apos;s unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sensitivity coefficient, unit of the result per unit of the row</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contribution to the standard uncertainty of the result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>index / %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Share of the variance, with its part of the covariances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where the figure comes from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of the position in space: square root of the sum of the variances of its three coordinates</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, worth %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview by the law of propagation, without Monte Carlo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview with %1 trials, before the adaptive procedure</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview with %1 of %2 trials</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Law of propagation of uncertainty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Monte Carlo, %1 trials</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Out of date: of the project as it was</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Expanded uncertainty</source>
-        <translation type="unfinished"></translation>
+        <source>; </source>
+        <translation>; </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::AssetEvaluation</name>
     <message>
         <source>The asset has problems; they are listed below the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>에셋에 문제가 있습니다. 장면 아래에 나열되어 있습니다.</translation>
     </message>
     <message>
         <source>This asset is used as it is specified; nothing is evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 에셋은 지정된 대로 쓰이며, 평가할 것이 없습니다.</translation>
     </message>
     <message>
         <source>Evaluation of the asset</source>
-        <translation type="unfinished"></translation>
+        <translation>에셋의 평가</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::BudgetPage</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과</translation>
     </message>
     <message>
         <source>Correlation coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>상관계수</translation>
     </message>
     <message>
         <source>Select two rows, and type the correlation coefficient of their components</source>
-        <translation type="unfinished"></translation>
+        <translation>두 행을 선택하고 그 성분의 상관계수를 입력하세요</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표</translation>
     </message>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation type="unfinished"></translation>
+        <translation>두 행의 &lt;i&gt;r&lt;/i&gt; =</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>갱신 필요: 계산 중입니다.</translation>
     </message>
     <message>
         <source>Type a name here to add a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>양을 추가하려면 여기에 이름을 입력하세요</translation>
     </message>
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2 단위의 양에 맞는 단위가 아닙니다.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 요구합니다.</translation>
     </message>
     <message>
         <source>Asked for by %1 where it applies.</source>
-        <translation type="unfinished"></translation>
+        <translation>해당하는 경우 %1에서 요구합니다.</translation>
     </message>
     <message>
         <source>Next Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 누락</translation>
     </message>
     <message>
         <source>What the certificate lacks</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서에 빠진 것</translation>
     </message>
     <message>
         <source>Goes to the next field that %1 requires and that is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 요구하지만 비어 있는 다음 필드로 이동합니다</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 변경</translation>
     </message>
     <message>
         <source>Everything that %1 requires beside the results is stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과 외에 %1에서 요구하는 모든 것이 기재되었습니다.</translation>
     </message>
     <message>
         <source>For File › Export › Certificate. A clause of %1 stands where it requires something; a report needs none of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 › 내보내기 › 성적서용입니다. %1의 조항은 그것이 무엇을 요구하는 곳에 표시됩니다. 보고서에는 필요하지 않습니다.</translation>
     </message>
     <message>
         <source>%1 of %2 required texts are stated; missing: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>필수 텍스트 %2개 중 %1개 기재됨, 누락: %3.</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
     <message>
         <source>Run the analysis to see this chart</source>
-        <translation type="unfinished"></translation>
+        <translation>이 차트를 보려면 분석을 실행하세요</translation>
     </message>
     <message>
         <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 파일 (*.%2)</translation>
     </message>
     <message>
         <source>Save Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>차트 저장</translation>
     </message>
     <message>
         <source>Show All</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 표시</translation>
     </message>
     <message>
         <source>Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>그림 복사</translation>
     </message>
     <message>
         <source>Copy Data</source>
-        <translation type="unfinished"></translation>
+        <translation>데이터 복사</translation>
     </message>
     <message>
         <source>Save as %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1(으)로 저장 …</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ColumnTableModel</name>
     <message>
         <source>Out of date: the project has changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>갱신 필요: 이후 프로젝트가 변경되었습니다.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CompareTab</name>
     <message>
         <source>Keep as Before</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 결과로 보관</translation>
     </message>
     <message>
         <source>Keeps the present results of this analysis, to compare later ones with</source>
-        <translation type="unfinished"></translation>
+        <translation>나중 결과와 비교하도록 이 분석의 현재 결과를 보관합니다</translation>
     </message>
     <message>
         <source>Go Back to Kept State</source>
-        <translation type="unfinished"></translation>
+        <translation>보관된 상태로 되돌리기</translation>
     </message>
     <message>
         <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트를 결과를 보관할 때의 상태로 만듭니다. 실행 취소할 수 있습니다</translation>
     </message>
     <message>
         <source>Discard Kept State</source>
-        <translation type="unfinished"></translation>
+        <translation>보관된 상태 버리기</translation>
     </message>
     <message>
         <source>Forgets the kept results; the project stays as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>보관된 결과를 버립니다. 프로젝트는 지금 상태로 유지됩니다</translation>
     </message>
     <message>
         <source>Go Back</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌리기</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>버리기</translation>
     </message>
     <message>
         <source>comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>비교</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>출력량</translation>
     </message>
     <message>
         <source>Change of estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값의 변화</translation>
     </message>
     <message>
         <source>u before</source>
-        <translation type="unfinished"></translation>
+        <translation>u 전</translation>
     </message>
     <message>
         <source>u after</source>
-        <translation type="unfinished"></translation>
+        <translation>u 후</translation>
     </message>
     <message>
         <source>k before</source>
-        <translation type="unfinished"></translation>
+        <translation>k 전</translation>
     </message>
     <message>
         <source>k after</source>
-        <translation type="unfinished"></translation>
+        <translation>k 후</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>포함</translation>
     </message>
     <message>
         <source>budget-changes</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표-변화</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>출처</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>차트</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>분포</translation>
     </message>
     <message>
         <source>Changes of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표의 변화</translation>
     </message>
     <message>
         <source>The results are kept: the tab Compare shows them beside those to come.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과를 보관했습니다. 비교 탭에서 앞으로의 결과와 나란히 보여 줍니다.</translation>
     </message>
     <message>
         <source>Go back to kept state</source>
-        <translation type="unfinished"></translation>
+        <translation>보관된 상태로 되돌리기</translation>
     </message>
     <message>
         <source>Select an analysis to compare its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과를 비교할 분석을 선택하세요.</translation>
     </message>
     <message>
         <source>Run the analysis (F5), then keep its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>분석을 실행(F5)한 다음 결과를 보관하세요.</translation>
     </message>
     <message>
         <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>현재 결과를 보관하고 편집하세요. 전과 후가 여기에 나란히 표시됩니다.</translation>
     </message>
     <message>
         <source>Before: %1, kept at %2. </source>
-        <translation type="unfinished"></translation>
+        <translation>전: %1, %2에 보관. </translation>
     </message>
     <message>
         <source>After: no results.</source>
-        <translation type="unfinished"></translation>
+        <translation>후: 결과 없음.</translation>
     </message>
     <message>
         <source>After: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>후: %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ComponentsEdit</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>추가</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>제거</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>초기화</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 성분</translation>
     </message>
     <message>
         <source>Name of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>성분의 이름</translation>
     </message>
     <message>
         <source>Type of evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>평가 유형</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>출처</translation>
     </message>
     <message>
         <source>Back to the components that the model gives</source>
-        <translation type="unfinished"></translation>
+        <translation>모델이 주는 성분으로 되돌립니다</translation>
     </message>
     <message>
         <source>Type A (from observations)</source>
-        <translation type="unfinished"></translation>
+        <translation>A형(관측값에서)</translation>
     </message>
     <message>
         <source>Type B (other means)</source>
-        <translation type="unfinished"></translation>
+        <translation>B형(다른 방법)</translation>
     </message>
     <message>
         <source>Degrees of freedom of the standard uncertainty; empty: infinitely many.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준불확도의 자유도. 비어 있으면 무한대.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>유형</translation>
     </message>
     <message>
         <source>Change component of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 성분 변경</translation>
     </message>
     <message>
         <source>component %1</source>
-        <translation type="unfinished"></translation>
+        <translation>성분 %1</translation>
     </message>
     <message>
         <source>Add component to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 성분 추가</translation>
     </message>
     <message>
         <source>Remove component of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 성분 제거</translation>
     </message>
     <message>
         <source>Reset components of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 성분 초기화</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationEdit</name>
     <message>
         <source>Add to the matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>행렬에 추가</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>제거</translation>
     </message>
     <message>
         <source>Correlation coefficients between components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 성분 사이의 상관계수</translation>
     </message>
     <message>
         <source>Component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 성분</translation>
     </message>
     <message>
         <source>All components are uncorrelated. Add those that are correlated to the matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 성분이 상관되지 않습니다. 상관된 성분을 행렬에 추가하세요.</translation>
     </message>
     <message>
         <source>The coefficients are possible together (positive semi-definite). Monte Carlo draws them with a Gaussian copula: exact for normal distributions, nearly so for others.</source>
-        <translation type="unfinished"></translation>
+        <translation>계수들은 함께 성립할 수 있습니다(양의 준정부호). 몬테카를로는 가우스 코퓰라로 추출합니다. 정규분포에는 정확하고, 다른 분포에는 거의 정확합니다.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationTableModel</name>
     <message>
         <source>Correlation of %1 with %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1과(와) %2의 상관</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CsvImportDialog</name>
     <message>
         <source>Import %1 into %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) %2(으)로 가져오기</translation>
     </message>
     <message>
         <source>found by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>자동 인식</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>쉼표</translation>
     </message>
     <message>
         <source>semicolon</source>
-        <translation type="unfinished"></translation>
+        <translation>세미콜론</translation>
     </message>
     <message>
         <source>tab</source>
-        <translation type="unfinished"></translation>
+        <translation>탭</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>미리보기</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기</translation>
     </message>
     <message>
         <source>&amp;Separator of cells</source>
-        <translation type="unfinished"></translation>
+        <translation>셀 구분자(&amp;S)</translation>
     </message>
     <message>
         <source>Column of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 열</translation>
     </message>
     <message>
         <source>is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>해석</translation>
     </message>
     <message>
         <source>Columns of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 열</translation>
     </message>
     <message>
         <source>Column %1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>열 %1의 해석</translation>
     </message>
     <message>
         <source>as it is named</source>
-        <translation type="unfinished"></translation>
+        <translation>이름대로</translation>
     </message>
     <message>
         <source>unknown: choose</source>
-        <translation type="unfinished"></translation>
+        <translation>알 수 없음: 선택</translation>
     </message>
     <message>
         <source>not read</source>
-        <translation type="unfinished"></translation>
+        <translation>읽지 않음</translation>
     </message>
     <message>
         <source>The file cannot be imported: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일을 가져올 수 없습니다: %1.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n개 행.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n more problem(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>문제 %n개 더.</numerusform>
         </translation>
     </message>
 </context>
@@ -5224,667 +5318,667 @@ nu 18 behind any of them: degrees of freedom</source>
     <name>covaria::ui::DateEditor</name>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>까지</translation>
     </message>
     <message>
         <source>%1, last day</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 마지막 날</translation>
     </message>
     <message>
         <source>Choose from a calendar</source>
-        <translation type="unfinished"></translation>
+        <translation>달력에서 선택</translation>
     </message>
     <message>
         <source>“%1” is no date of the form 2026-04-17.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 2026-04-17 형식의 날짜가 아닙니다.</translation>
     </message>
     <message>
         <source>The first day is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>첫째 날이 없습니다.</translation>
     </message>
     <message>
         <source>The last day is before the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 날이 첫째 날보다 빠릅니다.</translation>
     </message>
     <message>
         <source>the same day</source>
-        <translation type="unfinished"></translation>
+        <translation>같은 날</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DensityPicture</name>
     <message>
         <source>Density of the distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>분포의 밀도</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignBoxList</name>
     <message>
         <source>Add Box</source>
-        <translation type="unfinished"></translation>
+        <translation>상자 추가</translation>
     </message>
     <message>
         <source>To, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>끝, %1</translation>
     </message>
     <message>
         <source>From, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>시작, %1</translation>
     </message>
     <message>
         <source>Name of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>상자의 이름</translation>
     </message>
     <message>
         <source>name, such as pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>이름, 예: 기둥</translation>
     </message>
     <message>
         <source>Remove Box</source>
-        <translation type="unfinished"></translation>
+        <translation>상자 제거</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>시작</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>끝</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
         <source>Reductions with a price, in place of variables and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>변수와 행 대신, 가격이 있는 감소</translation>
     </message>
     <message>
         <source>Add Reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>감소 추가</translation>
     </message>
     <message>
         <source>One more uncertainty that can be made smaller for money</source>
-        <translation type="unfinished"></translation>
+        <translation>비용을 들여 작게 할 수 있는 불확도 하나 더</translation>
     </message>
     <message>
         <source>Smallest factor</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 배율</translation>
     </message>
     <message>
         <source>The smallest factor that can be had, between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>얻을 수 있는 가장 작은 배율, 0과 1 사이</translation>
     </message>
     <message>
         <source>Price of the first halving</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 절반 감소의 가격</translation>
     </message>
     <message>
         <source>Law of the price</source>
-        <translation type="unfinished"></translation>
+        <translation>가격 법칙</translation>
     </message>
     <message>
         <source>price (1/f − 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>가격 (1/f − 1)</translation>
     </message>
     <message>
         <source>price (1/f² − 1)/3: further readings</source>
-        <translation type="unfinished"></translation>
+        <translation>가격 (1/f² − 1)/3: 추가 읽음값</translation>
     </message>
     <message>
         <source>price log₂(1/f): every halving the same</source>
-        <translation type="unfinished"></translation>
+        <translation>가격 log₂(1/f): 절반 감소마다 동일</translation>
     </message>
     <message>
         <source>Remove Reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>감소 제거</translation>
     </message>
     <message>
         <source>Reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>감소 대상</translation>
     </message>
     <message>
         <source>Least factor</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 배율</translation>
     </message>
     <message>
         <source>First halving</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 절반 감소</translation>
     </message>
     <message>
         <source>A factor f costs</source>
-        <translation type="unfinished"></translation>
+        <translation>배율 f의 비용</translation>
     </message>
     <message>
         <source>choose what is reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>감소 대상 선택</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignTab</name>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계</translation>
     </message>
     <message>
         <source>Design of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>이 분석의 설계</translation>
     </message>
     <message>
         <source>Run Design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계 실행</translation>
     </message>
     <message>
         <source>Searches for the best design</source>
-        <translation type="unfinished"></translation>
+        <translation>최선의 설계를 탐색합니다</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>중지</translation>
     </message>
     <message>
         <source>Stops the search (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>탐색을 중지합니다(Esc)</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation type="unfinished"></translation>
+        <translation>편집 …</translation>
     </message>
     <message>
         <source>Variables, rows and objective of the design, in the properties of the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 속성에 있는 설계의 변수, 행, 목적</translation>
     </message>
     <message>
         <source>Take Over This Design</source>
-        <translation type="unfinished"></translation>
+        <translation>이 설계 적용</translation>
     </message>
     <message>
         <source>Puts the values and rows that were found into the project; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>찾은 값과 행을 프로젝트에 넣습니다. 실행 취소할 수 있습니다</translation>
     </message>
     <message>
         <source>Add Design …</source>
-        <translation type="unfinished"></translation>
+        <translation>설계 추가 …</translation>
     </message>
     <message>
         <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation type="unfinished"></translation>
+        <translation>설계를 실행하면 선택할 수 있는 것으로 얻을 수 있는 최선을 보여 줍니다.</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: add one.</source>
-        <translation type="unfinished"></translation>
+        <translation>설계는 어디에 설치하고 무엇을 측정할지 찾습니다. 하나 추가하세요.</translation>
     </message>
     <message>
         <source> – out of date</source>
-        <translation type="unfinished"></translation>
+        <translation> – 갱신 필요</translation>
     </message>
     <message>
         <source>%1 of %2 evaluations</source>
-        <translation type="unfinished"></translation>
+        <translation>평가 %2회 중 %1회</translation>
     </message>
     <message>
         <source>, best so far %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, 현재 최선 %1</translation>
     </message>
     <message>
         <source>searching …</source>
-        <translation type="unfinished"></translation>
+        <translation>탐색 중 …</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>실패: %1</translation>
     </message>
     <message>
         <source>Not searched yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 탐색하지 않았습니다.</translation>
     </message>
     <message>
         <source>Nothing that was tried has a result.</source>
-        <translation type="unfinished"></translation>
+        <translation>시도한 것 중 결과가 있는 것이 없습니다.</translation>
     </message>
     <message>
         <source>The cheapest reductions cost %1</source>
-        <translation type="unfinished"></translation>
+        <translation>가장 저렴한 감소의 비용 %1</translation>
     </message>
     <message>
         <source>The cheapest rows cost %1</source>
-        <translation type="unfinished"></translation>
+        <translation>가장 저렴한 행의 비용 %1</translation>
     </message>
     <message>
         <source>, before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, 이전 %1</translation>
     </message>
     <message>
         <source>; &lt;b&gt;the target of U(%1) is not met&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>; &lt;b&gt;U(%1)의 목표 미충족&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;갱신 필요&lt;/b&gt;: 이전 상태의 프로젝트를 표시합니다. </translation>
     </message>
     <message>
         <source>Take over design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계 적용</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignsForm</name>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계</translation>
     </message>
     <message>
         <source>Adds a design of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>이 분석의 설계를 추가합니다</translation>
     </message>
     <message>
         <source>Adds a copy of this design</source>
-        <translation type="unfinished"></translation>
+        <translation>이 설계의 사본을 추가합니다</translation>
     </message>
     <message>
         <source>Deletes this design</source>
-        <translation type="unfinished"></translation>
+        <translation>이 설계를 삭제합니다</translation>
     </message>
     <message>
         <source>Searches for the best design</source>
-        <translation type="unfinished"></translation>
+        <translation>최선의 설계를 탐색합니다</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: the numbers and the rows of the set-up that make the uncertainties smallest. Add one to let Covaria search.</source>
-        <translation type="unfinished"></translation>
+        <translation>설계는 어디에 설치하고 무엇을 측정할지, 즉 불확도를 가장 작게 하는 측정 구성의 수와 행을 찾습니다. 하나 추가하면 Covaria가 탐색합니다.</translation>
     </message>
     <message>
         <source>Add Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>변수 추가</translation>
     </message>
     <message>
         <source>One more number that may be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>선택할 수 있는 수 하나 더</translation>
     </message>
     <message>
         <source>Name of the design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계의 이름</translation>
     </message>
     <message>
         <source>Objective</source>
-        <translation type="unfinished"></translation>
+        <translation>목적</translation>
     </message>
     <message>
         <source>What is made smallest of the ratios of U to the target uncertainties; without targets to U of the present design</source>
-        <translation type="unfinished"></translation>
+        <translation>목표불확도에 대한 U의 비 가운데 최소화하는 것. 목표가 없으면 현재 설계의 U에 대한 비</translation>
     </message>
     <message>
         <source>Largest ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 비</translation>
     </message>
     <message>
         <source>Mean of the ratios</source>
-        <translation type="unfinished"></translation>
+        <translation>비의 평균</translation>
     </message>
     <message>
         <source>Root mean square of the ratios</source>
-        <translation type="unfinished"></translation>
+        <translation>비의 제곱평균제곱근</translation>
     </message>
     <message>
         <source>Cost of the rows, with all targets met</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 목표를 충족하는 행의 비용</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름</translation>
     </message>
     <message>
         <source>Smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>최소화</translation>
     </message>
     <message>
         <source>Output quantities of the design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계의 출력량</translation>
     </message>
     <message>
         <source>Output quantities looked at; with none ticked, all with a target uncertainty, or all measurands</source>
-        <translation type="unfinished"></translation>
+        <translation>살펴볼 출력량. 선택하지 않으면 목표불확도가 있는 모든 출력량, 또는 모든 측정량</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all with a target, or all measurands)</source>
-        <translation type="unfinished"></translation>
+        <translation>출력(선택 없음: 목표가 있는 모든 출력, 또는 모든 측정량)</translation>
     </message>
     <message>
         <source>Rows to choose from</source>
-        <translation type="unfinished"></translation>
+        <translation>선택할 행</translation>
     </message>
     <message>
         <source>Table to choose from</source>
-        <translation type="unfinished"></translation>
+        <translation>선택할 표</translation>
     </message>
     <message>
         <source>Rows to keep</source>
-        <translation type="unfinished"></translation>
+        <translation>유지할 행 수</translation>
     </message>
     <message>
         <source>File of candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>후보 파일</translation>
     </message>
     <message>
         <source>A CSV file beside the project with further rows; may be empty</source>
-        <translation type="unfinished"></translation>
+        <translation>추가 행이 있는, 프로젝트 옆의 CSV 파일. 비워 둘 수 있습니다</translation>
     </message>
     <message>
         <source>Rows that stay</source>
-        <translation type="unfinished"></translation>
+        <translation>남는 행</translation>
     </message>
     <message>
         <source>Ticked rows stay in any case</source>
-        <translation type="unfinished"></translation>
+        <translation>선택한 행은 어떤 경우에도 남습니다</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>표</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>유지</translation>
     </message>
     <message>
         <source>Candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>후보</translation>
     </message>
     <message>
         <source>Stay</source>
-        <translation type="unfinished"></translation>
+        <translation>남음</translation>
     </message>
     <message>
         <source>Prices</source>
-        <translation type="unfinished"></translation>
+        <translation>가격</translation>
     </message>
     <message>
         <source>Starts</source>
-        <translation type="unfinished"></translation>
+        <translation>시작 횟수</translation>
     </message>
     <message>
         <source>Evaluations at most</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 평가 횟수</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>시드</translation>
     </message>
     <message>
         <source>Least distance</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 거리</translation>
     </message>
     <message>
         <source>Between instruments, and of them from all other points</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기 사이, 그리고 측정기와 다른 모든 점 사이</translation>
     </message>
     <message>
         <source>Keep out of</source>
-        <translation type="unfinished"></translation>
+        <translation>제외 영역</translation>
     </message>
     <message>
         <source>No instrument stands in this box</source>
-        <translation type="unfinished"></translation>
+        <translation>이 상자에는 측정기를 두지 않습니다</translation>
     </message>
     <message>
         <source>Lines of sight are hidden by</source>
-        <translation type="unfinished"></translation>
+        <translation>시준선을 가리는 것</translation>
     </message>
     <message>
         <source>No line of sight passes this box</source>
-        <translation type="unfinished"></translation>
+        <translation>시준선이 이 상자를 지나지 않습니다</translation>
     </message>
     <message>
         <source>Prices of the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>행의 가격</translation>
     </message>
     <message>
         <source>one for all rows, or one for each: 120; 80; 95</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 행에 하나, 또는 행마다 하나: 120; 80; 95</translation>
     </message>
     <message>
         <source>What the rows cost, separated by semicolons; needed where the cost is to be small</source>
-        <translation type="unfinished"></translation>
+        <translation>행의 비용, 세미콜론으로 구분. 비용을 작게 하려는 경우에 필요합니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no number; separate prices by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 수가 아닙니다. 가격을 세미콜론으로 구분하세요</translation>
     </message>
     <message>
         <source>Of the random starts: a whole number from 0 to 18446744073709551615</source>
-        <translation type="unfinished"></translation>
+        <translation>무작위 시작의 시드: 0부터 18446744073709551615까지의 정수</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DistributionEdit</name>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>분포</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>단위</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>값</translation>
     </message>
     <message>
         <source>Probabilities</source>
-        <translation type="unfinished"></translation>
+        <translation>확률</translation>
     </message>
     <message>
         <source>numbers with ; between</source>
-        <translation type="unfinished"></translation>
+        <translation>;으로 구분한 수</translation>
     </message>
     <message>
         <source>“%1” are not all numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”이(가) 모두 수는 아닙니다.</translation>
     </message>
     <message>
         <source>There must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>확률의 수는 값의 수와 같아야 합니다.</translation>
     </message>
     <message>
         <source>This distribution has no finite standard uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 분포에는 유한한 표준불확도가 없습니다.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
     <message>
         <source>Float or dock</source>
-        <translation type="unfinished"></translation>
+        <translation>띄우기 또는 도킹</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>닫기</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::Document</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>제목 없음</translation>
     </message>
     <message>
         <source>%1 (from %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2에서)</translation>
     </message>
     <message>
         <source>The project has no file yet: choose a name for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트에 아직 파일이 없습니다. 이름을 정하세요.</translation>
     </message>
     <message>
         <source> (copy)</source>
-        <translation type="unfinished"></translation>
+        <translation> (사본)</translation>
     </message>
     <message>
         <source>Add study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디 추가</translation>
     </message>
     <message>
         <source>Duplicate study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디 복제</translation>
     </message>
     <message>
         <source>Delete study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디 삭제</translation>
     </message>
     <message>
         <source>Change study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디 변경</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디 %1</translation>
     </message>
     <message>
         <source>Add design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계 추가</translation>
     </message>
     <message>
         <source>Duplicate design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계 복제</translation>
     </message>
     <message>
         <source>Delete design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계 삭제</translation>
     </message>
     <message>
         <source>Change design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계 변경</translation>
     </message>
     <message>
         <source>Design %1</source>
-        <translation type="unfinished"></translation>
+        <translation>설계 %1</translation>
     </message>
     <message>
         <source>the project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이름 바꾸기</translation>
     </message>
     <message>
         <source>Change notes of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 메모 변경</translation>
     </message>
     <message>
         <source>Delete %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 삭제</translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이동</translation>
     </message>
     <message>
         <source>Take %1 from an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>분석에서 %1 가져오기</translation>
     </message>
     <message>
         <source>Remove the link of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 연결 제거</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
-        <translation type="unfinished"></translation>
+        <translation>방정식</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationTab</name>
     <message>
         <source>Evaluation of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성의 평가</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
     <message>
         <source>Tables of the evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>평가의 표</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>차트</translation>
     </message>
     <message>
         <source>Which chart of the evaluation is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>표시할 평가 차트</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ExportActions</name>
     <message>
         <source>PDF document (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF 문서 (*.pdf)</translation>
     </message>
     <message>
         <source>HTML page (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML 페이지 (*.html)</translation>
     </message>
     <message>
         <source>Markdown text (*.md)</source>
-        <translation type="unfinished"></translation>
+        <translation>Markdown 텍스트 (*.md)</translation>
     </message>
     <message>
         <source>Report as &amp;PDF …</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF 보고서(&amp;P) …</translation>
     </message>
     <message>
         <source>&amp;Certificate as PDF …</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF 성적서(&amp;C) …</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>내보내기(&amp;E)</translation>
     </message>
     <message>
         <source>Report as &amp;HTML …</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML 보고서(&amp;H) …</translation>
     </message>
     <message>
         <source>Report as &amp;Markdown …</source>
-        <translation type="unfinished"></translation>
+        <translation>Markdown 보고서(&amp;M) …</translation>
     </message>
     <message>
         <source>&amp;Results and Tables …</source>
-        <translation type="unfinished"></translation>
+        <translation>결과와 표(&amp;R) …</translation>
     </message>
     <message>
         <source> …</source>
-        <translation type="unfinished"></translation>
+        <translation> …</translation>
     </message>
     <message>
         <source>No results yet</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 결과 없음</translation>
     </message>
     <message>
         <source>No analysis is up to date. Run one first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>최신 상태인 분석이 없습니다. 먼저 하나를 실행하세요(F5).</translation>
     </message>
     <message>
         <source>The export waits until the analyses have run</source>
-        <translation type="unfinished"></translation>
+        <translation>분석이 끝날 때까지 내보내기를 기다립니다</translation>
     </message>
     <message>
         <source>, without %1: not up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 제외: 최신이 아님</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Export Report</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서 내보내기</translation>
     </message>
     <message>
         <source>The certificate does not state what ISO/IEC 17025 requires of it:
@@ -5892,1902 +5986,1967 @@ nu 18 behind any of them: degrees of freedom</source>
 %1
 
 It says “not stated” in these places. They are fields of the project&apos;s page.</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서에 ISO/IEC 17025가 요구하는 다음 사항이 없습니다:
+
+%1
+
+이 자리에는 “not stated”(기재되지 않음)라고 표시됩니다. 이들은 프로젝트 페이지의 필드입니다.</translation>
     </message>
     <message>
         <source>Export Anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>그래도 내보내기</translation>
     </message>
     <message>
         <source>Export Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서 내보내기</translation>
     </message>
     <message>
         <source>Export Results and Tables into the Folder of</source>
-        <translation type="unfinished"></translation>
+        <translation>결과와 표를 내보낼 폴더:</translation>
     </message>
     <message>
         <source>Results (results.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>결과 (results.json)</translation>
     </message>
     <message>
         <source>%1: what it must state is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 필수 기재 사항 누락</translation>
     </message>
     <message>
         <source>Export %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 내보내기</translation>
     </message>
     <message>
         <source>%1 (*%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (*%2)</translation>
     </message>
     <message>
         <source>A report is being written; wait until it is finished</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서를 쓰는 중입니다. 끝날 때까지 기다리세요</translation>
     </message>
     <message>
         <source>Writing %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 쓰는 중 …</translation>
     </message>
     <message>
         <source>Wrote %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 저장함</translation>
     </message>
     <message>
         <source>The export failed</source>
-        <translation type="unfinished"></translation>
+        <translation>내보내지 못했습니다</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FieldEditor</name>
     <message>
         <source>From %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1부터 %2까지.</translation>
     </message>
     <message>
         <source>More than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 초과.</translation>
     </message>
     <message>
         <source>At least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이상.</translation>
     </message>
     <message>
         <source>At most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이하.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
     <message>
         <source>Help on the field</source>
-        <translation type="unfinished"></translation>
+        <translation>필드 도움말</translation>
     </message>
     <message>
         <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation type="unfinished"></translation>
+        <translation>수는 다른 단위로 입력할 수 있습니다(0.5 um). 화살표 키는 마지막 자리를 바꿉니다.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
     <message>
         <source>line %1: </source>
-        <translation type="unfinished"></translation>
+        <translation>%1행: </translation>
     </message>
     <message>
         <source>&amp;New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>새 프로젝트(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>열기(&amp;O) …</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>저장(&amp;S)</translation>
     </message>
     <message>
         <source>Save &amp;As …</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 이름으로 저장(&amp;A) …</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>최근 파일 열기(&amp;R)</translation>
     </message>
     <message>
         <source>No projects yet</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 프로젝트 없음</translation>
     </message>
     <message>
         <source>New from &amp;Example</source>
-        <translation type="unfinished"></translation>
+        <translation>예제로 새로 만들기(&amp;E)</translation>
     </message>
     <message>
         <source>Untitled project</source>
-        <translation type="unfinished"></translation>
+        <translation>제목 없는 프로젝트</translation>
     </message>
     <message>
         <source>Opening %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 여는 중 …</translation>
     </message>
     <message>
         <source>%1 was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 열지 못했습니다</translation>
     </message>
     <message>
         <source>The project has errors and was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트에 오류가 있어 열지 못했습니다</translation>
     </message>
     <message>
         <source>Opened %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 열림</translation>
     </message>
     <message>
         <source>The example could not be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>예제를 열지 못했습니다</translation>
     </message>
     <message>
         <source>The project was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트를 저장하지 못했습니다</translation>
     </message>
     <message>
         <source>Save Project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트 저장</translation>
     </message>
     <message>
         <source>Covaria project (*.covaria)</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria 프로젝트 (*.covaria)</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 저장됨</translation>
     </message>
     <message numerus="yes">
         <source>Saved %1 without %n text(s) that cannot be read: see the problems</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>읽을 수 없는 텍스트 %n개를 제외하고 %1 저장됨: 문제를 보세요</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>The work could not be recovered</source>
-        <translation type="unfinished"></translation>
+        <translation>작업을 복구하지 못했습니다</translation>
     </message>
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 프로그램이 %1을(를) 제거했습니다. 저장하면 다시 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::HelpActions</name>
+    <message>
+        <source>Help</source>
+        <translation>도움말</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>단축키</translation>
+    </message>
+    <message>
+        <source>Help on What Has the &amp;Focus</source>
+        <translation>포커스가 있는 항목의 도움말(&amp;F)</translation>
+    </message>
+    <message>
+        <source>M&amp;odels</source>
+        <translation>모델(&amp;O)</translation>
+    </message>
+    <message>
+        <source>A&amp;rtefacts, Instruments and Robots</source>
+        <translation>기준물, 측정기, 로봇(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Results and Requirements</source>
+        <translation>결과와 요구사항(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What Every &amp;Analysis Has</source>
+        <translation>모든 분석에 있는 것(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>용어집(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>단축키(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Covaria</source>
+        <translation>Covaria 정보(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::HelpPane</name>
+    <message>
+        <source>Help</source>
+        <translation>도움말</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ImportActions</name>
     <message>
         <source>&amp;Import File …</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 가져오기(&amp;I) …</translation>
     </message>
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 프로그램의 점, 총괄표, 성적서, 읽음값 또는 포즈를 추가합니다</translation>
     </message>
     <message>
         <source>&amp;Import Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 가져오기(URDF)(&amp;I) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>URDF 로봇 기술 파일에서 직렬 로봇을 추가합니다</translation>
     </message>
     <message>
         <source>Import File</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 가져오기</translation>
     </message>
     <message>
         <source>Files that are read (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>읽을 수 있는 파일 (%1);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 가져오기</translation>
     </message>
     <message>
         <source>Imported %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 가져옴</translation>
     </message>
     <message>
         <source>Import Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 가져오기</translation>
     </message>
     <message>
         <source>Robot description (*.urdf);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 기술 파일 (*.urdf);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>The robot was not imported</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇을 가져오지 못했습니다</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ImportDialog</name>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행: %2</translation>
     </message>
     <message>
         <source>What the file says contradicts itself: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 내용이 서로 모순됩니다: %1</translation>
     </message>
     <message>
         <source>&amp;Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>시트(&amp;S)</translation>
     </message>
     <message>
         <source>Columns of the file and what each is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 열과 각 열의 해석</translation>
     </message>
     <message>
         <source>Units that the &amp;file does not state</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 없는 단위(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Note the file with its size, time and SHA-256 in what is added</source>
-        <translation type="unfinished"></translation>
+        <translation>추가된 것에 파일의 크기, 시각, SHA-256 기록(&amp;N)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 가져오기</translation>
     </message>
     <message>
         <source>as the file says, else mm</source>
-        <translation type="unfinished"></translation>
+        <translation>파일대로, 없으면 mm</translation>
     </message>
     <message>
         <source>What becomes of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 처리</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기</translation>
     </message>
     <message>
         <source>&amp;Read as</source>
-        <translation type="unfinished"></translation>
+        <translation>해석 형식(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Unit of lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>길이의 단위(&amp;U)</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>양</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>단위</translation>
     </message>
     <message>
         <source>What becomes of it, and what is not taken over</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 처리와 가져오지 않는 것</translation>
     </message>
     <message>
         <source>no reader recognises it: choose one</source>
-        <translation type="unfinished"></translation>
+        <translation>인식하는 형식이 없음: 하나를 선택하세요</translation>
     </message>
     <message>
         <source>several readers recognise it: choose one</source>
-        <translation type="unfinished"></translation>
+        <translation>여러 형식이 인식함: 하나를 선택하세요</translation>
     </message>
     <message>
         <source>%1 (recognised)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (인식됨)</translation>
     </message>
     <message>
         <source>Column %1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>열 %1의 해석</translation>
     </message>
     <message>
         <source>unknown: choose</source>
-        <translation type="unfinished"></translation>
+        <translation>알 수 없음: 선택</translation>
     </message>
     <message>
         <source>as it is named</source>
-        <translation type="unfinished"></translation>
+        <translation>이름대로</translation>
     </message>
     <message>
         <source>Choose what the file is read as.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일을 무엇으로 읽을지 선택하세요.</translation>
     </message>
     <message>
         <source>%1 assets and %2 analyses are added, in one step that can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>에셋 %1개와 분석 %2개를, 실행 취소할 수 있는 한 단계로 추가합니다.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 가져옴, %2바이트, %3, SHA-256 %4.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputCorrelationModel</name>
     <message>
         <source>Remove correlations of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 상관 제거</translation>
     </message>
     <message>
         <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>상관계수는 −1과 1 사이에 있습니다. “%1”은(는) 그렇지 않습니다.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 수가 아닙니다.</translation>
     </message>
     <message>
         <source>Change correlation of %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1과(와) %2의 상관 변경</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputQuantitiesModel</name>
     <message>
         <source>from %1, linearised: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서, 선형화: %2</translation>
     </message>
     <message>
         <source>from %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서: %2</translation>
     </message>
     <message>
         <source>%1 (%2, %3 %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2, %3 %4)</translation>
     </message>
     <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 분석에서 매 시행마다 평가됩니다. 그곳에서 편집하세요.</translation>
     </message>
     <message>
         <source>Changed: differs from what the model says.</source>
-        <translation type="unfinished"></translation>
+        <translation>변경됨: 모델의 값과 다릅니다.</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>기호</translation>
     </message>
     <message>
         <source>Input quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>입력량</translation>
     </message>
     <message>
         <source>Estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>단위</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 성분</translation>
     </message>
     <message>
         <source>Constant</source>
-        <translation type="unfinished"></translation>
+        <translation>상수</translation>
     </message>
     <message>
         <source>Change estimate of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 추정값 변경</translation>
     </message>
     <message>
         <source>Keep %1 constant</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 일정하게 유지</translation>
     </message>
     <message>
         <source>Let %1 vary</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 변하게 하기</translation>
     </message>
     <message>
         <source>Reset %1 to the model&apos;s values</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 모델의 값으로 초기화</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputsPage</name>
     <message>
         <source>Find a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>양 찾기</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished"></translation>
+        <translation>성분</translation>
     </message>
     <message>
         <source>Correlations</source>
-        <translation type="unfinished"></translation>
+        <translation>상관</translation>
     </message>
     <message>
         <source>The quantities that the set-up makes. What is changed here replaces what the set-up states.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성이 만드는 양. 여기서 변경한 것은 측정 구성에 제시된 것을 대신합니다.</translation>
     </message>
     <message>
         <source>Input quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>입력량</translation>
     </message>
     <message>
         <source>Take From an Analysis…</source>
-        <translation type="unfinished"></translation>
+        <translation>분석에서 가져오기…</translation>
     </message>
     <message>
         <source>Remove Link</source>
-        <translation type="unfinished"></translation>
+        <translation>연결 제거</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>추가</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>복제</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>삭제</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>실행</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
-        <translation type="unfinished"></translation>
+        <translation>모음</translation>
     </message>
     <message>
         <source>Templates, examples and assets</source>
-        <translation type="unfinished"></translation>
+        <translation>템플릿, 예제, 에셋</translation>
     </message>
     <message>
         <source>Library and Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리와 예제</translation>
     </message>
     <message>
         <source>Search: name, kind, source</source>
-        <translation type="unfinished"></translation>
+        <translation>검색: 이름, 종류, 출처</translation>
     </message>
     <message>
         <source>Search in the library</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리에서 검색</translation>
     </message>
     <message>
         <source>What is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>선택한 것</translation>
     </message>
     <message>
         <source>New analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>새 분석</translation>
     </message>
     <message>
         <source>Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>예제</translation>
     </message>
     <message>
         <source>GUM and its supplements</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM과 그 보충서</translation>
     </message>
     <message>
         <source>Everything</source>
-        <translation type="unfinished"></translation>
+        <translation>전체</translation>
     </message>
     <message>
         <source>It comes with what it needs and has results at once. Assets of the same kind that the project has already stand in the place of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>필요한 것과 함께 추가되어 바로 결과가 나옵니다. 프로젝트에 이미 같은 종류의 에셋이 있으면 그것을 대신 씁니다.</translation>
     </message>
     <message>
         <source>Opens as a new project.</source>
-        <translation type="unfinished"></translation>
+        <translation>새 프로젝트로 열립니다.</translation>
     </message>
     <message>
         <source>Add to the Project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트에 추가</translation>
     </message>
     <message>
         <source>&lt;p&gt;Nothing here has these words.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;이 단어가 있는 항목이 없습니다.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Open as a New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>새 프로젝트로 열기</translation>
     </message>
     <message>
         <source>Add This Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>이 분석 추가</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
         <source>From the &amp;Library</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리에서(&amp;L)</translation>
     </message>
     <message>
         <source>Not readable: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>읽을 수 없음: %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LinesEditor</name>
     <message>
         <source>Add rows for new names</source>
-        <translation type="unfinished"></translation>
+        <translation>새 이름의 행 추가</translation>
     </message>
     <message>
         <source>Adds a row to the tables below for every name that has none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 행이 없는 모든 이름에 대해 아래 표에 행을 추가합니다</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LinkDialog</name>
     <message>
         <source>&amp;Linearised: faster, exact to first order only</source>
-        <translation type="unfinished"></translation>
+        <translation>선형화(&amp;L): 더 빠르지만 일차까지만 정확함</translation>
     </message>
     <message>
         <source>Take %1 From an Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>분석에서 %1 가져오기</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>분석</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>결과</translation>
     </message>
     <message>
         <source>No other analysis has a result of this dimension.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 차원의 결과가 있는 다른 분석이 없습니다.</translation>
     </message>
     <message>
         <source>Both analyses are then evaluated together, as one model: the result is not carried over as a number with an uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 분석은 하나의 모델로 함께 평가됩니다. 결과를 불확도가 있는 수로 옮기는 것이 아닙니다.</translation>
     </message>
     <message>
         <source>&amp;Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>분석(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Result</source>
-        <translation type="unfinished"></translation>
+        <translation>결과(&amp;R)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ListEditor</name>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>(없음)</translation>
     </message>
     <message>
         <source>%1 (does not exist)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (존재하지 않음)</translation>
     </message>
     <message>
         <source>%1
 
 Chosen: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+
+선택됨: %2</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LogPane</name>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>로그</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
     <message>
         <source>Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>속성</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>분석</translation>
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>문제</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>로그</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 취소(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행(&amp;R)</translation>
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished"></translation>
+        <translation>분석이나 분석에 쓰이는 것을 추가합니다</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>도구</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>파일(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Library and Examples …</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리와 예제(&amp;L) …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>끝내기(&amp;Q)</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>편집(&amp;E)</translation>
     </message>
     <message>
         <source>Pre&amp;ferences …</source>
-        <translation type="unfinished"></translation>
+        <translation>환경설정(&amp;F) …</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>실행(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>보기(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Reset Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>배치 초기화(&amp;R)</translation>
     </message>
     <message>
         <source>Start Page</source>
-        <translation type="unfinished"></translation>
+        <translation>시작 페이지</translation>
     </message>
     <message>
         <source>3D Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 장면</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>도움말(&amp;H)</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>갱신 필요</translation>
     </message>
     <message>
         <source>Problems (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>문제 (%1)</translation>
     </message>
     <message>
         <source>Covaria[*]</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria[*]</translation>
     </message>
     <message>
         <source>%1[*] – Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Covaria</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::NotesPage</name>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>제목</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>메모</translation>
     </message>
     <message>
         <source>Appear in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서에 표시</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::OptionsForm</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>Forecast</source>
-        <translation type="unfinished"></translation>
+        <translation>예측</translation>
     </message>
     <message>
         <source>Change evaluation options</source>
-        <translation type="unfinished"></translation>
+        <translation>평가 옵션 변경</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::OutputTicks</name>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation> (%1)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>환경설정</translation>
     </message>
     <message>
         <source>Results in the window</source>
-        <translation type="unfinished"></translation>
+        <translation>창에 표시되는 결과</translation>
     </message>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트에 지정되지 않은 경우에 적용됩니다. 보고서와 파일은 프로젝트의 설정만 따르며, 소수점은 항상 점입니다.</translation>
     </message>
     <message>
         <source>New analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>새 분석</translation>
     </message>
     <message>
         <source>Written into analyses that are added; others stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>추가되는 분석에 기록됩니다. 다른 분석은 그대로입니다.</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lengths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Angles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moments</source>
-        <translation type="unfinished"></translation>
+        <translation>창</translation>
     </message>
     <message>
         <source>Of tables and charts of results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과의 표와 차트에 적용</translation>
     </message>
     <message>
         <source>As the model gives them</source>
-        <translation type="unfinished"></translation>
+        <translation>모델이 주는 대로</translation>
     </message>
     <message>
         <source>Digits of U</source>
-        <translation type="unfinished"></translation>
+        <translation>U의 자릿수</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도의 유효숫자. 추정값은 이에 맞게 반올림합니다</translation>
     </message>
     <message>
         <source>1</source>
-        <translation type="unfinished"></translation>
+        <translation>1</translation>
     </message>
     <message>
         <source>2</source>
-        <translation type="unfinished"></translation>
+        <translation>2</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>수</translation>
     </message>
     <message>
         <source>Of all tables, charts and fields of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>창의 모든 표, 차트, 필드에 적용</translation>
     </message>
     <message>
         <source>As the language writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>언어의 표기대로</translation>
     </message>
     <message>
         <source>1234.5 (point)</source>
-        <translation type="unfinished"></translation>
+        <translation>1234.5 (점)</translation>
     </message>
     <message>
         <source>1234,5 (comma)</source>
-        <translation type="unfinished"></translation>
+        <translation>1234,5 (쉼표)</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>포함인자</translation>
     </message>
     <message>
         <source>Of U = k u, where a new analysis begins with a fixed one</source>
-        <translation type="unfinished"></translation>
+        <translation>U = k u의 값, 새 분석을 고정 포함인자로 시작하는 경우</translation>
     </message>
     <message>
         <source>k from the degrees of freedom or the coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>자유도 또는 포함구간에서 구한 k</translation>
     </message>
     <message>
         <source>k = 2</source>
-        <translation type="unfinished"></translation>
+        <translation>k = 2</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>시행 횟수</translation>
     </message>
     <message>
         <source>Of Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로의 시행 횟수</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>언어</translation>
     </message>
     <message>
         <source>Of the window, when Covaria starts again</source>
-        <translation type="unfinished"></translation>
+        <translation>창의 언어, Covaria를 다시 시작하면 적용</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>시스템 설정대로</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>색상</translation>
     </message>
     <message>
         <source>Of the window, its charts and the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>창, 차트, 장면의 색상</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>밝게</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>어둡게</translation>
     </message>
     <message>
         <source>Font size</source>
-        <translation type="unfinished"></translation>
+        <translation>글꼴 크기</translation>
     </message>
     <message>
         <source>Of the whole window</source>
-        <translation type="unfinished"></translation>
+        <translation>창 전체에 적용</translation>
     </message>
     <message>
         <source>as the system</source>
-        <translation type="unfinished"></translation>
+        <translation>시스템 설정대로</translation>
     </message>
     <message>
         <source> pt</source>
-        <translation type="unfinished"></translation>
+        <translation> pt</translation>
     </message>
     <message>
         <source>Recovery copy</source>
-        <translation type="unfinished"></translation>
+        <translation>복구 사본</translation>
     </message>
     <message>
         <source>How long an edit may stay without a copy that a crash leaves behind</source>
-        <translation type="unfinished"></translation>
+        <translation>비정상 종료에 대비한 사본 없이 편집 내용이 남아 있을 수 있는 시간</translation>
     </message>
     <message>
         <source>at most </source>
-        <translation type="unfinished"></translation>
+        <translation>편집 후 </translation>
     </message>
     <message>
         <source> s after an edit</source>
-        <translation type="unfinished"></translation>
+        <translation> s 이내</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsModel</name>
     <message>
         <source>, row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1행</translation>
     </message>
     <message>
         <source>Project: certificate, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트: 성적서, %1</translation>
     </message>
     <message>
         <source>Project: report</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트: 보고서</translation>
     </message>
     <message>
         <source>evaluation, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>평가, %1</translation>
     </message>
     <message>
         <source>To give</source>
-        <translation type="unfinished"></translation>
+        <translation>입력 필요</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>오류</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>경고</translation>
     </message>
     <message>
         <source>, line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1번째 줄</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>종류</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>위치</translation>
     </message>
     <message>
         <source>Problem</source>
-        <translation type="unfinished"></translation>
+        <translation>문제</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>문제</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ProjectPage</name>
+    <message>
+        <source>Number</source>
+        <translation>번호</translation>
+    </message>
+    <message>
+        <source>Of the project or order; in the report</source>
+        <translation>프로젝트 또는 주문의 번호; 보고서에 표시</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>작성자</translation>
+    </message>
+    <message>
+        <source>Who evaluated; in the report</source>
+        <translation>평가한 사람; 보고서에 표시</translation>
+    </message>
+    <message>
+        <source>Results of all analyses</source>
+        <translation>모든 분석의 결과</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 변경</translation>
+    </message>
+    <message>
+        <source>Not stated</source>
+        <translation>명시되지 않음</translation>
+    </message>
+    <message>
+        <source>Of results in the window, reports, tables and CSV files; where it is not stated, files have the unit of the model</source>
+        <translation>창, 보고서, 표, CSV 파일의 결과 단위; 명시하지 않으면 파일은 모델의 단위를 씀</translation>
+    </message>
+    <message>
+        <source>Change units of results</source>
+        <translation>결과 단위들 변경</translation>
+    </message>
+    <message>
+        <source>Digits of U</source>
+        <translation>U의 자릿수</translation>
+    </message>
+    <message>
+        <source>Significant digits of uncertainties in the window and the report; certificates have two</source>
+        <translation>창과 보고서에서 불확도의 유효숫자 자릿수; 인증서는 두 자리</translation>
+    </message>
+    <message>
+        <source>Change digits of results</source>
+        <translation>결과 자릿수 변경</translation>
+    </message>
+    <message>
+        <source>Coverage factor</source>
+        <translation>포함인자</translation>
+    </message>
+    <message>
+        <source>A fixed k for U = k u of all analyses whose options state none; empty: from the degrees of freedom, or the coverage interval</source>
+        <translation>옵션에 k가 없는 모든 분석의 U = k u에 쓰는 고정된 k; 비우면 자유도 또는 포함구간에서 구함</translation>
+    </message>
+    <message>
+        <source>Change coverage factor</source>
+        <translation>포함인자 변경</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트</translation>
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>복제(&amp;U)</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름 바꾸기(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Delete …</source>
-        <translation type="unfinished"></translation>
+        <translation>삭제(&amp;D) …</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation type="unfinished"></translation>
+        <translation>추가(&amp;A)</translation>
     </message>
     <message>
         <source>Analysis: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>분석: %1</translation>
     </message>
     <message>
         <source>&amp;Library and Templates …</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리와 템플릿(&amp;L) …</translation>
     </message>
     <message>
         <source>The analysis was not added: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>분석을 추가하지 못했습니다: %1</translation>
     </message>
     <message>
         <source>“%1” is in the project now</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”이(가) 프로젝트에 추가되었습니다</translation>
     </message>
     <message>
         <source>Delete “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”을(를) 삭제할까요?</translation>
     </message>
     <message>
         <source>
 
 It is used by: %1. They will have an error until they use something else.</source>
-        <translation type="unfinished"></translation>
+        <translation>
+
+다음에서 사용 중입니다: %1. 다른 것을 사용할 때까지 오류가 있습니다.</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>삭제</translation>
     </message>
     <message>
         <source>“%1” is in your library now (Add &gt; From the Library)</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”이(가) 내 라이브러리에 추가되었습니다(추가 &gt; 라이브러리에서)</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>실행</translation>
     </message>
     <message>
         <source>Keep in My Library</source>
-        <translation type="unfinished"></translation>
+        <translation>내 라이브러리에 보관</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectTreeModel</name>
     <message>
         <source>Artefacts</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물</translation>
     </message>
     <message>
         <source>Instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기</translation>
     </message>
     <message>
         <source>Robots</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇</translation>
     </message>
     <message>
         <source>Points and frames</source>
-        <translation type="unfinished"></translation>
+        <translation>점과 좌표계</translation>
     </message>
     <message>
         <source>Analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>분석</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished"></translation>
+        <translation>문제 있음</translation>
     </message>
     <message>
         <source>Untitled project</source>
-        <translation type="unfinished"></translation>
+        <translation>제목 없는 프로젝트</translation>
     </message>
     <message>
         <source>Title, notes, certificate and contents of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>제목, 메모, 성적서, 보고서의 내용</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished"></translation>
+        <translation>미완성</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>상태</translation>
     </message>
     <message>
         <source>running</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 중</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>최신</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>실패</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>갱신 필요</translation>
+    </message>
+    <message>
+        <source>%1 of %2 requirements not met</source>
+        <translation>요구사항 %2개 중 %1개 미충족</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
     <message>
         <source>The project is empty. Add an analysis, or first what it uses, with the plus sign above or a right click in the project tree.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트가 비어 있습니다. 위의 더하기 표시나 프로젝트 트리의 오른쪽 클릭으로 분석을, 또는 먼저 분석에 쓰이는 것을 추가하세요.</translation>
     </message>
     <message>
         <source>Select an entry of the project tree to see its properties.</source>
-        <translation type="unfinished"></translation>
+        <translation>속성을 보려면 프로젝트 트리에서 항목을 선택하세요.</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>속성</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 구성</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>평가</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>입력</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>옵션</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디</translation>
     </message>
     <message>
         <source>Designs</source>
-        <translation type="unfinished"></translation>
+        <translation>설계</translation>
     </message>
     <message>
         <source>Requirements</source>
-        <translation type="unfinished"></translation>
+        <translation>요구사항</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>메모</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
     <message>
         <source>A value is needed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>값이 필요합니다.</translation>
     </message>
     <message>
         <source>A whole number is needed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>정수가 필요합니다.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
-        <translation type="unfinished"></translation>
+        <translation>(프로젝트에 맞는 것이 없음: 먼저 추가하세요)</translation>
     </message>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>(없음)</translation>
     </message>
     <message>
         <source>(choose)</source>
-        <translation type="unfinished"></translation>
+        <translation>(선택)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReportForm</name>
     <message>
         <source>Analyses, of report and certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>분석, 보고서와 성적서용</translation>
     </message>
     <message>
         <source>Chapters of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서의 장</translation>
     </message>
     <message>
         <source>Long tables</source>
-        <translation type="unfinished"></translation>
+        <translation>긴 표</translation>
     </message>
     <message>
         <source>The report shows what counts most of long tables; the CSV files have them whole. Ticked, they stand whole at the end of the report too.</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서는 긴 표에서 가장 중요한 부분을 보여 줍니다. CSV 파일에는 전체가 있습니다. 선택하면 보고서 끝에도 전체가 실립니다.</translation>
     </message>
     <message>
         <source>Whole, in an annex</source>
-        <translation type="unfinished"></translation>
+        <translation>전체, 부록으로</translation>
     </message>
     <message>
         <source>Change the annex of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서의 부록 변경</translation>
     </message>
     <message>
         <source>Goes into the report where it is ticked.</source>
-        <translation type="unfinished"></translation>
+        <translation>선택하면 보고서에 포함됩니다.</translation>
     </message>
     <message>
         <source>Put %1 into the report</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 보고서에 포함</translation>
     </message>
     <message>
         <source>Leave %1 out of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 보고서에서 제외</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>쪽</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished"></translation>
+        <translation>문서</translation>
     </message>
     <message>
         <source>What is shown: the report, or the calibration certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>표시할 것: 보고서 또는 교정성적서</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서</translation>
     </message>
     <message>
         <source>Update</source>
-        <translation type="unfinished"></translation>
+        <translation>갱신</translation>
     </message>
     <message>
         <source>The report</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서</translation>
     </message>
     <message>
         <source>The certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서</translation>
     </message>
     <message>
         <source>Out of date: the project or its results have changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>갱신 필요: 이후 프로젝트나 그 결과가 변경되었습니다.</translation>
     </message>
     <message>
         <source>%1 has not been made yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 만들지 않음: %1.</translation>
     </message>
     <message>
         <source>The analyses are running: %1 waits for them.</source>
-        <translation type="unfinished"></translation>
+        <translation>분석을 실행 중입니다. 끝나면 만들 문서: %1.</translation>
     </message>
     <message>
         <source>No analysis is up to date: run one first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>최신 상태인 분석이 없습니다. 먼저 하나를 실행하세요(F5).</translation>
     </message>
     <message>
         <source>%1 is being made …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 만드는 중 …</translation>
     </message>
     <message>
         <source>%1 could not be made: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 만들지 못했습니다: %2</translation>
     </message>
     <message>
         <source>1 page, as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>1쪽, 인쇄 기준</translation>
     </message>
     <message>
         <source>%1 pages, as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1쪽, 인쇄 기준</translation>
     </message>
     <message>
         <source>%1; one required text is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; 필수 텍스트 하나가 기재되지 않음</translation>
     </message>
     <message>
         <source>%1; %2 required texts are not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; 필수 텍스트 %2개가 기재되지 않음</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>U = %1: 목표는 %2입니다.</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>충족</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished"></translation>
+        <translation>미충족</translation>
     </message>
     <message>
         <source>&lt;li&gt;u of %1 reduced from %2 to %3&lt;/li&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;li&gt;%1의 u를 %2에서 %3(으)로 감소&lt;/li&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;It would be met with one of these alone:&lt;ul&gt;%1&lt;/ul&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;다음 중 하나만으로 충족됩니다:&lt;ul&gt;%1&lt;/ul&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;No component suffices alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;어느 한 성분만으로는 충분하지 않습니다.</translation>
     </message>
     <message>
         <source> It would be met with all standard uncertainties multiplied by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> 모든 표준불확도에 %1을(를) 곱하면 충족됩니다.</translation>
     </message>
     <message>
         <source>(trials)</source>
-        <translation type="unfinished"></translation>
+        <translation>(시행)</translation>
     </message>
     <message>
         <source>(Student t)</source>
-        <translation type="unfinished"></translation>
+        <translation>(스튜던트 t)</translation>
     </message>
     <message>
         <source>(normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>(정규)</translation>
     </message>
     <message>
         <source>Not judged: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>판정하지 않음: %1.</translation>
     </message>
     <message>
         <source>By %5, guard band %1: the result is &lt;b&gt;%2&lt;/b&gt;. Probability of conformance %3 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%5 기준, 보호대역 %1: 결과는 &lt;b&gt;%2&lt;/b&gt;입니다. 적합 확률 %3 %4.</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>합격</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>불합격</translation>
     </message>
     <message>
         <source>&lt;br&gt;TUR %1, C&lt;sub&gt;m&lt;/sub&gt; %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;TUR %1, C&lt;sub&gt;m&lt;/sub&gt; %2.</translation>
     </message>
     <message>
         <source>&lt;br&gt;Global risks of the rule: consumer&apos;s %1, producer&apos;s %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;규칙의 전역 위험: 소비자 %1, 생산자 %2.</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Target uncertainty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The expanded uncertainty U must not exceed this.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lower limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the tolerance; empty: none.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Upper limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Prior mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Prior standard deviation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the production process.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guard factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과</translation>
     </message>
     <message>
         <source>Change the requirement for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 요구사항 변경</translation>
     </message>
     <message>
         <source>By the law of propagation; Monte Carlo is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙에 의함. 몬테카를로가 이어집니다.</translation>
     </message>
     <message>
         <source>By the trials of a preview; the whole run is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>미리보기 시행에 의함. 전체 실행이 이어집니다.</translation>
     </message>
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
-        <translation type="unfinished"></translation>
+        <translation>요구사항의 충족 여부를 보려면 분석을 실행하세요.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>분포</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>상관</translation>
     </message>
     <message>
         <source>Convergence</source>
-        <translation type="unfinished"></translation>
+        <translation>수렴</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>평가</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디</translation>
     </message>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>설계</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>비교</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>보고서</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표와 차트의 출력량</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>출력량</translation>
     </message>
     <message>
         <source>digits of U: </source>
-        <translation type="unfinished"></translation>
+        <translation>U의 자릿수: </translation>
     </message>
     <message>
         <source>Significant digits of uncertainties</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도의 유효숫자</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도의 유효숫자. 추정값은 이에 맞게 반올림합니다</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 단계</translation>
     </message>
     <message>
         <source>Filter: symbol, name, group</source>
-        <translation type="unfinished"></translation>
+        <translation>필터: 기호, 이름, 그룹</translation>
     </message>
     <message>
         <source>Filter of the results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과 필터</translation>
     </message>
     <message>
         <source>All groups</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 그룹</translation>
     </message>
     <message>
         <source>Results of all poses, points or targets, whichever is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>선택과 관계없이 모든 포즈, 점 또는 표적의 결과</translation>
     </message>
     <message>
         <source>Not met only</source>
-        <translation type="unfinished"></translation>
+        <translation>미충족만</translation>
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>목표불확도 또는 허용차를 충족하지 않는 결과만</translation>
     </message>
     <message>
         <source>results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹</translation>
     </message>
     <message>
         <source>Estimate (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>추정값(일차)</translation>
     </message>
     <message>
         <source>U (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>U(일차)</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>단위</translation>
     </message>
     <message>
         <source>Shortest Coverage Intervals</source>
-        <translation type="unfinished"></translation>
+        <translation>최단 포함구간</translation>
     </message>
     <message>
         <source>budget</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표</translation>
     </message>
     <message>
         <source>correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>상관</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과를 보려면 분석을 선택하세요.</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>실패: %1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 미완성: 잘못된 것은 없습니다.</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 평가하지 않음: F5를 누르세요.</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished"></translation>
+        <translation>분석에 문제가 있습니다.</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished"></translation>
+        <translation>; 실행 중</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished"></translation>
+        <translation>; 결과를 보려면 F5를 누르세요</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished"></translation>
+        <translation>; 값이 없는 시행 %1회</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;측정량을 나타내지 않습니다&lt;/b&gt;(시행의 1 % 넘게 손실됨). </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished"></translation>
+        <translation>; 안정되지 않음</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;갱신 필요&lt;/b&gt;: 이전 상태의 프로젝트를 표시합니다. </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>다음: %1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished"></translation>
+        <translation>다음에 입력해야 할 필드로 이동합니다</translation>
     </message>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation> (%1)</translation>
+    </message>
+    <message>
+        <source>All Results</source>
+        <translation>모든 결과</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
     <message>
         <source>&amp;Run This Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>이 분석 실행(&amp;R)</translation>
     </message>
     <message>
         <source>Run &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 실행(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>중지(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Live</source>
-        <translation type="unfinished"></translation>
+        <translation>실시간(&amp;L)</translation>
     </message>
     <message>
         <source>Each edit computes first-order results at once, then Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>편집할 때마다 일차 결과를 바로 계산하고, 이어서 몬테카를로를 계산합니다</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RunStatus</name>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>시행 %1회</translation>
     </message>
     <message>
         <source>, %1 million/s</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1백만/s</translation>
     </message>
     <message>
         <source>, %1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 s 남음</translation>
     </message>
     <message>
         <source>Progress of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 진행률</translation>
     </message>
     <message>
         <source>Stop all runs (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 실행 중지(Esc)</translation>
     </message>
     <message>
         <source>Stop all runs</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 실행 중지</translation>
     </message>
     <message>
         <source>%1: %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 %</translation>
     </message>
     <message>
         <source>, best so far %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, 현재 최선 %1</translation>
     </message>
     <message>
         <source>No analysis yet</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 분석 없음</translation>
     </message>
     <message>
         <source>No analysis selected</source>
-        <translation type="unfinished"></translation>
+        <translation>선택한 분석 없음</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished"></translation>
+        <translation>문제 있음</translation>
     </message>
     <message>
         <source>, %1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>, 시행 %1회</translation>
     </message>
     <message>
         <source>, with warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>, 경고 있음</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ScenePanel</name>
     <message>
         <source>Select an analysis in the project tree to see its layout here.</source>
-        <translation type="unfinished"></translation>
+        <translation>배치를 보려면 프로젝트 트리에서 분석을 선택하세요.</translation>
     </message>
     <message>
         <source>Which pose or group of outputs to show</source>
-        <translation type="unfinished"></translation>
+        <translation>표시할 포즈 또는 출력 그룹</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹</translation>
     </message>
     <message>
         <source>Iso</source>
-        <translation type="unfinished"></translation>
+        <translation>등각</translation>
     </message>
     <message>
         <source>View from the front right, from above (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 앞 위에서 보기 (1)</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>위</translation>
     </message>
     <message>
         <source>View from above (2)</source>
-        <translation type="unfinished"></translation>
+        <translation>위에서 보기 (2)</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>앞</translation>
     </message>
     <message>
         <source>View from the front (3)</source>
-        <translation type="unfinished"></translation>
+        <translation>앞에서 보기 (3)</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽</translation>
     </message>
     <message>
         <source>View from the right (4)</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽에서 보기 (4)</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤</translation>
     </message>
     <message>
         <source>Everything in the picture (F)</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 그림 안에 표시 (F)</translation>
     </message>
     <message>
         <source>Magnification of the uncertainty; it is always written in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도의 확대율. 항상 그림에 표시됩니다</translation>
     </message>
     <message>
         <source>Magnification of the uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도의 확대율</translation>
     </message>
     <message>
         <source>Magnification: auto</source>
-        <translation type="unfinished"></translation>
+        <translation>확대율: 자동</translation>
     </message>
     <message>
         <source>× %1</source>
-        <translation type="unfinished"></translation>
+        <translation>× %1</translation>
     </message>
     <message>
         <source>Coverage probability of the ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>타원체의 포함확률</translation>
     </message>
     <message>
         <source>p = %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>p = %1 %</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>점</translation>
     </message>
     <message>
         <source>Bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>물체</translation>
     </message>
     <message>
         <source>Links and Sight Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>링크와 시준선</translation>
     </message>
     <message>
         <source>Vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>벡터</translation>
     </message>
     <message>
         <source>Ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>타원체</translation>
     </message>
     <message>
         <source>Clouds</source>
-        <translation type="unfinished"></translation>
+        <translation>점군</translation>
     </message>
     <message>
         <source>Histograms on the Walls</source>
-        <translation type="unfinished"></translation>
+        <translation>벽면의 히스토그램</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>레이블</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>축</translation>
     </message>
     <message>
         <source>Legend</source>
-        <translation type="unfinished"></translation>
+        <translation>범례</translation>
     </message>
     <message>
         <source>Map of a Study or Design</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디 또는 설계의 맵</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>레이어</translation>
     </message>
     <message>
         <source>What the picture shows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation type="unfinished"></translation>
+        <translation>그림에 표시할 것</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;  위치 %2</translation>
     </message>
     <message>
         <source>,  u = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>,  u = %1</translation>
     </message>
     <message>
         <source>,  U = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>,  U = %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 장면</translation>
     </message>
     <message>
         <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation type="unfinished"></translation>
+        <translation>화살표 키는 장면을 회전하고, 더하기와 빼기는 확대/축소, F는 맞춤, 1부터 4까지는 표준 보기입니다. 선택한 점이나 측정기는 다른 곳으로 끌어 옮길 수 있습니다</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>그림을 %1에 쓰지 못했습니다</translation>
     </message>
     <message>
         <source>Drawing …</source>
-        <translation type="unfinished"></translation>
+        <translation>그리는 중 …</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤</translation>
     </message>
     <message>
         <source>Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>그림 복사</translation>
     </message>
     <message>
         <source>Save Picture …</source>
-        <translation type="unfinished"></translation>
+        <translation>그림 저장 …</translation>
     </message>
     <message>
         <source>Save Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>그림 저장</translation>
     </message>
     <message>
         <source>scene.png</source>
-        <translation type="unfinished"></translation>
+        <translation>scene.png</translation>
     </message>
     <message>
         <source>PNG picture (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG 그림 (*.png)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SetupForm</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 변경</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>외 %n개</numerusform>
         </translation>
     </message>
 </context>
@@ -7795,543 +7954,571 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::SetupTableModel</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 변경</translation>
     </message>
     <message>
         <source>Insert rows in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 행 삽입</translation>
     </message>
     <message>
         <source>Delete rows of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 행 삭제</translation>
     </message>
     <message>
         <source>Paste into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 붙여넣기</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>행 삭제</translation>
     </message>
     <message>
         <source>Fill down in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 아래로 채우기</translation>
     </message>
     <message>
         <source>Clear cells of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 셀 지우기</translation>
     </message>
     <message>
         <source>Change unit in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 단위 변경</translation>
     </message>
     <message>
         <source>Take %1 into the project</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 프로젝트에 넣기</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SortableTable</name>
     <message>
         <source>Click to sort, right click to choose columns</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭하면 정렬, 오른쪽 클릭하면 열 선택</translation>
     </message>
     <message>
         <source>Save Table</source>
-        <translation type="unfinished"></translation>
+        <translation>표 저장</translation>
     </message>
     <message>
         <source>CSV table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV 표 (*.csv)</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>복사</translation>
     </message>
     <message>
         <source>Select All</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 선택</translation>
     </message>
     <message>
         <source>Columns</source>
-        <translation type="unfinished"></translation>
+        <translation>열</translation>
     </message>
     <message>
         <source>Original Order</source>
-        <translation type="unfinished"></translation>
+        <translation>원래 순서</translation>
     </message>
     <message>
         <source>Save as CSV …</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV로 저장 …</translation>
     </message>
     <message>
         <source>Fit Widths</source>
-        <translation type="unfinished"></translation>
+        <translation>너비 맞춤</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SpreadsheetView</name>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>복사</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>잘라내기</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>붙여넣기</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>지우기</translation>
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished"></translation>
+        <translation>아래로 채우기</translation>
     </message>
     <message>
         <source>Insert row above</source>
-        <translation type="unfinished"></translation>
+        <translation>위에 행 삽입</translation>
     </message>
     <message>
         <source>Add row at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>끝에 행 추가</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>행 삭제</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StartPage</name>
     <message>
         <source>Start page</source>
-        <translation type="unfinished"></translation>
+        <translation>시작 페이지</translation>
     </message>
     <message>
         <source>Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria</translation>
     </message>
     <message>
         <source>Measurement uncertainty of robots
 and large-scale metrology</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇과 대형 측정의
+측정불확도</translation>
     </message>
     <message>
         <source>New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>새 프로젝트</translation>
     </message>
     <message>
         <source>Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>열기 …</translation>
     </message>
     <message>
         <source>Library and Examples …</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리와 예제 …</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>최근 파일</translation>
     </message>
     <message>
         <source>Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>예제</translation>
     </message>
     <message>
         <source>They open as new projects; the shipped files stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>새 프로젝트로 열립니다. 제공된 파일은 그대로 유지됩니다.</translation>
     </message>
     <message>
         <source>Worked examples of the GUM and its supplements</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM과 그 보충서의 풀이 예제</translation>
     </message>
     <message>
         <source>Projects that you open are listed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>연 프로젝트가 여기에 나열됩니다.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudiesForm</name>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디</translation>
     </message>
     <message>
         <source>Adds a study of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>이 분석의 스터디를 추가합니다</translation>
     </message>
     <message>
         <source>Adds a copy of this study</source>
-        <translation type="unfinished"></translation>
+        <translation>이 스터디의 사본을 추가합니다</translation>
     </message>
     <message>
         <source>Deletes this study</source>
-        <translation type="unfinished"></translation>
+        <translation>이 스터디를 삭제합니다</translation>
     </message>
     <message>
         <source>Evaluates the analysis at every grid point of this study</source>
-        <translation type="unfinished"></translation>
+        <translation>이 스터디의 모든 격자점에서 분석을 평가합니다</translation>
     </message>
     <message>
         <source>A study evaluates this analysis for many values of a number: a sweep over one, a map over two or three. Add one to see how the uncertainty depends on the set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디는 한 수의 여러 값에 대해 이 분석을 평가합니다. 하나면 스윕, 둘이나 셋이면 맵입니다. 하나 추가하여 불확도가 측정 구성에 어떻게 의존하는지 보세요.</translation>
     </message>
     <message>
         <source>Name of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디의 이름</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>방법</translation>
     </message>
     <message>
         <source>Law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙</translation>
     </message>
     <message>
         <source>Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로</translation>
     </message>
     <message>
         <source>Trials at each grid point</source>
-        <translation type="unfinished"></translation>
+        <translation>각 격자점의 시행 횟수</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름</translation>
     </message>
     <message>
         <source>Trials per point</source>
-        <translation type="unfinished"></translation>
+        <translation>점당 시행 횟수</translation>
     </message>
     <message>
         <source>Add Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>축 추가</translation>
     </message>
     <message>
         <source>Varies one more number: every combination is evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>수 하나를 더 변화시킵니다. 모든 조합을 평가합니다</translation>
     </message>
     <message>
         <source>Output quantities of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디의 출력량</translation>
     </message>
     <message>
         <source>Output quantities looked at; with none ticked, all measurands</source>
-        <translation type="unfinished"></translation>
+        <translation>살펴볼 출력량. 선택하지 않으면 모든 측정량</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all measurands)</source>
-        <translation type="unfinished"></translation>
+        <translation>출력(선택 없음: 모든 측정량)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyAxisEdit</name>
     <message>
         <source>Axis %1</source>
-        <translation type="unfinished"></translation>
+        <translation>축 %1</translation>
     </message>
     <message>
         <source>Variable %1</source>
-        <translation type="unfinished"></translation>
+        <translation>변수 %1</translation>
     </message>
     <message>
         <source>Remove Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>축 제거</translation>
     </message>
     <message>
         <source>Remove Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>변수 제거</translation>
     </message>
     <message>
         <source>takes these values</source>
-        <translation type="unfinished"></translation>
+        <translation>이 값들을 취함</translation>
     </message>
     <message>
         <source>is multiplied with</source>
-        <translation type="unfinished"></translation>
+        <translation>이 값들을 곱함</translation>
     </message>
     <message>
         <source>has added to it</source>
-        <translation type="unfinished"></translation>
+        <translation>이 값들을 더함</translation>
     </message>
     <message>
         <source>evenly spaced</source>
-        <translation type="unfinished"></translation>
+        <translation>등간격</translation>
     </message>
     <message>
         <source>logarithmically spaced</source>
-        <translation type="unfinished"></translation>
+        <translation>로그 간격</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>시작</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>끝</translation>
     </message>
     <message>
         <source>Number of values</source>
-        <translation type="unfinished"></translation>
+        <translation>값의 수</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>허용차</translation>
     </message>
     <message>
         <source>It can be put into effect only so well: what counts is the worst within it</source>
-        <translation type="unfinished"></translation>
+        <translation>실제로는 이만큼만 정확히 구현할 수 있습니다. 그 안에서 최악의 경우를 셈합니다</translation>
     </message>
     <message>
         <source>Varied</source>
-        <translation type="unfinished"></translation>
+        <translation>변화 대상</translation>
     </message>
     <message>
         <source>It</source>
-        <translation type="unfinished"></translation>
+        <translation>적용 방식</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>값</translation>
     </message>
     <message>
         <source>choose what is varied</source>
-        <translation type="unfinished"></translation>
+        <translation>변화 대상 선택</translation>
     </message>
     <message>
         <source> (factor)</source>
-        <translation type="unfinished"></translation>
+        <translation> (배율)</translation>
     </message>
     <message>
         <source>%1: has a problem</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 문제 있음</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyTab</name>
     <message>
         <source>study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디</translation>
     </message>
     <message>
         <source>Study of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>이 분석의 스터디</translation>
     </message>
     <message>
         <source>Run Study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디 실행</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation type="unfinished"></translation>
+        <translation>편집 …</translation>
     </message>
     <message>
         <source>Axes, outputs and method of the study, in the properties of the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 속성에 있는 스터디의 축, 출력, 방법</translation>
     </message>
     <message>
         <source>Quantity of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디의 양</translation>
     </message>
     <message>
         <source>What the chart and the scene show</source>
-        <translation type="unfinished"></translation>
+        <translation>차트와 장면에 표시할 것</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished"></translation>
+        <translation>차트의 종류</translation>
     </message>
     <message>
         <source>A map, or lines over the first axis</source>
-        <translation type="unfinished"></translation>
+        <translation>맵, 또는 첫 번째 축에 대한 선</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>맵</translation>
     </message>
     <message>
         <source>Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>선</translation>
     </message>
     <message>
         <source>Axis of the slices</source>
-        <translation type="unfinished"></translation>
+        <translation>단면의 축</translation>
     </message>
     <message>
         <source>Which axis the slices are across</source>
-        <translation type="unfinished"></translation>
+        <translation>단면이 가로지르는 축</translation>
     </message>
     <message>
         <source>Slice</source>
-        <translation type="unfinished"></translation>
+        <translation>단면</translation>
     </message>
     <message>
         <source>slice only</source>
-        <translation type="unfinished"></translation>
+        <translation>단면만</translation>
     </message>
     <message>
         <source>In the scene: the points of this slice; else all</source>
-        <translation type="unfinished"></translation>
+        <translation>장면에서: 이 단면의 점. 아니면 모두</translation>
     </message>
     <message>
         <source>ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>타원체</translation>
     </message>
     <message>
         <source>In the scene: coverage ellipsoids at the grid points</source>
-        <translation type="unfinished"></translation>
+        <translation>장면에서: 격자점의 포함 타원체</translation>
     </message>
     <message>
         <source>Add Study …</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디 추가 …</translation>
     </message>
     <message>
         <source>Out of date: of the project as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>갱신 필요: 이전 상태의 프로젝트</translation>
     </message>
     <message>
         <source>slice: </source>
-        <translation type="unfinished"></translation>
+        <translation>단면: </translation>
     </message>
     <message>
         <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디를 실행하면 불확도가 변화 대상에 어떻게 의존하는지 보여 줍니다</translation>
     </message>
     <message>
         <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation type="unfinished"></translation>
+        <translation>스터디는 한 수의 여러 값에 대해 분석을 평가합니다. 하나 추가하세요</translation>
     </message>
     <message>
         <source> – out of date</source>
-        <translation type="unfinished"></translation>
+        <translation> – 갱신 필요</translation>
     </message>
     <message>
         <source>running …</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 중 …</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>실패: %1</translation>
     </message>
     <message>
         <source>Not evaluated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 평가하지 않았습니다.</translation>
     </message>
     <message>
         <source>%1 grid points</source>
-        <translation type="unfinished"></translation>
+        <translation>격자점 %1개</translation>
     </message>
     <message>
         <source>, %1 without values</source>
-        <translation type="unfinished"></translation>
+        <translation>, 값 없음 %1개</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;갱신 필요&lt;/b&gt;: 이전 상태의 프로젝트를 표시합니다. </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyTableModel</name>
     <message>
         <source>Remark</source>
-        <translation type="unfinished"></translation>
+        <translation>비고</translation>
     </message>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
-        <translation type="unfinished"></translation>
+        <translation>값이 없는 이유, 또는 값의 문제</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::TableEditor</name>
     <message>
         <source>Take into the project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트에 넣기</translation>
     </message>
     <message>
         <source>Add row</source>
-        <translation type="unfinished"></translation>
+        <translation>행 추가</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>행 삭제</translation>
     </message>
     <message>
         <source>Import CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV 가져오기…</translation>
     </message>
     <message>
         <source>Read from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 읽음</translation>
     </message>
     <message>
         <source>The rows are read from %1. Taken into the project they can be edited here.</source>
-        <translation type="unfinished"></translation>
+        <translation>행을 %1에서 읽습니다. 프로젝트에 넣으면 여기서 편집할 수 있습니다.</translation>
     </message>
     <message>
         <source>Import CSV into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 CSV 가져오기</translation>
     </message>
     <message>
         <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>표 (*.csv *.tsv *.txt);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 가져오기</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::TargetBox</name>
     <message>
         <source>What is varied: type a part of its name to search</source>
-        <translation type="unfinished"></translation>
+        <translation>변화 대상: 검색하려면 이름의 일부를 입력하세요</translation>
     </message>
     <message>
         <source>What is varied</source>
-        <translation type="unfinished"></translation>
+        <translation>변화 대상</translation>
     </message>
     <message>
         <source>“%1” names nothing that can be varied.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”에 해당하는 변화 대상이 없습니다.</translation>
     </message>
     <message numerus="yes">
         <source>“%1” names %n things that can be varied.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>“%1”에 해당하는 변화 대상이 %n개 있습니다.</numerusform>
         </translation>
     </message>
     <message>
         <source> (factor)</source>
-        <translation type="unfinished"></translation>
+        <translation> (배율)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnitButton</name>
     <message>
         <source>Units</source>
-        <translation type="unfinished"></translation>
+        <translation>단위</translation>
     </message>
     <message>
         <source>Units of the tables and charts</source>
-        <translation type="unfinished"></translation>
+        <translation>표와 차트의 단위</translation>
     </message>
     <message>
         <source>As the Model Gives Them</source>
-        <translation type="unfinished"></translation>
+        <translation>모델이 주는 대로</translation>
+    </message>
+    <message>
+        <source>Change unit of results</source>
+        <translation>결과 단위 변경</translation>
+    </message>
+    <message>
+        <source>Clear units of results</source>
+        <translation>결과 단위 지우기</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::UnitChoices</name>
+    <message>
+        <source>Lengths</source>
+        <translation>길이</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>각도</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>힘</translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation>모멘트</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnreadTexts</name>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>필드에 입력한 것을 읽을 수 없습니다. %1</translation>
     </message>
 </context>
 </TS>

@@ -4445,6 +4445,50 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Target uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U must not exceed this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the tolerance; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guard factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prior mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prior standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the production process.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -4561,85 +4605,11 @@ nu 18 behind any of them: degrees of freedom</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1, 2, 3, 4, F | iso, top, front, right view, fit |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| F1 | help on the model of the selected analysis |
-</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>About Covaria</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>
-
-## Equations as evaluated
-
-</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
-## Notes
-
-</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
-## References
-
-</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Help on This &amp;Model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>M&amp;odels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Results and Requirements</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Results and requirements</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What every analysis has</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;About Covaria</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4764,6 +4734,112 @@ nu 18 behind any of them: degrees of freedom</source>
     </message>
     <message>
         <source>Expanded uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z, Ctrl+Y | undo, redo |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1, 2, 3, 4, F | iso, top, front, right view, fit |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::AllResultsModel</name>
+    <message>
+        <source>%1 interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage interval of the result line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click: goes to the analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::AllResultsTab</name>
+    <message>
+        <source>Filter: analysis, symbol, name, group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter of all results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not met only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all-results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 requirements met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 analyses have no result: press Ctrl+F5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; </source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6066,6 +6142,56 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
 </context>
 <context>
+    <name>covaria::ui::HelpActions</name>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help on What Has the &amp;Focus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M&amp;odels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;rtefacts, Instruments and Robots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Results and Requirements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What Every &amp;Analysis Has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Covaria</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::HelpPane</name>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ImportActions</name>
     <message>
         <source>&amp;Import File …</source>
@@ -6670,22 +6796,6 @@ Chosen: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lengths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Angles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moments</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Of tables and charts of results</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6869,6 +6979,69 @@ Chosen: %2</source>
     </message>
 </context>
 <context>
+    <name>covaria::ui::ProjectPage</name>
+    <message>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the project or order; in the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who evaluated; in the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results of all analyses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of results in the window, reports, tables and CSV files; where it is not stated, files have the unit of the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change units of results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digits of U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Significant digits of uncertainties in the window and the report; certificates have two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change digits of results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fixed k for U = k u of all analyses whose options state none; empty: from the degrees of freedom, or the coverage interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change coverage factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
@@ -6997,6 +7170,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>out of date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 requirements not met</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7270,50 +7447,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Target uncertainty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The expanded uncertainty U must not exceed this.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lower limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the tolerance; empty: none.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Upper limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Prior mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Prior standard deviation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the production process.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guard factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change the requirement for %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7506,6 +7639,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source> of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All Results</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7719,10 +7856,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>What the picture shows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8329,6 +8462,33 @@ and large-scale metrology</source>
     </message>
     <message>
         <source>As the Model Gives Them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change unit of results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear units of results</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::UnitChoices</name>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moments</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -5,11 +5,11 @@
     <name>QObject</name>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>移动 %1</translation>
     </message>
     <message>
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;另有 %1 行；导出的表格包含全部行。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -17,4423 +17,4423 @@
     <message>
         <source>Pose from points</source>
         <extracomment>Measurement model</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>由点求位姿</translation>
     </message>
     <message>
         <source>Base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>基坐标系</translation>
     </message>
     <message>
         <source>Base points</source>
-        <translation type="unfinished"></translation>
+        <translation>基坐标系的点</translation>
     </message>
     <message>
         <source>Nominal coordinates of the points in their own frame, and standard uncertainties of single coordinates where they differ from the common ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>各点在其自身坐标系中的标称坐标；单个坐标的标准不确定度与共用值不同时，在此给出。</translation>
     </message>
     <message>
         <source>name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Name of the point.</source>
-        <translation type="unfinished"></translation>
+        <translation>点的名称。</translation>
     </message>
     <message>
         <source>Nominal coordinate x in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>点在其自身坐标系中的标称坐标 x。</translation>
     </message>
     <message>
         <source>Nominal coordinate y in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>点在其自身坐标系中的标称坐标 y。</translation>
     </message>
     <message>
         <source>Nominal coordinate z in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>点在其自身坐标系中的标称坐标 z。</translation>
     </message>
     <message>
         <source>Standard uncertainty of this x; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>该 x 的标准不确定度；留空：采用为全部点输入的值。</translation>
     </message>
     <message>
         <source>Standard uncertainty of this y; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>该 y 的标准不确定度；留空：采用为全部点输入的值。</translation>
     </message>
     <message>
         <source>Standard uncertainty of this z; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>该 z 的标准不确定度；留空：采用为全部点输入的值。</translation>
     </message>
     <message>
         <source>Frame from its points</source>
-        <translation type="unfinished"></translation>
+        <translation>由点建立坐标系</translation>
     </message>
     <message>
         <source>3-2-1: the origin from point 1, the x-axis from points 1 and 2, the xy-plane from points 1, 2 and 3. Least squares: the frame in which the nominal coordinates fit all points best.</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1：原点取自点 1，x 轴取自点 1 和 2，xy 平面取自点 1、2 和 3。最小二乘：标称坐标与全部点拟合最佳的坐标系。</translation>
     </message>
     <message>
         <source>3-2-1</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1</translation>
     </message>
     <message>
         <source>least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>最小二乘</translation>
     </message>
     <message>
         <source>Side of point 3</source>
-        <translation type="unfinished"></translation>
+        <translation>点 3 所在侧</translation>
     </message>
     <message>
         <source>On which side of the x-axis point 3 lies in the base frame b; this directs z.</source>
-        <translation type="unfinished"></translation>
+        <translation>在基坐标系 b 中，点 3 位于 x 轴的哪一侧；由此确定 z 的方向。</translation>
     </message>
     <message>
         <source>negative y: z = (q3 − q1) × x</source>
-        <translation type="unfinished"></translation>
+        <translation>y 为负：z = (q3 − q1) × x</translation>
     </message>
     <message>
         <source>positive y: z = x × (q3 − q1)</source>
-        <translation type="unfinished"></translation>
+        <translation>y 为正：z = x × (q3 − q1)</translation>
     </message>
     <message>
         <source>Origin from point 1, x</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1，x</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1 沿基坐标系 b 的 x 方向的位置（式 17 和 18 中的 s）。</translation>
     </message>
     <message>
         <source>Origin from point 1, y</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1，y</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1 沿基坐标系 b 的 y 方向的位置（式 17 和 18 中的 s）。</translation>
     </message>
     <message>
         <source>Origin from point 1, z</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1，z</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1 沿基坐标系 b 的 z 方向的位置（式 17 和 18 中的 s）。</translation>
     </message>
     <message>
         <source>Pose of the base in frame 0</source>
-        <translation type="unfinished"></translation>
+        <translation>基座在坐标系 0 中的位姿</translation>
     </message>
     <message>
         <source>Where the base stands in the frame of the measurement (frame 0, the world of the picture). It matters only for an instrument that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>基座在测量坐标系（坐标系 0，即图中的世界坐标系）中的位置。仅对设于某处的仪器有影响。</translation>
     </message>
     <message>
         <source>Moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>动坐标系</translation>
     </message>
     <message>
         <source>Points of the moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>动坐标系的点</translation>
     </message>
     <message>
         <source>On which side of the x-axis point 3 lies in the moving frame p; this directs z.</source>
-        <translation type="unfinished"></translation>
+        <translation>在动坐标系 p 中，点 3 位于 x 轴的哪一侧；由此确定 z 的方向。</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1 沿动坐标系 p 的 x 方向的位置（式 17 和 18 中的 s）。</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1 沿动坐标系 p 的 y 方向的位置（式 17 和 18 中的 s）。</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>原点相对点 1 沿动坐标系 p 的 z 方向的位置（式 17 和 18 中的 s）。</translation>
     </message>
     <message>
         <source>Poses</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>评定</translation>
     </message>
     <message>
         <source>A priori: at the nominal coordinates. A posteriori: at the means of measured coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>先验：在标称坐标处评定。后验：在实测坐标的平均值处评定。</translation>
     </message>
     <message>
         <source>a priori (nominal poses)</source>
-        <translation type="unfinished"></translation>
+        <translation>先验（标称位姿）</translation>
     </message>
     <message>
         <source>a posteriori (measured points)</source>
-        <translation type="unfinished"></translation>
+        <translation>后验（实测点）</translation>
     </message>
     <message>
         <source>Nominal poses of the moving frame in the base frame; angles are R = Rz(γ) Ry(β) Rx(α). All poses share the measurement of the base.</source>
-        <translation type="unfinished"></translation>
+        <translation>动坐标系在基坐标系中的标称位姿；角度定义为 R = Rz(γ) Ry(β) Rx(α)。所有位姿共用基坐标系的测量结果。</translation>
     </message>
     <message>
         <source>Name of the pose; groups its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿的名称；其结果按此分组。</translation>
     </message>
     <message>
         <source>Position x in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>在基坐标系中的位置 x。</translation>
     </message>
     <message>
         <source>Position y in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>在基坐标系中的位置 y。</translation>
     </message>
     <message>
         <source>Position z in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>在基坐标系中的位置 z。</translation>
     </message>
     <message>
         <source>Rotation about x.</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 x 的旋转。</translation>
     </message>
     <message>
         <source>Rotation about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 y 的旋转。</translation>
     </message>
     <message>
         <source>Rotation about z.</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 z 的旋转。</translation>
     </message>
     <message>
         <source>Measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>实测点</translation>
     </message>
     <message>
         <source>Coordinates in one frame 0 for the base and every pose, typed or from a CSV file; the mean of the repeats is the estimate.</source>
-        <translation type="unfinished"></translation>
+        <translation>基座和各位姿在同一坐标系 0 中的坐标，手工输入或来自 CSV 文件；重复测量的平均值为估计值。</translation>
     </message>
     <message>
         <source>set</source>
-        <translation type="unfinished"></translation>
+        <translation>集合</translation>
     </message>
     <message>
         <source>&quot;base&quot;, or the name of a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>“base”，或某个位姿的名称。</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>重复</translation>
     </message>
     <message>
         <source>Number of the repetition.</source>
-        <translation type="unfinished"></translation>
+        <translation>重复测量的序号。</translation>
     </message>
     <message>
         <source>Measured coordinate x in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>在坐标系 0 中的实测坐标 x。</translation>
     </message>
     <message>
         <source>Measured coordinate y in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>在坐标系 0 中的实测坐标 y。</translation>
     </message>
     <message>
         <source>Measured coordinate z in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>在坐标系 0 中的实测坐标 z。</translation>
     </message>
     <message>
         <source>Orientation stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态表示方式</translation>
     </message>
     <message>
         <source>Numbers in which the result states the orientation of the moving frame. Angles are undefined in gimbal lock; rotation vector and quaternion are not.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果中表示动坐标系姿态的数值。万向节锁定时角度无定义；旋转矢量和四元数则不受影响。</translation>
     </message>
     <message>
         <source>Z-Y-X angles (roll α, pitch β, yaw γ)</source>
-        <translation type="unfinished"></translation>
+        <translation>Z-Y-X 角（横滚 α、俯仰 β、偏航 γ）</translation>
     </message>
     <message>
         <source>Z-Y-Z angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Z-Y-Z 角</translation>
     </message>
     <message>
         <source>rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>旋转矢量</translation>
     </message>
     <message>
         <source>unit quaternion</source>
-        <translation type="unfinished"></translation>
+        <translation>单位四元数</translation>
     </message>
     <message>
         <source>Uncertainty: Base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度：基坐标系</translation>
     </message>
     <message>
         <source>Uncertainty of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>点的不确定度</translation>
     </message>
     <message>
         <source>Standard uncertainties typed here, or those that an artefact or an instrument of the project gives.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此输入的标准不确定度，或由项目中的实物标准器或仪器给出的标准不确定度。</translation>
     </message>
     <message>
         <source>typed</source>
-        <translation type="unfinished"></translation>
+        <translation>手工输入</translation>
     </message>
     <message>
         <source>artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>实物标准器或仪器</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along x of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>点坐标沿基坐标系 b 的 x 方向的标准不确定度。</translation>
     </message>
     <message>
         <source>u_x is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_x 为共有</translation>
     </message>
     <message>
         <source>One and the same deviation along x for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有基坐标系点沿 x 共有同一个偏差，而不是各自独立的偏差。</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along y of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>点坐标沿基坐标系 b 的 y 方向的标准不确定度。</translation>
     </message>
     <message>
         <source>u_y is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_y 为共有</translation>
     </message>
     <message>
         <source>One and the same deviation along y for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有基坐标系点沿 y 共有同一个偏差，而不是各自独立的偏差。</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along z of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>点坐标沿基坐标系 b 的 z 方向的标准不确定度。</translation>
     </message>
     <message>
         <source>u_z is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_z 为共有</translation>
     </message>
     <message>
         <source>One and the same deviation along z for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有基坐标系点沿 z 共有同一个偏差，而不是各自独立的偏差。</translation>
     </message>
     <message>
         <source>Their distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>其分布</translation>
     </message>
     <message>
         <source>The distribution of typed deviations of the points; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>手工输入的点偏差的分布；无论形状如何，给出的都是其标准不确定度。</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>正态</translation>
     </message>
     <message>
         <source>rectangular: limits ± √3 u</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形：界限 ± √3 u</translation>
     </message>
     <message>
         <source>triangular: limits ± √6 u</source>
-        <translation type="unfinished"></translation>
+        <translation>三角：界限 ± √6 u</translation>
     </message>
     <message>
         <source>arc sine: limits ± √2 u</source>
-        <translation type="unfinished"></translation>
+        <translation>反正弦：界限 ± √2 u</translation>
     </message>
     <message>
         <source>Artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>实物标准器或仪器</translation>
     </message>
     <message>
         <source>Gives the uncertainty of the coordinates of the points of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出基坐标系 b 各点坐标的不确定度。</translation>
     </message>
     <message>
         <source>Uncertainty: Moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度：动坐标系</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along x of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>点坐标沿动坐标系 p 的 x 方向的标准不确定度。</translation>
     </message>
     <message>
         <source>One and the same deviation along x for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>动坐标系的所有点在所有位姿下沿 x 共有同一个偏差，而不是各自独立的偏差。</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along y of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>点坐标沿动坐标系 p 的 y 方向的标准不确定度。</translation>
     </message>
     <message>
         <source>One and the same deviation along y for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>动坐标系的所有点在所有位姿下沿 y 共有同一个偏差，而不是各自独立的偏差。</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along z of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>点坐标沿动坐标系 p 的 z 方向的标准不确定度。</translation>
     </message>
     <message>
         <source>One and the same deviation along z for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>动坐标系的所有点在所有位姿下沿 z 共有同一个偏差，而不是各自独立的偏差。</translation>
     </message>
     <message>
         <source>Gives the uncertainty of the coordinates of the points of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出动坐标系 p 各点坐标的不确定度。</translation>
     </message>
     <message>
         <source>Uncertainties along</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度的方向</translation>
     </message>
     <message>
         <source>Along which axes the typed uncertainties of the moving points lie: those of the moving frame, which turn with it, or those of the base frame, the same in all poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>手工输入的动坐标系点的不确定度沿哪些轴：随动坐标系转动的动坐标系各轴，或在所有位姿下都相同的基坐标系各轴。</translation>
     </message>
     <message>
         <source>the axes of the moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>动坐标系的轴</translation>
     </message>
     <message>
         <source>the axes of the base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>基坐标系的轴</translation>
     </message>
     <message>
         <source>Points from sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>由传感器求点</translation>
     </message>
     <message>
         <source>Network</source>
-        <translation type="unfinished"></translation>
+        <translation>网络</translation>
     </message>
     <message>
         <source>Sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器</translation>
     </message>
     <message>
         <source>The instruments of the network, each an instrument of the project that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>网络中的仪器，每一台都是项目中设于某处的仪器。</translation>
     </message>
     <message>
         <source>sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器</translation>
     </message>
     <message>
         <source>An instrument of the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>项目中的一台仪器。</translation>
     </message>
     <message>
         <source>Targets</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点</translation>
     </message>
     <message>
         <source>Points to be localised, at their nominal coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>待定位的点，取其标称坐标。</translation>
     </message>
     <message>
         <source>Name of the target, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点的名称，须唯一。</translation>
     </message>
     <message>
         <source>Nominal coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>标称坐标 x。</translation>
     </message>
     <message>
         <source>Nominal coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>标称坐标 y。</translation>
     </message>
     <message>
         <source>Nominal coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>标称坐标 z。</translation>
     </message>
     <message>
         <source>new set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>重新设站</translation>
     </message>
     <message>
         <source>The sensors were located anew before this target: it and those below share the deviations of the stations with each other, not with the targets above.</source>
-        <translation type="unfinished"></translation>
+        <translation>在测量该目标点之前，传感器已重新定位：该目标点及其以下各点彼此共有测站偏差，与以上各点不共有。</translation>
     </message>
     <message>
         <source>Distances</source>
-        <translation type="unfinished"></translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>Distances between targets that are measurands too, for instance of a scale bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>同样作为被测量的目标点间距离，例如基准尺的长度。</translation>
     </message>
     <message>
         <source>from</source>
-        <translation type="unfinished"></translation>
+        <translation>自</translation>
     </message>
     <message>
         <source>Name of a target.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个目标点的名称。</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>至</translation>
     </message>
     <message>
         <source>Name of another target.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个目标点的名称。</translation>
     </message>
     <message>
         <source>Angles</source>
-        <translation type="unfinished"></translation>
+        <translation>角度</translation>
     </message>
     <message>
         <source>Angles at a target between the directions to two others, measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>在某个目标点处、指向另外两个目标点的方向之间的角度，同样作为被测量。</translation>
     </message>
     <message>
         <source>at</source>
-        <translation type="unfinished"></translation>
+        <translation>位于</translation>
     </message>
     <message>
         <source>Name of the target where the angle is.</source>
-        <translation type="unfinished"></translation>
+        <translation>角度顶点处目标点的名称。</translation>
     </message>
     <message>
         <source>Name of a third target.</source>
-        <translation type="unfinished"></translation>
+        <translation>第三个目标点的名称。</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系</translation>
     </message>
     <message>
         <source>Frames on three targets (3-2-1), whose position and Z-Y-X angles in the world are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>建立在三个目标点上（3-2-1）的坐标系，其在世界坐标系中的位置和 Z-Y-X 角同样作为被测量。</translation>
     </message>
     <message>
         <source>Name of the frame, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系的名称，须唯一。</translation>
     </message>
     <message>
         <source>origin</source>
-        <translation type="unfinished"></translation>
+        <translation>原点</translation>
     </message>
     <message>
         <source>Target at its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>位于其原点的目标点。</translation>
     </message>
     <message>
         <source>on x</source>
-        <translation type="unfinished"></translation>
+        <translation>在 x 上</translation>
     </message>
     <message>
         <source>Target on its positive x-axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>位于其正 x 轴上的目标点。</translation>
     </message>
     <message>
         <source>in xy</source>
-        <translation type="unfinished"></translation>
+        <translation>在 xy 内</translation>
     </message>
     <message>
         <source>Target in its xy-plane, at positive y.</source>
-        <translation type="unfinished"></translation>
+        <translation>位于其 xy 平面内、y 为正的目标点。</translation>
     </message>
     <message>
         <source>Calibrated lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>已校准长度</translation>
     </message>
     <message>
         <source>Scale bars and other calibrated distances between two targets: compared with the network, or a constraint of the estimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>基准尺以及两个目标点之间的其他已校准距离：与网络比较，或作为估计的约束。</translation>
     </message>
     <message>
         <source>length</source>
-        <translation type="unfinished"></translation>
+        <translation>长度</translation>
     </message>
     <message>
         <source>Calibrated length; empty in a design: the distance of the nominal targets.</source>
-        <translation type="unfinished"></translation>
+        <translation>已校准长度；在设计中留空：取标称目标点间的距离。</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length as it is during the measurement, with temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>该长度在测量期间的标准不确定度，含温度影响。</translation>
     </message>
     <message>
         <source>role</source>
-        <translation type="unfinished"></translation>
+        <translation>作用</translation>
     </message>
     <message>
         <source>Check: the difference between network and calibration is a measurand. Constraint: the length is adjusted with the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>检核：网络与校准之差为被测量。约束：该长度与读数一起平差。</translation>
     </message>
     <message>
         <source>check</source>
-        <translation type="unfinished"></translation>
+        <translation>检核</translation>
     </message>
     <message>
         <source>constraint</source>
-        <translation type="unfinished"></translation>
+        <translation>约束</translation>
     </message>
     <message>
         <source>distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>The distribution that has the standard uncertainty u; empty: normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>具有标准不确定度 u 的分布；留空：正态。</translation>
     </message>
     <message>
         <source>Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数</translation>
     </message>
     <message>
         <source>A priori: the readings are those of the nominal targets. A posteriori: the readings are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>先验：读数取标称目标点的读数。后验：读数已给出。</translation>
     </message>
     <message>
         <source>a priori (design: nominal targets)</source>
-        <translation type="unfinished"></translation>
+        <translation>先验（设计：标称目标点）</translation>
     </message>
     <message>
         <source>a posteriori (given readings)</source>
-        <translation type="unfinished"></translation>
+        <translation>后验（给定读数）</translation>
     </message>
     <message>
         <source>What the sensors read, one row for a sensor and a target, typed or from a CSV file; leave empty what was not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器的读数，每个传感器和目标点占一行，手工输入或来自 CSV 文件；未读取的项留空。</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点</translation>
     </message>
     <message>
         <source>Name of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点的名称。</translation>
     </message>
     <message>
         <source>The instrument that read it.</source>
-        <translation type="unfinished"></translation>
+        <translation>读取该点的仪器。</translation>
     </message>
     <message>
         <source>distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>Slope distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>斜距。</translation>
     </message>
     <message>
         <source>azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>方位角</translation>
     </message>
     <message>
         <source>Horizontal angle from the sensor&apos;s x-axis, positive towards y; whole turns do not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>从传感器 x 轴起算的水平角，朝向 y 为正；整圈数无影响。</translation>
     </message>
     <message>
         <source>elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>高度角</translation>
     </message>
     <message>
         <source>Vertical angle above the sensor&apos;s xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>高于传感器 xy 平面的垂直角。</translation>
     </message>
     <message>
         <source>Estimation</source>
-        <translation type="unfinished"></translation>
+        <translation>估计</translation>
     </message>
     <message>
         <source>Estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>估计方法</translation>
     </message>
     <message>
         <source>How a target&apos;s coordinates follow from its readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>如何由读数得到目标点的坐标。</translation>
     </message>
     <message>
         <source>non-linear weighted least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>非线性加权最小二乘</translation>
     </message>
     <message>
         <source>linearised equations: OLS, then GLS (Eqs 1-4 of the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>线性化方程：先 OLS，后 GLS（论文式 1-4）</translation>
     </message>
     <message>
         <source>linearised equations: OLS alone (Eq 3 of the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>线性化方程：仅 OLS（论文式 3）</translation>
     </message>
     <message>
         <source>Weights</source>
-        <translation type="unfinished"></translation>
+        <translation>权</translation>
     </message>
     <message>
         <source>What the weights of the equations account for. Weights from the readings alone, as in the paper, are not the best where the stations are uncertain.</source>
-        <translation type="unfinished"></translation>
+        <translation>方程的权考虑哪些因素。测站不确定时，如论文那样仅由读数定权并非最佳。</translation>
     </message>
     <message>
         <source>readings and stations, all targets of a set-up at once</source>
-        <translation type="unfinished"></translation>
+        <translation>读数和测站，一次设站的所有目标点同时估计</translation>
     </message>
     <message>
         <source>readings alone, each target by itself (the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>仅读数，每个目标点单独估计（论文）</translation>
     </message>
     <message>
         <source>TCP from ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>由球杆仪求 TCP</translation>
     </message>
     <message>
         <source>Measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>测量</translation>
     </message>
     <message>
         <source>Ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>球杆仪</translation>
     </message>
     <message>
         <source>The set of telescopic ballbars that measures the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量这些点的一组伸缩式球杆仪。</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人</translation>
     </message>
     <message>
         <source>Gives the repeatability with which the robot goes to the points; none: an ideal robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出机器人到达各点的重复性；无：理想机器人。</translation>
     </message>
     <message>
         <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation type="unfinished"></translation>
+        <translation>按计划程序或实测点求工具中心点；或仅求球杆仪所测的点。</translation>
     </message>
     <message>
         <source>tool centre point, planned procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>工具中心点，计划程序</translation>
     </message>
     <message>
         <source>tool centre point, measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>工具中心点，实测点</translation>
     </message>
     <message>
         <source>points alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅点</translation>
     </message>
     <message>
         <source>Procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>程序</translation>
     </message>
     <message>
         <source>Flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰</translation>
     </message>
     <message>
         <source>Pose of the flange in the robot&apos;s frame before it turns; its origin is the centre of the sphere on which the ball moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰转动前在机器人坐标系中的位姿；其原点为球运动所在球面的中心。</translation>
     </message>
     <message>
         <source>Tool x</source>
-        <translation type="unfinished"></translation>
+        <translation>工具 x</translation>
     </message>
     <message>
         <source>Nominal coordinate x of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具中心点在法兰坐标系中的标称坐标 x。</translation>
     </message>
     <message>
         <source>Tool y</source>
-        <translation type="unfinished"></translation>
+        <translation>工具 y</translation>
     </message>
     <message>
         <source>Nominal coordinate y of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具中心点在法兰坐标系中的标称坐标 y。</translation>
     </message>
     <message>
         <source>Tool z</source>
-        <translation type="unfinished"></translation>
+        <translation>工具 z</translation>
     </message>
     <message>
         <source>Nominal coordinate z of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具中心点在法兰坐标系中的标称坐标 z。</translation>
     </message>
     <message>
         <source>Rotations</source>
-        <translation type="unfinished"></translation>
+        <translation>旋转</translation>
     </message>
     <message>
         <source>Two or three rotations of the flange about its own axes, its origin held in place: the ball traces an arc in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰绕其自身轴的两次或三次旋转，其原点保持不动：每次旋转中球画出一段圆弧。</translation>
     </message>
     <message>
         <source>axis</source>
-        <translation type="unfinished"></translation>
+        <translation>轴</translation>
     </message>
     <message>
         <source>Axis of the flange about which the robot turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人绕法兰的哪根轴转动。</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>起始</translation>
     </message>
     <message>
         <source>Angle at the first point.</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个点处的角度。</translation>
     </message>
     <message>
         <source>span</source>
-        <translation type="unfinished"></translation>
+        <translation>跨度</translation>
     </message>
     <message>
         <source>Angle from the first point to the last; negative: turned the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>从第一个点到最后一个点的角度；负值：反向转动。</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>点数</translation>
     </message>
     <message>
         <source>Number of points, equally spaced from the first to the last.</source>
-        <translation type="unfinished"></translation>
+        <translation>点的数目，从第一个点到最后一个点等间隔。</translation>
     </message>
     <message>
         <source>Points as measured, each with the axis of its rotation and the commanded angle, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测点，各带其旋转轴和指令角度，手工输入或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>angle</source>
-        <translation type="unfinished"></translation>
+        <translation>角度</translation>
     </message>
     <message>
         <source>Commanded angle of rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>指令旋转角度。</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>在球杆仪坐标系中的坐标 x。</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>在球杆仪坐标系中的坐标 y。</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>在球杆仪坐标系中的坐标 z。</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>Places of the ball that are measured, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>被测量的球的位置，手工输入或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>Name of the point, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>点的名称，须唯一。</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合</translation>
     </message>
     <message>
         <source>Axes of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的轴</translation>
     </message>
     <message>
         <source>Measured axes are not exactly perpendicular: which one is kept as measured. A third measured axis then only helps the sphere and the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测的轴并不严格垂直：哪一根轴保持实测值。第三根实测轴此时仅有助于确定球面和平均值。</translation>
     </message>
     <message>
         <source>y as measured, x nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>y 取实测值，x 取最接近实测值</translation>
     </message>
     <message>
         <source>x as measured, y nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>x 取实测值，y 取最接近实测值</translation>
     </message>
     <message>
         <source>z as measured, x nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>z 取实测值，x 取最接近实测值</translation>
     </message>
     <message>
         <source>nearest to all measured axes</source>
-        <translation type="unfinished"></translation>
+        <translation>最接近所有实测轴</translation>
     </message>
     <message>
         <source>Centre of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰中心</translation>
     </message>
     <message>
         <source>Sphere through all points by linear least squares, or refined to least distances from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>用线性最小二乘求过所有点的球面，或再精化使到球面的距离最小。</translation>
     </message>
     <message>
         <source>sphere, geometric fit from the linear one</source>
-        <translation type="unfinished"></translation>
+        <translation>球面，由线性拟合起始的几何拟合</translation>
     </message>
     <message>
         <source>sphere, linear fit</source>
-        <translation type="unfinished"></translation>
+        <translation>球面，线性拟合</translation>
     </message>
     <message>
         <source>Robot pose</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人位姿</translation>
     </message>
     <message>
         <source>The arm, with its parameters and their uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂及其参数和参数的不确定度。</translation>
     </message>
     <message>
         <source>Components of a parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>参数的分量</translation>
     </message>
     <message>
         <source>Each by itself, so that the budget tells the sources apart; or combined into one normal deviation, which needs fewer draws.</source>
-        <translation type="unfinished"></translation>
+        <translation>各自单独，使预算能区分各来源；或合并为一个正态偏差，所需抽样数较少。</translation>
     </message>
     <message>
         <source>each by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>各自单独</translation>
     </message>
     <message>
         <source>combined into one</source>
-        <translation type="unfinished"></translation>
+        <translation>合并为一个</translation>
     </message>
     <message>
         <source>Correlation of the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>参数的相关性</translation>
     </message>
     <message>
         <source>Used as the robot states it; or ignored, as in the paper, to see what that does.</source>
-        <translation type="unfinished"></translation>
+        <translation>按机器人给出的相关性使用；或如论文那样忽略，以查看其影响。</translation>
     </message>
     <message>
         <source>used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用</translation>
     </message>
     <message>
         <source>ignored (the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>忽略（论文）</translation>
     </message>
     <message>
         <source>Poses by joint readings</source>
-        <translation type="unfinished"></translation>
+        <translation>由关节读数给定位姿</translation>
     </message>
     <message>
         <source>Readings of the joints, typed or from a CSV file. An empty cell is the zero reading of the joint; a robot with fewer joints leaves the last columns empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节读数，手工输入或来自 CSV 文件。空单元格表示该关节的零位读数；关节较少的机器人最后几列留空。</translation>
     </message>
     <message>
         <source>Name of the pose, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿的名称，须唯一。</translation>
     </message>
     <message>
         <source>Reading of joint 1, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 1 的读数（转动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 2, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 2 的读数（转动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 3, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 3 的读数（转动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 4, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 4 的读数（转动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 5, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 5 的读数（转动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 6, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 6 的读数（转动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 7, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 7 的读数（转动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 1, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 1 的读数（移动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 2, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 2 的读数（移动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 3, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 3 的读数（移动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 4, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 4 的读数（移动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 5, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 5 的读数（移动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 6, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 6 的读数（移动关节）。</translation>
     </message>
     <message>
         <source>Reading of joint 7, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 7 的读数（移动关节）。</translation>
     </message>
     <message>
         <source>Poses by place</source>
-        <translation type="unfinished"></translation>
+        <translation>由位置给定位姿</translation>
     </message>
     <message>
         <source>Places of the tool in the robot&apos;s base frame; the readings follow by inverse kinematics, within the limits and near those of the pose before.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具在机器人基坐标系中的位置；读数由逆运动学求得，在限位之内并接近前一位姿的读数。</translation>
     </message>
     <message>
         <source>Name, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>名称，须唯一。</translation>
     </message>
     <message>
         <source>Coordinate x of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具的坐标 x。</translation>
     </message>
     <message>
         <source>Coordinate y of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具的坐标 y。</translation>
     </message>
     <message>
         <source>Coordinate z of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具的坐标 z。</translation>
     </message>
     <message>
         <source>Orientation, R = Rz(gamma) Ry(beta) Rx(alpha); all three empty: any orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态，R = Rz(gamma) Ry(beta) Rx(alpha)；三者均留空：任意姿态。</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Numbers that state the orientation of the tool; none: the position alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>表示工具姿态的数值；无：仅位置。</translation>
     </message>
     <message>
         <source>none (position alone)</source>
-        <translation type="unfinished"></translation>
+        <translation>无（仅位置）</translation>
     </message>
     <message>
         <source>Results in</source>
-        <translation type="unfinished"></translation>
+        <translation>结果所在坐标系</translation>
     </message>
     <message>
         <source>The frame in which position and orientation are stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>表示位置和姿态的坐标系。</translation>
     </message>
     <message>
         <source>the base frame of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人的基坐标系</translation>
     </message>
     <message>
         <source>the world frame</source>
-        <translation type="unfinished"></translation>
+        <translation>世界坐标系</translation>
     </message>
     <message>
         <source>Robot by joint trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>由关节轨迹求机器人</translation>
     </message>
     <message>
         <source>Nominal robot</source>
-        <translation type="unfinished"></translation>
+        <translation>标称机器人</translation>
     </message>
     <message>
         <source>The arm as designed: directions of the frames, definitions of base and last link, and the arm of a simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>设计的机械臂：各坐标系的方向、基座和末端连杆的定义，以及仿真所用的机械臂。</translation>
     </message>
     <message>
         <source>Points are</source>
-        <translation type="unfinished"></translation>
+        <translation>点的来源</translation>
     </message>
     <message>
         <source>Measured: a table. Simulated: those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测：一个表格。仿真：标称机器人的点，用于查看实验会给出什么。</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>实测</translation>
     </message>
     <message>
         <source>simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>仿真</translation>
     </message>
     <message>
         <source>Points of the ball at the flange in the order in which they were measured, joint by joint, in the frame of the instrument&apos;s world; typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰上的球的各点，按测量顺序逐关节给出，在仪器的世界坐标系中；手工输入或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>joint</source>
-        <translation type="unfinished"></translation>
+        <translation>关节</translation>
     </message>
     <message>
         <source>Number of the joint that turned.</source>
-        <translation type="unfinished"></translation>
+        <translation>转动关节的编号。</translation>
     </message>
     <message>
         <source>Reading of that joint; says which way round the points run. Empty: with the joint&apos;s positive direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>该关节的读数；表明各点的走向。留空：沿关节的正方向。</translation>
     </message>
     <message>
         <source>Coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 x。</translation>
     </message>
     <message>
         <source>Coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 y。</translation>
     </message>
     <message>
         <source>Coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标 z。</translation>
     </message>
     <message>
         <source>Range of each joint, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>各关节的范围，±</translation>
     </message>
     <message>
         <source>Each joint turns from its zero reading less this to its zero reading plus this.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个关节从零位读数减去此值转到零位读数加上此值。</translation>
     </message>
     <message>
         <source>Points for each joint</source>
-        <translation type="unfinished"></translation>
+        <translation>每个关节的点数</translation>
     </message>
     <message>
         <source>Number of points, evenly spaced over the range.</source>
-        <translation type="unfinished"></translation>
+        <translation>点的数目，在范围内均匀分布。</translation>
     </message>
     <message>
         <source>Ball</source>
-        <translation type="unfinished"></translation>
+        <translation>球</translation>
     </message>
     <message>
         <source>Where the ball is in the frame of the last link. On the axis of a joint it draws no circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>球在末端连杆坐标系中的位置。若位于关节轴上，则画不出圆。</translation>
     </message>
     <message>
         <source>A standard uncertainty of every coordinate, or an instrument of the project that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个坐标的标准不确定度，或项目中设于某处的仪器。</translation>
     </message>
     <message>
         <source>typed: alike for all coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>手工输入：所有坐标相同</translation>
     </message>
     <message>
         <source>an instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>Standard uncertainty of a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标的标准不确定度</translation>
     </message>
     <message>
         <source>Of every coordinate of every point, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个点的每个坐标的标准不确定度，彼此独立。</translation>
     </message>
     <message>
         <source>The distribution of the coordinates&apos; deviations; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标偏差的分布；无论形状如何，给出的都是其标准不确定度。</translation>
     </message>
     <message>
         <source>Instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>What measured the points: each reading deviates by itself, its scale and its station alike for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量这些点的仪器：每个读数各自有偏差，尺度和测站的偏差对所有点相同。</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>Plane of a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆所在平面</translation>
     </message>
     <message>
         <source>Total least squares fits any plane. Eq 1 of the paper has no plane through the origin and fails near it.</source>
-        <translation type="unfinished"></translation>
+        <translation>总体最小二乘可拟合任意平面。论文式 1 不能表示过原点的平面，在其附近失效。</translation>
     </message>
     <message>
         <source>total least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>总体最小二乘</translation>
     </message>
     <message>
         <source>A x + B y + C z + 1 = 0 (Eq 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>A x + B y + C z + 1 = 0（式 1）</translation>
     </message>
     <message>
         <source>Axes are parallel below</source>
-        <translation type="unfinished"></translation>
+        <translation>轴视为平行的阈值</translation>
     </message>
     <message>
         <source>Angle between two axes below which they are described by beta and not by their common perpendicular, whose place is then hardly determined.</source>
-        <translation type="unfinished"></translation>
+        <translation>两轴夹角小于此值时用 beta 描述，而不用其公垂线，因为此时公垂线的位置几乎无法确定。</translation>
     </message>
     <message>
         <source>Robot from measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>由实测位姿求机器人</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the poses cannot tell, uncertainty of the readings of its joints, and the arm of a simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>设计的机械臂：拟合的初值、位姿无法确定的参数值、关节读数的不确定度，以及仿真所用的机械臂。</translation>
     </message>
     <message>
         <source>Poses are</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿的来源</translation>
     </message>
     <message>
         <source>Measured is</source>
-        <translation type="unfinished"></translation>
+        <translation>测量的是</translation>
     </message>
     <message>
         <source>The position of a ball alone, or position and orientation of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅球的位置，或工具的位置和姿态。</translation>
     </message>
     <message>
         <source>the position</source>
-        <translation type="unfinished"></translation>
+        <translation>位置</translation>
     </message>
     <message>
         <source>position and orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>位置和姿态</translation>
     </message>
     <message>
         <source>Measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>实测位姿</translation>
     </message>
     <message>
         <source>Readings of the joints and the place of the ball or tool that was measured there; typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节读数以及在该处测得的球或工具的位置；手工输入或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>use</source>
-        <translation type="unfinished"></translation>
+        <translation>用途</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the fit tells a pose that it has not seen. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合：参与拟合。检核：不参与拟合，用于查看拟合对未见过的位姿预测得如何。留空：拟合。</translation>
     </message>
     <message>
         <source>fit</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合</translation>
     </message>
     <message>
         <source>Reading of joint 1; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 1 的读数；留空：其零位读数。</translation>
     </message>
     <message>
         <source>Reading of joint 2; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 2 的读数；留空：其零位读数。</translation>
     </message>
     <message>
         <source>Reading of joint 3; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 3 的读数；留空：其零位读数。</translation>
     </message>
     <message>
         <source>Reading of joint 4; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 4 的读数；留空：其零位读数。</translation>
     </message>
     <message>
         <source>Reading of joint 5; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 5 的读数；留空：其零位读数。</translation>
     </message>
     <message>
         <source>Reading of joint 6; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 6 的读数；留空：其零位读数。</translation>
     </message>
     <message>
         <source>Reading of joint 7; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 7 的读数；留空：其零位读数。</translation>
     </message>
     <message>
         <source>Measured coordinate x in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>在仪器的世界坐标系中的实测坐标 x。</translation>
     </message>
     <message>
         <source>Measured coordinate y in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>在仪器的世界坐标系中的实测坐标 y。</translation>
     </message>
     <message>
         <source>Measured coordinate z in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>在仪器的世界坐标系中的实测坐标 z。</translation>
     </message>
     <message>
         <source>Measured orientation, R = Rz(gamma) Ry(beta) Rx(alpha), where poses are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量位姿时的实测姿态，R = Rz(gamma) Ry(beta) Rx(alpha)。</translation>
     </message>
     <message>
         <source>Number of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿数</translation>
     </message>
     <message>
         <source>Poses of the simulated experiment, spread over the range of all joints, always the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>仿真实验的位姿，分布在所有关节的范围内，每次相同。</translation>
     </message>
     <message>
         <source>From the zero reading on, as far as the limits of the joint allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>从零位读数起，直到关节限位允许之处。</translation>
     </message>
     <message>
         <source>Standard uncertainty of an orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态的标准不确定度</translation>
     </message>
     <message>
         <source>Of the rotation of the measured tool about each of its axes, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测工具绕其各轴旋转的标准不确定度，彼此独立。</translation>
     </message>
     <message>
         <source>Ball or tool</source>
-        <translation type="unfinished"></translation>
+        <translation>球或工具</translation>
     </message>
     <message>
         <source>Where it is in the frame of the last link: exactly, or as a start of the fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>它在末端连杆坐标系中的位置：精确值，或拟合的初值。</translation>
     </message>
     <message>
         <source>Place of the ball or tool is</source>
-        <translation type="unfinished"></translation>
+        <translation>球或工具的位置</translation>
     </message>
     <message>
         <source>Found by the fit together with the parameters, or known.</source>
-        <translation type="unfinished"></translation>
+        <translation>与参数一起由拟合求得，或为已知。</translation>
     </message>
     <message>
         <source>found by the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>由拟合求得</translation>
     </message>
     <message>
         <source>known exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>精确已知</translation>
     </message>
     <message>
         <source>Place of the base is</source>
-        <translation type="unfinished"></translation>
+        <translation>基座的位置</translation>
     </message>
     <message>
         <source>Found by the fit: the instrument stands anywhere. Known: the base stands where the robot says it stands in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>由拟合求得：仪器可设于任意处。已知：基座位于机器人所给出的世界坐标系中的位置。</translation>
     </message>
     <message>
         <source>Parameters held</source>
-        <translation type="unfinished"></translation>
+        <translation>固定的参数</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the poses could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>虽可由位姿确定、但仍保持标称值的参数。</translation>
     </message>
     <message>
         <source>parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>参数</translation>
     </message>
     <message>
         <source>A parameter by its symbol, such as d_3 or alpha_4.</source>
-        <translation type="unfinished"></translation>
+        <translation>以符号表示的参数，例如 d_3 或 alpha_4。</translation>
     </message>
     <message>
         <source>Channels of a force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>力/力矩传感器的通道</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器</translation>
     </message>
     <message>
         <source>The calibrated multi-axis sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>经校准的多轴传感器。</translation>
     </message>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>使用</translation>
     </message>
     <message>
         <source>Loads on the other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>其他轴上的载荷</translation>
     </message>
     <message>
         <source>What acts on the other axes while a channel is read. Unknown loads are rectangular between minus and plus the rated load, one and the same for all channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>读取某通道时作用在其他轴上的载荷。未知载荷在负、正额定载荷之间服从矩形分布，对所有通道为同一个量。</translation>
     </message>
     <message>
         <source>none: one component alone</source>
-        <translation type="unfinished"></translation>
+        <translation>无：仅一个分量</translation>
     </message>
     <message>
         <source>unknown on one axis, that with the largest interference</source>
-        <translation type="unfinished"></translation>
+        <translation>一根轴上未知，即干扰最大的轴</translation>
     </message>
     <message>
         <source>unknown on all other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>所有其他轴上均未知</translation>
     </message>
     <message>
         <source>Repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>重复性</translation>
     </message>
     <message>
         <source>The largest standard deviation of all steps, as in the paper, or that pooled over the steps, which has more degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>如论文那样取各级中最大的标准偏差，或取各级的合并标准偏差，后者自由度更大。</translation>
     </message>
     <message>
         <source>largest of the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>各级中最大者</translation>
     </message>
     <message>
         <source>pooled over the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>各级合并</translation>
     </message>
     <message>
         <source>Type A in Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛中的 A 类评定</translation>
     </message>
     <message>
         <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9). With n = 3 the latter has no standard deviation: only coverage intervals then mean something.</source>
-        <translation type="unfinished"></translation>
+        <translation>正态分布，其自由度用于传播律；或 t 分布（JCGM 101 6.4.9）。n = 3 时 t 分布没有标准偏差，此时只有包含区间有意义。</translation>
     </message>
     <message>
         <source>scaled and shifted t</source>
-        <translation type="unfinished"></translation>
+        <translation>缩放平移 t 分布</translation>
     </message>
     <message>
         <source>Coverage factor of the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>比较用的包含因子</translation>
     </message>
     <message>
         <source>k of the GUM&apos;s columns in the table beside the paper&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>表中与论文各列并列的 GUM 各列的 k。</translation>
     </message>
     <message>
         <source>Forces and moments by the calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>由校准矩阵求力和力矩</translation>
     </message>
     <message>
         <source>Cases</source>
-        <translation type="unfinished"></translation>
+        <translation>工况</translation>
     </message>
     <message>
         <source>Cases are given by</source>
-        <translation type="unfinished"></translation>
+        <translation>工况的给定方式</translation>
     </message>
     <message>
         <source>Readings that were taken, or loads whose uncertainty is wanted.</source>
-        <translation type="unfinished"></translation>
+        <translation>已取得的读数，或需求其不确定度的载荷。</translation>
     </message>
     <message>
         <source>readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数</translation>
     </message>
     <message>
         <source>loads</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷</translation>
     </message>
     <message>
         <source>Net readings of all channels, the unloaded readings subtracted.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有通道的净读数，已减去空载读数。</translation>
     </message>
     <message>
         <source>Names the case in results.</source>
-        <translation type="unfinished"></translation>
+        <translation>在结果中标识该工况。</translation>
     </message>
     <message>
         <source>Fx</source>
-        <translation type="unfinished"></translation>
+        <translation>Fx</translation>
     </message>
     <message>
         <source>Net reading of this channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>该通道的净读数。</translation>
     </message>
     <message>
         <source>Fy</source>
-        <translation type="unfinished"></translation>
+        <translation>Fy</translation>
     </message>
     <message>
         <source>Fz</source>
-        <translation type="unfinished"></translation>
+        <translation>Fz</translation>
     </message>
     <message>
         <source>Mx</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx</translation>
     </message>
     <message>
         <source>My</source>
-        <translation type="unfinished"></translation>
+        <translation>My</translation>
     </message>
     <message>
         <source>Mz</source>
-        <translation type="unfinished"></translation>
+        <translation>Mz</translation>
     </message>
     <message>
         <source>Loads</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷</translation>
     </message>
     <message>
         <source>Forces and moments that act together; the readings follow from the calibration matrix. An empty cell is zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>同时作用的力和力矩；读数由校准矩阵得到。空单元格为零。</translation>
     </message>
     <message>
         <source>Load on this axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>该轴上的载荷。</translation>
     </message>
     <message>
         <source>Calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>校准矩阵</translation>
     </message>
     <message>
         <source>Least squares through zero over the increasing readings: slopes alone, or with the squares of the loads.</source>
-        <translation type="unfinished"></translation>
+        <translation>对递增读数作过零点的最小二乘：仅斜率，或含载荷的平方项。</translation>
     </message>
     <message>
         <source>linear</source>
-        <translation type="unfinished"></translation>
+        <translation>线性</translation>
     </message>
     <message>
         <source>with quadratic terms</source>
-        <translation type="unfinished"></translation>
+        <translation>含二次项</translation>
     </message>
     <message>
         <source>Repeatability of a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的重复性</translation>
     </message>
     <message>
         <source>The largest standard deviation of all steps, or that pooled over the steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>各级中最大的标准偏差，或各级的合并标准偏差。</translation>
     </message>
     <message>
         <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with n = 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>正态分布，其自由度用于传播律；或 t 分布（JCGM 101 6.4.9），n = 3 时它没有标准偏差。</translation>
     </message>
     <message>
         <source>Hysteresis of a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的滞后</translation>
     </message>
     <message>
         <source>Rectangular over the width of the loop: in proportion to the load on the channel&apos;s axis, or the full width at any load.</source>
-        <translation type="unfinished"></translation>
+        <translation>在滞后环宽度上的矩形分布：与通道所在轴的载荷成比例，或在任意载荷下取全宽。</translation>
     </message>
     <message>
         <source>in proportion to the load</source>
-        <translation type="unfinished"></translation>
+        <translation>与载荷成比例</translation>
     </message>
     <message>
         <source>full at any load</source>
-        <translation type="unfinished"></translation>
+        <translation>任意载荷下取全宽</translation>
     </message>
     <message>
         <source>Measurement equation</source>
-        <translation type="unfinished"></translation>
+        <translation>测量方程</translation>
     </message>
     <message>
         <source>Equations</source>
-        <translation type="unfinished"></translation>
+        <translation>方程</translation>
     </message>
     <message>
         <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation type="unfinished"></translation>
+        <translation>每行一个方程：y = x_1*x_2 + 3 [mm]。没有方程的名称为输入量。&apos;solve y = 1: y^2 = x&apos; 在每次试验中从其初值起求解 y。&apos;#&apos; 后为注释。</translation>
     </message>
     <message>
         <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation type="unfinished"></translation>
+        <translation>报告哪些量、用什么单位。没有行时：由方程定义且未被其他方程使用的每个名称，以 SI 单位表示。</translation>
     </message>
     <message>
         <source>symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>符号</translation>
     </message>
     <message>
         <source>Name that an equation defines.</source>
-        <translation type="unfinished"></translation>
+        <translation>由方程定义的名称。</translation>
     </message>
     <message>
         <source>What it is, for tables and reports.</source>
-        <translation type="unfinished"></translation>
+        <translation>它是什么，用于表格和报告。</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>单位</translation>
     </message>
     <message>
         <source>Unit of the result; empty: the SI unit that follows from the equations.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果的单位；留空：由方程得到的 SI 单位。</translation>
     </message>
     <message>
         <source>Measurands have coverage regions together; empty: measurand.</source>
-        <translation type="unfinished"></translation>
+        <translation>各被测量共同构成包含区域；留空：被测量。</translation>
     </message>
     <message>
         <source>measurand</source>
-        <translation type="unfinished"></translation>
+        <translation>被测量</translation>
     </message>
     <message>
         <source>intermediate</source>
-        <translation type="unfinished"></translation>
+        <translation>中间量</translation>
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished"></translation>
+        <translation>组</translation>
     </message>
     <message>
         <source>Results of one group have a joint coverage region.</source>
-        <translation type="unfinished"></translation>
+        <translation>同一组的结果具有联合包含区域。</translation>
     </message>
     <message>
         <source>Quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>量</translation>
     </message>
     <message>
         <source>One row for each component of uncertainty. The first row of a symbol has its value and unit; further rows of the same symbol add components and have no value.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个不确定度分量占一行。某符号的第一行给出其值和单位；同一符号的后续行用于增加分量，没有值。</translation>
     </message>
     <message>
         <source>Name that the equations use: x_1, alpha_s.</source>
-        <translation type="unfinished"></translation>
+        <translation>方程所用的名称：x_1、alpha_s。</translation>
     </message>
     <message>
         <source>What it is, or what the component is.</source>
-        <translation type="unfinished"></translation>
+        <translation>它是什么，或该分量是什么。</translation>
     </message>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
+        <translation>值</translation>
     </message>
     <message>
         <source>Estimate, in the row&apos;s unit; empty where observations or limits give it.</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值，以该行的单位表示；由观测值或界限给出时留空。</translation>
     </message>
     <message>
         <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>值、a 和 b 的单位；留空：1。温度差以 K 给出。</translation>
     </message>
     <message>
         <source>stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>给出方式</translation>
     </message>
     <message>
         <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation type="unfinished"></translation>
+        <translation>其不确定度的已知方式；a 和 b 相应为：u；U 和 k；U 和 p(%)；半宽（及其不准确度，或上底与下底之比）；下限和上限；示值的步进；允许误差和值的百分数；计数；平均值的观测次数（合并）。留空：常量。</translation>
     </message>
     <message>
         <source>constant</source>
-        <translation type="unfinished"></translation>
+        <translation>常量</translation>
     </message>
     <message>
         <source>standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>标准不确定度</translation>
     </message>
     <message>
         <source>certificate, U and k</source>
-        <translation type="unfinished"></translation>
+        <translation>证书，U 和 k</translation>
     </message>
     <message>
         <source>certificate, U and p</source>
-        <translation type="unfinished"></translation>
+        <translation>证书，U 和 p</translation>
     </message>
     <message>
         <source>rectangular</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形</translation>
     </message>
     <message>
         <source>limits from a to b</source>
-        <translation type="unfinished"></translation>
+        <translation>界限 a 至 b</translation>
     </message>
     <message>
         <source>limits inexactly known</source>
-        <translation type="unfinished"></translation>
+        <translation>界限不准确已知</translation>
     </message>
     <message>
         <source>trapezoidal</source>
-        <translation type="unfinished"></translation>
+        <translation>梯形</translation>
     </message>
     <message>
         <source>triangular</source>
-        <translation type="unfinished"></translation>
+        <translation>三角</translation>
     </message>
     <message>
         <source>arc sine</source>
-        <translation type="unfinished"></translation>
+        <translation>反正弦</translation>
     </message>
     <message>
         <source>resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>分辨力</translation>
     </message>
     <message>
         <source>maximum permissible error</source>
-        <translation type="unfinished"></translation>
+        <translation>最大允许误差</translation>
     </message>
     <message>
         <source>exponential</source>
-        <translation type="unfinished"></translation>
+        <translation>指数</translation>
     </message>
     <message>
         <source>counts</source>
-        <translation type="unfinished"></translation>
+        <translation>计数</translation>
     </message>
     <message>
         <source>observations (Type A)</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值（A 类）</translation>
     </message>
     <message>
         <source>pooled observations (Type A)</source>
-        <translation type="unfinished"></translation>
+        <translation>合并观测值（A 类）</translation>
     </message>
     <message>
         <source>reading of an instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器读数</translation>
     </message>
     <message>
         <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出内容的第一个数值，以该行的单位表示。</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出内容的第二个数值。</translation>
     </message>
     <message>
         <source>Degrees of freedom; empty: infinite, or those of the observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>自由度；留空：无穷大，或观测值的自由度。</translation>
     </message>
     <message>
         <source>Relative uncertainty of u instead of degrees of freedom (JCGM 100 G.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>以 u 的相对不确定度代替自由度（JCGM 100 G.3）。</translation>
     </message>
     <message>
         <source>source</source>
-        <translation type="unfinished"></translation>
+        <translation>来源</translation>
     </message>
     <message>
         <source>Where the figure comes from: certificate, data sheet, handbook.</source>
-        <translation type="unfinished"></translation>
+        <translation>数值的出处：证书、数据表、手册。</translation>
     </message>
     <message>
         <source>instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>Instrument of the project that reads the quantity, a distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>项目中读取该量（距离）的仪器。</translation>
     </message>
     <message>
         <source>Observations</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值</translation>
     </message>
     <message>
         <source>Repeated observations for Type A evaluations, typed, pasted or from a CSV file. Observations of several quantities with the same numbers were made together: their means are then correlated (JCGM 100 5.2.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>用于 A 类评定的重复观测值，手工输入、粘贴或来自 CSV 文件。若干量中编号相同的观测值是同时取得的：其平均值因而相关（JCGM 100 5.2.3）。</translation>
     </message>
     <message>
         <source>quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>量</translation>
     </message>
     <message>
         <source>Symbol of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>该量的符号。</translation>
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished"></translation>
+        <translation>编号</translation>
     </message>
     <message>
         <source>Number of the simultaneous observation; empty: the quantity was observed by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>同时观测的编号；留空：该量为单独观测。</translation>
     </message>
     <message>
         <source>series</source>
-        <translation type="unfinished"></translation>
+        <translation>系列</translation>
     </message>
     <message>
         <source>Name of an earlier series of the same procedure, for a pooled standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>同一程序的先前系列的名称，用于合并标准偏差。</translation>
     </message>
     <message>
         <source>Observed value, in the unit of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值，以该量的单位表示。</translation>
     </message>
     <message>
         <source>Means of observations</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值的平均值</translation>
     </message>
     <message>
         <source>Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of the observations (JCGM 101 6.4.9), or normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>平均值在蒙特卡洛试验中的分布：以观测值自由度为自由度的学生 t 分布（JCGM 101 6.4.9），或正态分布。</translation>
     </message>
     <message>
         <source>Student t</source>
-        <translation type="unfinished"></translation>
+        <translation>学生 t</translation>
     </message>
     <message>
         <source>Calibration curve</source>
-        <translation type="unfinished"></translation>
+        <translation>校准曲线</translation>
     </message>
     <message>
         <source>Unit of x</source>
-        <translation type="unfinished"></translation>
+        <translation>x 的单位</translation>
     </message>
     <message>
         <source>Unit in which x is given. A difference of temperatures, a correction of a thermometer too, is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出 x 所用的单位。温度差（包括温度计的修正值）以 K 给出。</translation>
     </message>
     <message>
         <source>Unit of y</source>
-        <translation type="unfinished"></translation>
+        <translation>y 的单位</translation>
     </message>
     <message>
         <source>Unit in which y is given. A difference of temperatures, a correction of a thermometer too, is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出 y 所用的单位。温度差（包括温度计的修正值）以 K 给出。</translation>
     </message>
     <message>
         <source>Points of the calibration, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准点，手工输入、粘贴或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>Independent quantity, in its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>自变量，以其单位表示。</translation>
     </message>
     <message>
         <source>Standard uncertainty of x; empty: none. Used with stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>x 的标准不确定度；留空：无。用于给定不确定度的情形。</translation>
     </message>
     <message>
         <source>Observed quantity, in its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>观测量，以其单位表示。</translation>
     </message>
     <message>
         <source>Standard uncertainty of y. Used, and needed, with stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>y 的标准不确定度。用于给定不确定度的情形，且此时必须给出。</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
     <message>
         <source>Degree</source>
-        <translation type="unfinished"></translation>
+        <translation>次数</translation>
     </message>
     <message>
         <source>Of the polynomial: 1 is a straight line.</source>
-        <translation type="unfinished"></translation>
+        <translation>多项式的次数：1 为直线。</translation>
     </message>
     <message>
         <source>Origin x_0</source>
-        <translation type="unfinished"></translation>
+        <translation>原点 x_0</translation>
     </message>
     <message>
         <source>The polynomial is one of x - x_0, in the unit of x. In the middle of the points the coefficients are hardly correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>多项式以 x - x_0 为自变量，以 x 的单位表示。取在各点中部时，各系数几乎不相关。</translation>
     </message>
     <message>
         <source>Through the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>过原点</translation>
     </message>
     <message>
         <source>No constant term: the curve is zero at x_0.</source>
-        <translation type="unfinished"></translation>
+        <translation>无常数项：曲线在 x_0 处为零。</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度</translation>
     </message>
     <message>
         <source>From the scatter of the residuals about the curve (JCGM 100 H.3), or as stated for each point.</source>
-        <translation type="unfinished"></translation>
+        <translation>由残差围绕曲线的分散性得到（JCGM 100 H.3），或按各点给出的值。</translation>
     </message>
     <message>
         <source>from the residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>由残差得到</translation>
     </message>
     <message>
         <source>as stated for x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>按 x 和 y 给出的值</translation>
     </message>
     <message>
         <source>Use of the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线的使用</translation>
     </message>
     <message>
         <source>Where the value of the curve is wanted, with its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>需求曲线值及其不确定度之处。</translation>
     </message>
     <message>
         <source>In the unit of x.</source>
-        <translation type="unfinished"></translation>
+        <translation>以 x 的单位表示。</translation>
     </message>
     <message>
         <source>Inverse use</source>
-        <translation type="unfinished"></translation>
+        <translation>反向使用</translation>
     </message>
     <message>
         <source>Observed values of y whose x is wanted, with its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>需求其 x 及不确定度的 y 观测值。</translation>
     </message>
     <message>
         <source>Observed, in the unit of y.</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值，以 y 的单位表示。</translation>
     </message>
     <message>
         <source>Standard uncertainty of the observed y; empty: none beside that of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>所观测 y 的标准不确定度；留空：除读数的不确定度外无其他。</translation>
     </message>
     <message>
         <source>The observed y is the mean of so many readings, which scatter as the points of the calibration do. With the uncertainty from the residuals only.</source>
-        <translation type="unfinished"></translation>
+        <translation>所观测的 y 是这么多次读数的平均值，其分散性与校准点相同。仅用于由残差得到不确定度的情形。</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished"></translation>
+        <translation>邻近</translation>
     </message>
     <message>
         <source>Of several x that give this y, the one nearest to here, in the unit of x. Needed where the curve reaches y more than once between its points.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出该 y 的若干 x 中最接近此处的一个，以 x 的单位表示。曲线在各点之间不止一次达到 y 时需要。</translation>
     </message>
     <message>
         <source>Observations in groups</source>
-        <translation type="unfinished"></translation>
+        <translation>分组观测值</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>量</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>符号</translation>
     </message>
     <message>
         <source>Of the measured quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>被测的量的符号。</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>What is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量的是什么。</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>单位</translation>
     </message>
     <message>
         <source>In which the observations are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出观测值所用的单位。</translation>
     </message>
     <message>
         <source>Data</source>
-        <translation type="unfinished"></translation>
+        <translation>数据</translation>
     </message>
     <message>
         <source>Every observation, or mean and standard deviation of each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个观测值，或各组的平均值和标准偏差。</translation>
     </message>
     <message>
         <source>observations</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值</translation>
     </message>
     <message>
         <source>means and standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>平均值和标准偏差</translation>
     </message>
     <message>
         <source>Observations with the day, instrument or operator they belong to, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值及其所属的日期、仪器或操作者，手工输入、粘贴或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>Day, instrument or operator.</source>
-        <translation type="unfinished"></translation>
+        <translation>日期、仪器或操作者。</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>组</translation>
     </message>
     <message>
         <source>Mean and experimental standard deviation of the observations of each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>各组观测值的平均值和实验标准偏差。</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation type="unfinished"></translation>
+        <translation>平均值</translation>
     </message>
     <message>
         <source>Of the observations of the group, in the unit of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>该组观测值的平均值，以该量的单位表示。</translation>
     </message>
     <message>
         <source>Experimental standard deviation of a single observation of the group.</source>
-        <translation type="unfinished"></translation>
+        <translation>该组单次观测值的实验标准偏差。</translation>
     </message>
     <message>
         <source>Number of observations in the group; empty: observations per group, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>该组的观测次数；留空：按下面的每组观测次数。</translation>
     </message>
     <message>
         <source>Observations per group</source>
-        <translation type="unfinished"></translation>
+        <translation>每组观测次数</translation>
     </message>
     <message>
         <source>Number of observations in each group whose row does not say it.</source>
-        <translation type="unfinished"></translation>
+        <translation>行中未给出观测次数的各组的观测次数。</translation>
     </message>
     <message>
         <source>Effect of the groups</source>
-        <translation type="unfinished"></translation>
+        <translation>分组效应</translation>
     </message>
     <message>
         <source>Included: u of the mean of the groups&apos; means from their scatter. By components of variance: the same for groups of one size, else groups with more observations have more weight. Not included: all observations count as independent, which the F-test in the evaluation must allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>计入：由各组平均值的分散性得到其平均值的 u。按方差分量：各组大小相同时结果相同，否则观测次数多的组权更大。不计入：所有观测值视为独立，评定中的 F 检验须允许这样做。</translation>
     </message>
     <message>
         <source>included</source>
-        <translation type="unfinished"></translation>
+        <translation>计入</translation>
     </message>
     <message>
         <source>by components of variance</source>
-        <translation type="unfinished"></translation>
+        <translation>按方差分量</translation>
     </message>
     <message>
         <source>not included</source>
-        <translation type="unfinished"></translation>
+        <translation>不计入</translation>
     </message>
     <message>
         <source>Artefact with calibrated points</source>
-        <translation type="unfinished"></translation>
+        <translation>带校准点的实物标准器</translation>
     </message>
     <message>
         <source>Artefact</source>
-        <translation type="unfinished"></translation>
+        <translation>实物标准器</translation>
     </message>
     <message>
         <source>Calibrated points</source>
-        <translation type="unfinished"></translation>
+        <translation>已校准的点</translation>
     </message>
     <message>
         <source>The artefact&apos;s points with their calibrated coordinates in the artefact&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>实物标准器的点及其在实物标准器坐标系中的校准坐标。</translation>
     </message>
     <message>
         <source>Calibrated coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准坐标 x。</translation>
     </message>
     <message>
         <source>Calibrated coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准坐标 y。</translation>
     </message>
     <message>
         <source>Calibrated coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准坐标 z。</translation>
     </message>
     <message>
         <source>defines</source>
-        <translation type="unfinished"></translation>
+        <translation>定义</translation>
     </message>
     <message>
         <source>Coordinates that define the frame (&quot;xyz&quot;, &quot;yz&quot;), when they are named by point.</source>
-        <translation type="unfinished"></translation>
+        <translation>按点指定时，定义坐标系的坐标（&quot;xyz&quot;、&quot;yz&quot;）。</translation>
     </message>
     <message>
         <source>Evaluate from</source>
-        <translation type="unfinished"></translation>
+        <translation>评定依据</translation>
     </message>
     <message>
         <source>Repeated measurements of the artefact, or the components of uncertainty as a report prints them (Table 1 of the paper).</source>
-        <translation type="unfinished"></translation>
+        <translation>对实物标准器的重复测量，或报告中列出的不确定度分量（论文表 1）。</translation>
     </message>
     <message>
         <source>components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度分量</translation>
     </message>
     <message>
         <source>Measured coordinates in the artefact&apos;s frame: one row for each point and run, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>在实物标准器坐标系中的实测坐标：每个点和测次占一行，手工输入或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>Name of a calibrated point.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个已校准点的名称。</translation>
     </message>
     <message>
         <source>run</source>
-        <translation type="unfinished"></translation>
+        <translation>测次</translation>
     </message>
     <message>
         <source>Indicated coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>示值坐标 x。</translation>
     </message>
     <message>
         <source>Indicated coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>示值坐标 y。</translation>
     </message>
     <message>
         <source>Indicated coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>示值坐标 z。</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度分量</translation>
     </message>
     <message>
         <source>One row for each coordinate, as Table 1 of the paper prints them.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个坐标占一行，与论文表 1 相同。</translation>
     </message>
     <message>
         <source>coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标</translation>
     </message>
     <message>
         <source>Coordinate of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>该行的坐标。</translation>
     </message>
     <message>
         <source>Calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准。</translation>
     </message>
     <message>
         <source>Temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>温度。</translation>
     </message>
     <message>
         <source>Variability: standard deviation of the errors of indication.</source>
-        <translation type="unfinished"></translation>
+        <translation>变动性：示值误差的标准偏差。</translation>
     </message>
     <message>
         <source>Bias: mean of the errors of indication.</source>
-        <translation type="unfinished"></translation>
+        <translation>偏移：示值误差的平均值。</translation>
     </message>
     <message>
         <source>Number of observations, where it is known; gives the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>观测次数（已知时）；由此得到自由度。</translation>
     </message>
     <message>
         <source>Coordinates that define the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>定义坐标系的坐标</translation>
     </message>
     <message>
         <source>Errors of these coordinates are zero by construction of the frame and are left out of the statistics.</source>
-        <translation type="unfinished"></translation>
+        <translation>按坐标系的构造，这些坐标的误差为零，不参与统计。</translation>
     </message>
     <message>
         <source>first point x, y, z; second y, z; third z</source>
-        <translation type="unfinished"></translation>
+        <translation>第一点 x、y、z；第二点 y、z；第三点 z</translation>
     </message>
     <message>
         <source>as the points&apos; column &apos;defines&apos; says</source>
-        <translation type="unfinished"></translation>
+        <translation>按点的“定义”列</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Systematic error of indication</source>
-        <translation type="unfinished"></translation>
+        <translation>系统示值误差</translation>
     </message>
     <message>
         <source>What becomes of the mean error b. The paper leaves it uncorrected and counts |b| as a standard uncertainty; JCGM 100 3.2.4 asks for a correction.</source>
-        <translation type="unfinished"></translation>
+        <translation>如何处理平均误差 b。论文不作修正而将 |b| 计为标准不确定度；JCGM 100 3.2.4 要求修正。</translation>
     </message>
     <message>
         <source>counts as a standard uncertainty (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>计为标准不确定度（论文）</translation>
     </message>
     <message>
         <source>ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>忽略</translation>
     </message>
     <message>
         <source>corrected, the uncertainty of the correction remains</source>
-        <translation type="unfinished"></translation>
+        <translation>已修正，保留修正值的不确定度</translation>
     </message>
     <message>
         <source>Systematic parts are common to all points</source>
-        <translation type="unfinished"></translation>
+        <translation>系统部分对所有点共有</translation>
     </message>
     <message>
         <source>Calibration, temperature and bias are drawn once for all points instead of independently for each, as the paper does.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准、温度和偏移对所有点只抽样一次，而不是如论文那样对每个点独立抽样。</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>校准</translation>
     </message>
     <message>
         <source>Standard uncertainty of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>校准的标准不确定度</translation>
     </message>
     <message>
         <source>Largest standard uncertainty of the calibrated values, from the certificate (U divided by its k).</source>
-        <translation type="unfinished"></translation>
+        <translation>校准值的最大标准不确定度，取自证书（U 除以其 k）。</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>温度</translation>
     </message>
     <message>
         <source>Coefficient of thermal expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>热膨胀系数</translation>
     </message>
     <message>
         <source>Linear expansion of the artefact&apos;s material; aluminium has about 23e-6 1/K.</source>
-        <translation type="unfinished"></translation>
+        <translation>实物标准器材料的线膨胀系数；铝约为 23e-6 1/K。</translation>
     </message>
     <message>
         <source>Temperature of the artefact</source>
-        <translation type="unfinished"></translation>
+        <translation>实物标准器的温度</translation>
     </message>
     <message>
         <source>Whether indications are corrected to 20 °C with a measured temperature. If not, the largest deviation from 20 °C is a component of uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>示值是否用实测温度修正到 20 °C。若不修正，与 20 °C 的最大偏差为一个不确定度分量。</translation>
     </message>
     <message>
         <source>not corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>未修正</translation>
     </message>
     <message>
         <source>corrected to 20 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>修正到 20 °C</translation>
     </message>
     <message>
         <source>Largest deviation from 20 °C, or U of the temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>与 20 °C 的最大偏差，或温度的 U</translation>
     </message>
     <message>
         <source>ΔT of Eqs 3 and 6: without correction the largest absolute deviation from 20 °C, with correction the expanded uncertainty of the measured temperature. Half-width of a rectangular distribution.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 3 和 6 中的 ΔT：未修正时为与 20 °C 的最大绝对偏差，修正时为实测温度的扩展不确定度。矩形分布的半宽。</translation>
     </message>
     <message>
         <source>Measured temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>实测温度</translation>
     </message>
     <message>
         <source>Temperature of the artefact during the measurement; indications are divided by 1 + α (T − 20 °C).</source>
-        <translation type="unfinished"></translation>
+        <translation>测量期间实物标准器的温度；示值除以 1 + α (T − 20 °C)。</translation>
     </message>
     <message>
         <source>Length for the thermal expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>热膨胀所用长度</translation>
     </message>
     <message>
         <source>L_max of Eq 3. The paper&apos;s figures result with the largest distance between two points; its text says the largest value of the coordinate, which gives 0 for a flat artefact&apos;s z.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 3 中的 L_max。论文的数值由两点间的最大距离得到；其正文却称取坐标的最大值，这对平面型实物标准器的 z 给出 0。</translation>
     </message>
     <message>
         <source>largest distance between two points</source>
-        <translation type="unfinished"></translation>
+        <translation>两点间的最大距离</translation>
     </message>
     <message>
         <source>largest value of the coordinate (text of Eq 3)</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标的最大值（式 3 正文）</translation>
     </message>
     <message>
         <source>Length standard</source>
-        <translation type="unfinished"></translation>
+        <translation>长度标准器</translation>
     </message>
     <message>
         <source>Calibrated length</source>
-        <translation type="unfinished"></translation>
+        <translation>已校准长度</translation>
     </message>
     <message>
         <source>Distance between the two nests, from the certificate. It should be like the largest distance between the points of both frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个靶座之间的距离，取自证书。它应与两个坐标系各点间的最大距离相近。</translation>
     </message>
     <message>
         <source>Repeated measurements of the artefact, or the components of uncertainty as a report prints them (Table 2 of the paper).</source>
-        <translation type="unfinished"></translation>
+        <translation>对实物标准器的重复测量，或报告中列出的不确定度分量（论文表 2）。</translation>
     </message>
     <message>
         <source>Measured lengths: one row for each position and run, typed or from a CSV file. The paper proposes at least 14 positions of three runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测长度：每个位置和测次占一行，手工输入或来自 CSV 文件。论文建议至少 14 个位置，每个位置三个测次。</translation>
     </message>
     <message>
         <source>position</source>
-        <translation type="unfinished"></translation>
+        <translation>位置</translation>
     </message>
     <message>
         <source>Where the standard stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>标准器所在的位置。</translation>
     </message>
     <message>
         <source>Indicated length.</source>
-        <translation type="unfinished"></translation>
+        <translation>示值长度。</translation>
     </message>
     <message>
         <source>One row, as Table 2 of the paper prints it.</source>
-        <translation type="unfinished"></translation>
+        <translation>一行，与论文表 2 相同。</translation>
     </message>
     <message>
         <source>Uncertainty of a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标的不确定度</translation>
     </message>
     <message>
         <source>A length is the difference of two points, so u of a length is √2 times u of a coordinate. The paper uses the length&apos;s figure unchanged, which is cautious.</source>
-        <translation type="unfinished"></translation>
+        <translation>长度是两点之差，因此长度的 u 为坐标的 u 的 √2 倍。论文直接采用长度的数值，偏于保守。</translation>
     </message>
     <message>
         <source>that of the length (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>取长度的值（论文）</translation>
     </message>
     <message>
         <source>that of the length divided by √2</source>
-        <translation type="unfinished"></translation>
+        <translation>取长度的值除以 √2</translation>
     </message>
     <message>
         <source>Tracker, total station, camera or distance meter</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪仪、全站仪、相机或测距仪</translation>
     </message>
     <message>
         <source>Station</source>
-        <translation type="unfinished"></translation>
+        <translation>测站</translation>
     </message>
     <message>
         <source>Where the instrument stands in the world frame: the point where its axes meet. x is the zero of the azimuth (the optical axis of a camera), z the vertical axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器在世界坐标系中的位置：其各轴的交点。x 为方位角的零方向（相机的光轴），z 为竖轴。</translation>
     </message>
     <message>
         <source>The angles are</source>
-        <translation type="unfinished"></translation>
+        <translation>角度的定义</translation>
     </message>
     <message>
         <source>How the three angles of the station turn its axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>测站的三个角度如何转动其各轴。</translation>
     </message>
     <message>
         <source>α, β, γ: R = Rz(γ) Ry(β) Rx(α)</source>
-        <translation type="unfinished"></translation>
+        <translation>α、β、γ：R = Rz(γ) Ry(β) Rx(α)</translation>
     </message>
     <message>
         <source>ω, φ, κ: R = Rx(ω) Ry(φ) Rz(κ), photogrammetric</source>
-        <translation type="unfinished"></translation>
+        <translation>ω、φ、κ：R = Rx(ω) Ry(φ) Rz(κ)，摄影测量</translation>
     </message>
     <message>
         <source>What the instrument reads, and how it is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器读取什么，以及如何绘制。</translation>
     </message>
     <message>
         <source>total station: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>全站仪：距离和两个角度</translation>
     </message>
     <message>
         <source>laser tracker: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>激光跟踪仪：距离和两个角度</translation>
     </message>
     <message>
         <source>laser scanner: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>激光扫描仪：距离和两个角度</translation>
     </message>
     <message>
         <source>camera: two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>相机：两个角度</translation>
     </message>
     <message>
         <source>distance meter: distance only</source>
-        <translation type="unfinished"></translation>
+        <translation>测距仪：仅距离</translation>
     </message>
     <message>
         <source>other: chosen readings</source>
-        <translation type="unfinished"></translation>
+        <translation>其他：选定的读数</translation>
     </message>
     <message>
         <source>Reads the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>读取距离</translation>
     </message>
     <message>
         <source>Whether the sensor reads a distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器是否读取距离。</translation>
     </message>
     <message>
         <source>Reads the azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>读取方位角</translation>
     </message>
     <message>
         <source>Whether the sensor reads a horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器是否读取水平角。</translation>
     </message>
     <message>
         <source>Reads the elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>读取高度角</translation>
     </message>
     <message>
         <source>Whether the sensor reads a vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器是否读取垂直角。</translation>
     </message>
     <message>
         <source>Specification</source>
-        <translation type="unfinished"></translation>
+        <translation>技术指标</translation>
     </message>
     <message>
         <source>Distance: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>距离：固定部分 a</translation>
     </message>
     <message>
         <source>Part of the distance&apos;s figure that does not depend on the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>距离指标中与距离无关的部分。</translation>
     </message>
     <message>
         <source>Distance: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>距离：单位长度部分 b</translation>
     </message>
     <message>
         <source>Part of the distance&apos;s figure in proportion to the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>距离指标中与距离成比例的部分。</translation>
     </message>
     <message>
         <source>Azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>方位角</translation>
     </message>
     <message>
         <source>Figure for the horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>水平角的指标。</translation>
     </message>
     <message>
         <source>Elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>高度角</translation>
     </message>
     <message>
         <source>Figure for the vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直角的指标。</translation>
     </message>
     <message>
         <source>Angles: constant part across</source>
-        <translation type="unfinished"></translation>
+        <translation>角度：横向固定部分</translation>
     </message>
     <message>
         <source>Part of both angles&apos; figures that is a length across the line of sight, as trackers state it (15 µm + 6 µm/m); an angle&apos;s figure is this over the distance plus its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个角度的指标中表示为垂直于视线的长度的部分，如跟踪仪的给法（15 µm + 6 µm/m）；角度的指标为该值除以距离再加上角度自身的指标。</translation>
     </message>
     <message>
         <source>The figures are</source>
-        <translation type="unfinished"></translation>
+        <translation>指标的含义</translation>
     </message>
     <message>
         <source>What the data sheet states: a standard uncertainty, an expanded one, or a limit that is not exceeded (maximum permissible error).</source>
-        <translation type="unfinished"></translation>
+        <translation>数据表给出的是：标准不确定度、扩展不确定度，或不超过的界限（最大允许误差）。</translation>
     </message>
     <message>
         <source>standard uncertainty (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>标准不确定度（正态）</translation>
     </message>
     <message>
         <source>expanded uncertainty, k = 2 (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度，k = 2（正态）</translation>
     </message>
     <message>
         <source>limit (MPE), rectangular: divided by √3</source>
-        <translation type="unfinished"></translation>
+        <translation>界限（MPE），矩形：除以 √3</translation>
     </message>
     <message>
         <source>limit (MPE), triangular: divided by √6</source>
-        <translation type="unfinished"></translation>
+        <translation>界限（MPE），三角：除以 √6</translation>
     </message>
     <message>
         <source>limit (MPE), arc sine: divided by √2</source>
-        <translation type="unfinished"></translation>
+        <translation>界限（MPE），反正弦：除以 √2</translation>
     </message>
     <message>
         <source>Range and field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>测程和视场</translation>
     </message>
     <message>
         <source>Shortest distance</source>
-        <translation type="unfinished"></translation>
+        <translation>最短距离</translation>
     </message>
     <message>
         <source>Targets nearer than this are not measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>比此更近的目标点不测量。</translation>
     </message>
     <message>
         <source>Longest distance</source>
-        <translation type="unfinished"></translation>
+        <translation>最长距离</translation>
     </message>
     <message>
         <source>Targets farther than this are not measured; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>比此更远的目标点不测量；留空：无限制。</translation>
     </message>
     <message>
         <source>Horizontal field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>水平视场</translation>
     </message>
     <message>
         <source>Full angle, half of it to either side of the sensor&apos;s x-axis; empty: all round.</source>
-        <translation type="unfinished"></translation>
+        <translation>全角，传感器 x 轴两侧各一半；留空：全周。</translation>
     </message>
     <message>
         <source>Vertical field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直视场</translation>
     </message>
     <message>
         <source>Full angle, half of it above the sensor&apos;s xy-plane and half below; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>全角，传感器 xy 平面上下各一半；留空：无限制。</translation>
     </message>
     <message>
         <source>Shared by all readings</source>
-        <translation type="unfinished"></translation>
+        <translation>所有读数共有</translation>
     </message>
     <message>
         <source>Scale of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的尺度</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale, which all distances share: wavelength, refractive index, temperature of a scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有距离共有的尺度的标准不确定度：波长、折射率、标尺温度。</translation>
     </message>
     <message>
         <source>Zero offset of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的零点偏移</translation>
     </message>
     <message>
         <source>Standard uncertainty of the constant offset of all distances: home position, reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有距离的固定偏移的标准不确定度：零位（home）位置、反射器。</translation>
     </message>
     <message>
         <source>Index of the elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>高度角的指标差</translation>
     </message>
     <message>
         <source>Standard uncertainty of the zero of the vertical circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>竖盘零位的标准不确定度。</translation>
     </message>
     <message>
         <source>Collimation</source>
-        <translation type="unfinished"></translation>
+        <translation>视准差</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle between beam and tilting axis off square: the azimuth changes by it over the cosine of the elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>光束与横轴之间夹角偏离直角的标准不确定度：方位角的变化为该值除以高度角的余弦。</translation>
     </message>
     <message>
         <source>Squareness of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>轴系垂直度</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle between the two axes off square: the azimuth changes by it times the tangent of the elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>两轴之间夹角偏离直角的标准不确定度：方位角的变化为该值乘以高度角的正切。</translation>
     </message>
     <message>
         <source>Offset of the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>光束偏移</translation>
     </message>
     <message>
         <source>Standard uncertainty of the distance by which the beam misses the vertical axis sideways: the azimuth changes by it over the horizontal distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>光束侧向偏离竖轴的距离的标准不确定度：方位角的变化为该值除以水平距离。</translation>
     </message>
     <message>
         <source>Coefficient of refraction</source>
-        <translation type="unfinished"></translation>
+        <translation>折光系数</translation>
     </message>
     <message>
         <source>Standard uncertainty of k: the elevation changes by k L/(2 × 6371 km) over a distance L.</source>
-        <translation type="unfinished"></translation>
+        <translation>k 的标准不确定度：在距离 L 上高度角的变化为 k L/(2 × 6371 km)。</translation>
     </message>
     <message>
         <source>The distribution of what all readings share; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有读数共有的各量的分布；无论形状如何，给出的都是其标准不确定度。</translation>
     </message>
     <message>
         <source>Uncertainty of the station</source>
-        <translation type="unfinished"></translation>
+        <translation>测站的不确定度</translation>
     </message>
     <message>
         <source>position x</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 x</translation>
     </message>
     <message>
         <source>Standard uncertainty of this coordinate of the station, shared by everything measured from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>测站该坐标的标准不确定度，由该站所测的一切共有。</translation>
     </message>
     <message>
         <source>position y</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 y</translation>
     </message>
     <message>
         <source>position z</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 z</translation>
     </message>
     <message>
         <source>rotation about x</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 x 的旋转</translation>
     </message>
     <message>
         <source>rotation about y</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 y 的旋转</translation>
     </message>
     <message>
         <source>rotation about z</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 z 的旋转</translation>
     </message>
     <message>
         <source>The distribution of the coordinates of the station; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>测站坐标的分布；无论形状如何，给出的都是其标准不确定度。</translation>
     </message>
     <message>
         <source>Correlation of the station&apos;s coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>测站坐标的相关性</translation>
     </message>
     <message>
         <source>Correlation coefficients from the adjustment that located the station; pairs left out are uncorrelated.</source>
-        <translation type="unfinished"></translation>
+        <translation>由确定测站位置的平差得到的相关系数；未列出的对视为不相关。</translation>
     </message>
     <message>
         <source>first</source>
-        <translation type="unfinished"></translation>
+        <translation>第一</translation>
     </message>
     <message>
         <source>A coordinate of the station.</source>
-        <translation type="unfinished"></translation>
+        <translation>测站的一个坐标。</translation>
     </message>
     <message>
         <source>second</source>
-        <translation type="unfinished"></translation>
+        <translation>第二</translation>
     </message>
     <message>
         <source>Correlation coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>相关系数。</translation>
     </message>
     <message>
         <source>Network of sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器网络</translation>
     </message>
     <message>
         <source>What the weights of the readings account for. With the stations, all points of one analysis are estimated together.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的权考虑哪些因素。计入测站时，一个分析中的所有点同时估计。</translation>
     </message>
     <message>
         <source>readings and stations, all points at once</source>
-        <translation type="unfinished"></translation>
+        <translation>读数和测站，所有点同时估计</translation>
     </message>
     <message>
         <source>readings alone, each point by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>仅读数，每个点单独估计</translation>
     </message>
     <message>
         <source>Specification of a measured point</source>
-        <translation type="unfinished"></translation>
+        <translation>测点技术指标</translation>
     </message>
     <message>
         <source>Figure of the data sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>数据表的指标</translation>
     </message>
     <message>
         <source>The uncertainty or limit that the manufacturer states, the same for x, y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>制造商给出的不确定度或界限，对 x、y 和 z 相同。</translation>
     </message>
     <message>
         <source>The figure applies to</source>
-        <translation type="unfinished"></translation>
+        <translation>指标的适用对象</translation>
     </message>
     <message>
         <source>A coordinate of a point, or a length between two points; a length is the difference of two points, so a coordinate has 1/√2 of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>点的坐标，或两点间的长度；长度是两点之差，因此坐标为其 1/√2。</translation>
     </message>
     <message>
         <source>a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标</translation>
     </message>
     <message>
         <source>a length between two points</source>
-        <translation type="unfinished"></translation>
+        <translation>两点间的长度</translation>
     </message>
     <message>
         <source>Telescopic ballbars (multilateration)</source>
-        <translation type="unfinished"></translation>
+        <translation>伸缩式球杆仪（多边测量）</translation>
     </message>
     <message>
         <source>Supports</source>
-        <translation type="unfinished"></translation>
+        <translation>支座</translation>
     </message>
     <message>
         <source>Support 1 to support 2</source>
-        <translation type="unfinished"></translation>
+        <translation>支座 1 至支座 2</translation>
     </message>
     <message>
         <source>Measured length between supports 1 and 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>支座 1 与 2 之间的实测长度。</translation>
     </message>
     <message>
         <source>Support 1 to support 3</source>
-        <translation type="unfinished"></translation>
+        <translation>支座 1 至支座 3</translation>
     </message>
     <message>
         <source>Measured length between supports 1 and 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>支座 1 与 3 之间的实测长度。</translation>
     </message>
     <message>
         <source>Support 2 to support 3</source>
-        <translation type="unfinished"></translation>
+        <translation>支座 2 至支座 3</translation>
     </message>
     <message>
         <source>Measured length between supports 2 and 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>支座 2 与 3 之间的实测长度。</translation>
     </message>
     <message>
         <source>Further supports</source>
-        <translation type="unfinished"></translation>
+        <translation>其他支座</translation>
     </message>
     <message>
         <source>Supports 4, 5 ...: their lengths to the first three, and their height above the plane of these. More than three lengths are adjusted by least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>支座 4、5 …：它们到前三个支座的长度，以及高出前三者所在平面的高度。多于三个长度时用最小二乘平差。</translation>
     </message>
     <message>
         <source>Length to this support.</source>
-        <translation type="unfinished"></translation>
+        <translation>到该支座的长度。</translation>
     </message>
     <message>
         <source>Height above the first three supports.</source>
-        <translation type="unfinished"></translation>
+        <translation>高出前三个支座的高度。</translation>
     </message>
     <message>
         <source>Standard uncertainty of the height.</source>
-        <translation type="unfinished"></translation>
+        <translation>高度的标准不确定度。</translation>
     </message>
     <message>
         <source>The ball is</source>
-        <translation type="unfinished"></translation>
+        <translation>球所在侧</translation>
     </message>
     <message>
         <source>Three lengths meet in two points, mirror images in the plane of the supports: on which side of it the ball is (sign of the root of Eq 3).</source>
-        <translation type="unfinished"></translation>
+        <translation>三个长度交于两点，关于支座平面互为镜像：球位于平面的哪一侧（式 3 中根号的符号）。</translation>
     </message>
     <message>
         <source>on the side of +z</source>
-        <translation type="unfinished"></translation>
+        <translation>在 +z 侧</translation>
     </message>
     <message>
         <source>on the side of −z</source>
-        <translation type="unfinished"></translation>
+        <translation>在 −z 侧</translation>
     </message>
     <message>
         <source>Placement</source>
-        <translation type="unfinished"></translation>
+        <translation>安放</translation>
     </message>
     <message>
         <source>Place in the robot&apos;s frame</source>
-        <translation type="unfinished"></translation>
+        <translation>在机器人坐标系中的位置</translation>
     </message>
     <message>
         <source>Where the instrument&apos;s frame is in the robot&apos;s: origin in support 1, x towards support 2, z normal to the plane of the first three supports, on the left of the way 1-2-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器坐标系在机器人坐标系中的位置：原点在支座 1，x 指向支座 2，z 垂直于前三个支座的平面，在 1-2-3 行进方向的左侧。</translation>
     </message>
     <message>
         <source>Uncertainty of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>长度的不确定度</translation>
     </message>
     <message>
         <source>To the ball: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>至球：固定部分 a</translation>
     </message>
     <message>
         <source>Figure for one reading of a bar to the ball, the part that does not depend on the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>球杆仪对球的单次读数的指标，与长度无关的部分。</translation>
     </message>
     <message>
         <source>To the ball: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>至球：单位长度部分 b</translation>
     </message>
     <message>
         <source>Figure for one reading of a bar to the ball, the part in proportion to the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>球杆仪对球的单次读数的指标，与长度成比例的部分。</translation>
     </message>
     <message>
         <source>Between supports: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>支座之间：固定部分 a</translation>
     </message>
     <message>
         <source>Figure for a length between two supports, which one measurement gives for all points: the part that does not depend on the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>两支座间长度的指标，由一次测量给出并用于所有点：与长度无关的部分。</translation>
     </message>
     <message>
         <source>Between supports: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>支座之间：单位长度部分 b</translation>
     </message>
     <message>
         <source>Figure for a length between two supports, the part in proportion to the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>两支座间长度的指标，与长度成比例的部分。</translation>
     </message>
     <message>
         <source>Shared by all lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>所有长度共有</translation>
     </message>
     <message>
         <source>Scale of all lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>所有长度的尺度</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale that all lengths share: wavelength, refractive index.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有长度共有的尺度的标准不确定度：波长、折射率。</translation>
     </message>
     <message>
         <source>Constant of each bar</source>
-        <translation type="unfinished"></translation>
+        <translation>各球杆仪的常数</translation>
     </message>
     <message>
         <source>Standard uncertainty of the constant of a bar, the same in all its readings to the ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>球杆仪常数的标准不确定度，在其对球的所有读数中相同。</translation>
     </message>
     <message>
         <source>The distribution of scale and constants; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度和常数的分布；无论形状如何，给出的都是其标准不确定度。</translation>
     </message>
     <message>
         <source>Robot: repeatability of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人：位姿重复性</translation>
     </message>
     <message>
         <source>Positioning</source>
-        <translation type="unfinished"></translation>
+        <translation>定位</translation>
     </message>
     <message>
         <source>The robot&apos;s figure for the scatter of a position that it is sent to again and again.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人反复到达同一位置时分散性的指标。</translation>
     </message>
     <message>
         <source>The figure is</source>
-        <translation type="unfinished"></translation>
+        <translation>指标的含义</translation>
     </message>
     <message>
         <source>A largest distance from the mean position, or RP of ISO 9283: the mean distance plus three times its standard deviation. A normal law has no largest distance, so its figure is always RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>到平均位置的最大距离，或 ISO 9283 的 RP：平均距离加三倍其标准偏差。正态律没有最大距离，因此其指标总是 RP。</translation>
     </message>
     <message>
         <source>the largest distance r</source>
-        <translation type="unfinished"></translation>
+        <translation>最大距离 r</translation>
     </message>
     <message>
         <source>RP of ISO 9283: mean + 3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283 的 RP：平均值 + 3 s</translation>
     </message>
     <message>
         <source>Deviation of a position</source>
-        <translation type="unfinished"></translation>
+        <translation>位置偏差</translation>
     </message>
     <message>
         <source>How the distance from the mean position is distributed; all directions are equally probable.</source>
-        <translation type="unfinished"></translation>
+        <translation>到平均位置的距离如何分布；所有方向等概率。</translation>
     </message>
     <message>
         <source>rectangular in [0, r] in a random direction</source>
-        <translation type="unfinished"></translation>
+        <translation>在 [0, r] 内矩形分布，方向随机</translation>
     </message>
     <message>
         <source>anywhere in a ball of radius r</source>
-        <translation type="unfinished"></translation>
+        <translation>在半径为 r 的球内任意处</translation>
     </message>
     <message>
         <source>always r, in a random direction</source>
-        <translation type="unfinished"></translation>
+        <translation>恒为 r，方向随机</translation>
     </message>
     <message>
         <source>normal along each axis</source>
-        <translation type="unfinished"></translation>
+        <translation>沿各轴正态</translation>
     </message>
     <message>
         <source>Orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态</translation>
     </message>
     <message>
         <source>Figure for the scatter of the orientation about each axis of the flange; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>绕法兰各轴的姿态分散性的指标；0：无。</translation>
     </message>
     <message>
         <source>The angle is</source>
-        <translation type="unfinished"></translation>
+        <translation>角度的含义</translation>
     </message>
     <message>
         <source>A standard uncertainty, RP of ISO 9283 for an angle (three times its standard deviation), or a limit that is not exceeded.</source>
-        <translation type="unfinished"></translation>
+        <translation>标准不确定度、ISO 9283 的角度 RP（三倍其标准偏差），或不超过的界限。</translation>
     </message>
     <message>
         <source>RP of ISO 9283: ± 3 s (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283 的 RP：± 3 s（正态）</translation>
     </message>
     <message>
         <source>limit, rectangular: divided by √3</source>
-        <translation type="unfinished"></translation>
+        <translation>界限，矩形：除以 √3</translation>
     </message>
     <message>
         <source>Serial robot</source>
-        <translation type="unfinished"></translation>
+        <translation>串联机器人</translation>
     </message>
     <message>
         <source>Geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>几何</translation>
     </message>
     <message>
         <source>Convention</source>
-        <translation type="unfinished"></translation>
+        <translation>约定</translation>
     </message>
     <message>
         <source>How the parameters of a row lead from one joint&apos;s frame to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>一行参数如何从一个关节的坐标系导出下一个关节的坐标系。</translation>
     </message>
     <message>
         <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta)：beta 用于平行关节</translation>
     </message>
     <message>
         <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha)：Denavit-Hartenberg</translation>
     </message>
     <message>
         <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation type="unfinished"></translation>
+        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d)：Craig；第 i 行为关节 i 之前的 alpha 和 a</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节</translation>
     </message>
     <message>
         <source>One row for each joint from the base to the tool, in the chosen convention.</source>
-        <translation type="unfinished"></translation>
+        <translation>从基座到工具每个关节占一行，按所选约定。</translation>
     </message>
     <message>
         <source>Joint angle where the reading is the zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数为零位读数时的关节角。</translation>
     </message>
     <message>
         <source>Offset along the joint&apos;s axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿关节轴的偏距。</translation>
     </message>
     <message>
         <source>Length of the common perpendicular.</source>
-        <translation type="unfinished"></translation>
+        <translation>公垂线的长度。</translation>
     </message>
     <message>
         <source>Twist about x between two axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>两轴之间绕 x 的扭角。</translation>
     </message>
     <message>
         <source>Twist about y, of a joint whose axis is parallel to the next: d is then 0 by definition. Empty: the axes are not parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>绕 y 的扭角，用于轴与下一关节平行的关节：此时 d 按定义为 0。留空：两轴不平行。</translation>
     </message>
     <message>
         <source>Reading of the joint at which theta holds; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>theta 成立时的关节读数；留空：0。</translation>
     </message>
     <message>
         <source>direction</source>
-        <translation type="unfinished"></translation>
+        <translation>方向</translation>
     </message>
     <message>
         <source>Whether the joint angle grows or falls with the reading; empty: grows.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节角随读数增大还是减小；留空：增大。</translation>
     </message>
     <message>
         <source>with the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>与读数同向</translation>
     </message>
     <message>
         <source>against the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>与读数反向</translation>
     </message>
     <message>
         <source>Lowest reading; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>最小读数；留空：无限制。</translation>
     </message>
     <message>
         <source>Highest reading; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>最大读数；留空：无限制。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a reading by the joint&apos;s encoder, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节编码器读数的标准不确定度，在每个位姿重新抽样。</translation>
     </message>
     <message>
         <source>Standard uncertainty by which the joint comes back to a reading, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节回到同一读数的标准不确定度，在每个位姿重新抽样。</translation>
     </message>
     <message>
         <source>type</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>A joint that turns has readings q, which add to theta; one that slides has readings s, which add to d. Empty: it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>转动关节的读数为 q，加到 theta 上；移动关节的读数为 s，加到 d 上。留空：转动。</translation>
     </message>
     <message>
         <source>turns about its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>绕其轴转动</translation>
     </message>
     <message>
         <source>slides along its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>沿其轴移动</translation>
     </message>
     <message>
         <source>Reading of a sliding joint at which d holds; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>d 成立时的移动关节读数；留空：0。</translation>
     </message>
     <message>
         <source>Lowest reading of a sliding joint; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>移动关节的最小读数；留空：无限制。</translation>
     </message>
     <message>
         <source>Highest reading of a sliding joint; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>移动关节的最大读数；留空：无限制。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>移动关节标尺读数的标准不确定度，在每个位姿重新抽样。</translation>
     </message>
     <message>
         <source>Standard uncertainty by which a sliding joint comes back to a reading, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>移动关节回到同一读数的标准不确定度，在每个位姿重新抽样。</translation>
     </message>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>基座</translation>
     </message>
     <message>
         <source>Where frame 0 of the robot stands in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人的坐标系 0 在世界坐标系中的位置。</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>工具</translation>
     </message>
     <message>
         <source>Where the tool is in the frame of the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具在末端连杆坐标系中的位置。</translation>
     </message>
     <message>
         <source>Standard uncertainties of the parameters by source. A row for a joint and a source; components of one parameter combine in quadrature.</source>
-        <translation type="unfinished"></translation>
+        <translation>按来源给出的参数标准不确定度。每个关节和来源占一行；同一参数的各分量按平方和合成。</translation>
     </message>
     <message>
         <source>Where the figures come from: repeatability, sampling, range, certificate ...</source>
-        <translation type="unfinished"></translation>
+        <translation>数值的出处：重复性、抽样、范围、证书等。</translation>
     </message>
     <message>
         <source>Number of the joint; empty: all joints, each with a deviation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节的编号；留空：所有关节，各有自己的偏差。</translation>
     </message>
     <message>
         <source>Standard uncertainty of theta from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>来自该来源的 theta 的标准不确定度；留空：无。</translation>
     </message>
     <message>
         <source>Standard uncertainty of d from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>来自该来源的 d 的标准不确定度；留空：无。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>来自该来源的 a 的标准不确定度；留空：无。</translation>
     </message>
     <message>
         <source>Standard uncertainty of alpha from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>来自该来源的 alpha 的标准不确定度；留空：无。</translation>
     </message>
     <message>
         <source>Standard uncertainty of beta from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>来自该来源的 beta 的标准不确定度；留空：无。</translation>
     </message>
     <message>
         <source>Degrees of freedom of the figures; empty: infinitely many.</source>
-        <translation type="unfinished"></translation>
+        <translation>各数值的自由度；留空：无穷大。</translation>
     </message>
     <message>
         <source>Form of the distribution with this standard uncertainty; empty: normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>具有该标准不确定度的分布的形式；留空：正态。</translation>
     </message>
     <message>
         <source>Correlation coefficients from the identification; pairs left out are uncorrelated. A correlated parameter has one component.</source>
-        <translation type="unfinished"></translation>
+        <translation>由辨识得到的相关系数；未列出的对视为不相关。相关的参数只有一个分量。</translation>
     </message>
     <message>
         <source>Tool, position</source>
-        <translation type="unfinished"></translation>
+        <translation>工具，位置</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the tool in the frame of the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具在末端连杆坐标系中各坐标的标准不确定度。</translation>
     </message>
     <message>
         <source>Tool, orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>工具，姿态</translation>
     </message>
     <message>
         <source>Standard uncertainty of each rotation of the tool about its own axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具绕其自身各轴旋转的标准不确定度。</translation>
     </message>
     <message>
         <source>Robot identified by joint trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>由关节轨迹辨识的机器人</translation>
     </message>
     <message>
         <source>Robot identified from measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>由实测位姿辨识的机器人</translation>
     </message>
     <message>
         <source>Force/moment calibration machine</source>
-        <translation type="unfinished"></translation>
+        <translation>力/力矩校准机</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>证书</translation>
     </message>
     <message>
         <source>Uncertainty of its loads</source>
-        <translation type="unfinished"></translation>
+        <translation>其载荷的不确定度</translation>
     </message>
     <message>
         <source>One row for each axis that the machine loads: the relative expanded uncertainty of its certificate and the coverage factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准机加载的每根轴占一行：其证书的相对扩展不确定度和包含因子。</translation>
     </message>
     <message>
         <source>Force or moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>力或力矩。</translation>
     </message>
     <message>
         <source>Relative expanded uncertainty of the load: a ratio, not %.</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷的相对扩展不确定度：比值，不是 %。</translation>
     </message>
     <message>
         <source>Coverage factor; empty: 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子；留空：2。</translation>
     </message>
     <message>
         <source>Multi-axis force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>多轴力/力矩传感器</translation>
     </message>
     <message>
         <source>Channels</source>
-        <translation type="unfinished"></translation>
+        <translation>通道</translation>
     </message>
     <message>
         <source>The forces and moments that the sensor measures, with their rated loads.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器测量的力和力矩及其额定载荷。</translation>
     </message>
     <message>
         <source>Force or moment that the channel measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>该通道测量的力或力矩。</translation>
     </message>
     <message>
         <source>rated force</source>
-        <translation type="unfinished"></translation>
+        <translation>额定力</translation>
     </message>
     <message>
         <source>Rated load of Fx, Fy or Fz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fx、Fy 或 Fz 的额定载荷。</translation>
     </message>
     <message>
         <source>rated moment</source>
-        <translation type="unfinished"></translation>
+        <translation>额定力矩</translation>
     </message>
     <message>
         <source>Rated load of Mx, My or Mz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx、My 或 Mz 的额定载荷。</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>位置</translation>
     </message>
     <message>
         <source>Where the sensor&apos;s axes are; loads are along and about them.</source>
-        <translation type="unfinished"></translation>
+        <translation>传感器各轴所在处；载荷沿这些轴和绕这些轴作用。</translation>
     </message>
     <message>
         <source>Diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>直径</translation>
     </message>
     <message>
         <source>Of its housing, for the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>外壳的直径，用于图形。</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高度</translation>
     </message>
     <message>
         <source>Indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>指示器</translation>
     </message>
     <message>
         <source>Resolution of the indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>指示器的分辨力</translation>
     </message>
     <message>
         <source>Smallest step of the indicated value, r of Eq 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>示值的最小步进，式 6 中的 r。</translation>
     </message>
     <message>
         <source>Range of the indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>指示器的量程</translation>
     </message>
     <message>
         <source>Largest value that it can indicate; a reading there is refused as saturated. Empty: only readings that stand still while the load rises are.</source>
-        <translation type="unfinished"></translation>
+        <translation>可指示的最大值；达到该值的读数因饱和而被拒绝。留空：仅拒绝载荷上升时停滞不变的读数。</translation>
     </message>
     <message>
         <source>Calibration machine</source>
-        <translation type="unfinished"></translation>
+        <translation>校准机</translation>
     </message>
     <message>
         <source>What loaded the sensor; its relative uncertainty enters by Eq 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>对传感器加载的设备；其相对不确定度由式 5 计入。</translation>
     </message>
     <message>
         <source>Raw readings, from which everything follows, or what an evaluation states.</source>
-        <translation type="unfinished"></translation>
+        <translation>原始读数（一切由此得到），或评定给出的结果。</translation>
     </message>
     <message>
         <source>raw readings</source>
-        <translation type="unfinished"></translation>
+        <translation>原始读数</translation>
     </message>
     <message>
         <source>summary tables</source>
-        <translation type="unfinished"></translation>
+        <translation>汇总表</translation>
     </message>
     <message>
         <source>Indicated values of all channels at each step, the unloaded value not subtracted; typed or from a CSV file, whose columns may have other names.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有通道在各级的示值，未减去空载值；手工输入或来自 CSV 文件，其列可用其他名称。</translation>
     </message>
     <message>
         <source>Axis on which the machine&apos;s load acts.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准机载荷所作用的轴。</translation>
     </message>
     <message>
         <source>Preloading or calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>预加载或校准。</translation>
     </message>
     <message>
         <source>preload</source>
-        <translation type="unfinished"></translation>
+        <translation>预加载</translation>
     </message>
     <message>
         <source>calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>校准</translation>
     </message>
     <message>
         <source>phase</source>
-        <translation type="unfinished"></translation>
+        <translation>阶段</translation>
     </message>
     <message>
         <source>Unloaded before, preload, increasing or decreasing load, unloaded after.</source>
-        <translation type="unfinished"></translation>
+        <translation>加载前空载、预加载、递增或递减载荷、加载后空载。</translation>
     </message>
     <message>
         <source>zero before</source>
-        <translation type="unfinished"></translation>
+        <translation>加载前零点</translation>
     </message>
     <message>
         <source>load</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷</translation>
     </message>
     <message>
         <source>increasing</source>
-        <translation type="unfinished"></translation>
+        <translation>递增</translation>
     </message>
     <message>
         <source>decreasing</source>
-        <translation type="unfinished"></translation>
+        <translation>递减</translation>
     </message>
     <message>
         <source>zero after</source>
-        <translation type="unfinished"></translation>
+        <translation>加载后零点</translation>
     </message>
     <message>
         <source>step</source>
-        <translation type="unfinished"></translation>
+        <translation>级</translation>
     </message>
     <message>
         <source>Number of the step: 0 without load, the same number for increasing and decreasing load.</source>
-        <translation type="unfinished"></translation>
+        <translation>级的编号：空载为 0，递增和递减载荷的编号相同。</translation>
     </message>
     <message>
         <source>Load in the unit of the next column.</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷，以下一列的单位表示。</translation>
     </message>
     <message>
         <source>load unit</source>
-        <translation type="unfinished"></translation>
+        <translation>载荷单位</translation>
     </message>
     <message>
         <source>N, kN, Nm ...; empty: N for forces and N·m for moments.</source>
-        <translation type="unfinished"></translation>
+        <translation>N、kN、Nm …；留空：力为 N，力矩为 N·m。</translation>
     </message>
     <message>
         <source>Time of the reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的时间。</translation>
     </message>
     <message>
         <source>Indicated value of this channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>该通道的示值。</translation>
     </message>
     <message>
         <source>Summary</source>
-        <translation type="unfinished"></translation>
+        <translation>汇总</translation>
     </message>
     <message>
         <source>What an evaluation states of each channel, like Tables 1 and 3 of the paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>评定对各通道给出的结果，如论文表 1 和表 3。</translation>
     </message>
     <message>
         <source>Channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>通道。</translation>
     </message>
     <message>
         <source>rated output</source>
-        <translation type="unfinished"></translation>
+        <translation>额定输出</translation>
     </message>
     <message>
         <source>Mean net reading at the rated load.</source>
-        <translation type="unfinished"></translation>
+        <translation>额定载荷下的平均净读数。</translation>
     </message>
     <message>
         <source>non-zero error</source>
-        <translation type="unfinished"></translation>
+        <translation>回零误差</translation>
     </message>
     <message>
         <source>Non-zero error: change of the unloaded reading over a series.</source>
-        <translation type="unfinished"></translation>
+        <translation>回零误差：一个系列中空载读数的变化。</translation>
     </message>
     <message>
         <source>Type A standard uncertainty of the mean, the largest of all steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>平均值的 A 类标准不确定度，取各级中最大者。</translation>
     </message>
     <message>
         <source>hysteresis</source>
-        <translation type="unfinished"></translation>
+        <translation>滞后</translation>
     </message>
     <message>
         <source>Largest difference between increasing and decreasing load.</source>
-        <translation type="unfinished"></translation>
+        <translation>递增与递减载荷之间的最大差值。</translation>
     </message>
     <message>
         <source>Type B standard uncertainty as stated; empty: from the machine, the resolution and the non-zero error (Eq 8).</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的 B 类标准不确定度；留空：由校准机、分辨力和回零误差得到（式 8）。</translation>
     </message>
     <message>
         <source>Interference</source>
-        <translation type="unfinished"></translation>
+        <translation>干扰</translation>
     </message>
     <message>
         <source>Outputs at rated loads on other axes, like Table 2 of the paper; which index is the load is chosen below.</source>
-        <translation type="unfinished"></translation>
+        <translation>其他轴额定载荷下的输出，如论文表 2；哪个下标为载荷在下面选择。</translation>
     </message>
     <message>
         <source>Row of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>表的行。</translation>
     </message>
     <message>
         <source>Column of the table; empty on the diagonal.</source>
-        <translation type="unfinished"></translation>
+        <translation>表的列；对角线上为空。</translation>
     </message>
     <message>
         <source>Interference has signs</source>
-        <translation type="unfinished"></translation>
+        <translation>干扰带符号</translation>
     </message>
     <message>
         <source>Whether the signs are printed. Without them interference cannot be compensated.</source>
-        <translation type="unfinished"></translation>
+        <translation>是否给出了符号。没有符号则不能补偿干扰。</translation>
     </message>
     <message>
         <source>Calibration plan</source>
-        <translation type="unfinished"></translation>
+        <translation>校准方案</translation>
     </message>
     <message>
         <source>Preloads</source>
-        <translation type="unfinished"></translation>
+        <translation>预加载</translation>
     </message>
     <message>
         <source>How often each axis is loaded to its rated load before.</source>
-        <translation type="unfinished"></translation>
+        <translation>每根轴事先加载到额定载荷的次数。</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>系列数</translation>
     </message>
     <message>
         <source>Calibration series of each axis: n of Eqs 2 to 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>每根轴的校准系列数：式 2 至 4 中的 n。</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>级数</translation>
     </message>
     <message>
         <source>Loads of a series up to the rated load; the paper asks for five or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个系列中直至额定载荷的载荷级数；论文要求五级或更多。</translation>
     </message>
     <message>
         <source>Decreasing loads too</source>
-        <translation type="unfinished"></translation>
+        <translation>含递减载荷</translation>
     </message>
     <message>
         <source>Whether each series goes down again; hysteresis needs it.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个系列是否再次卸载；滞后需要此项。</translation>
     </message>
     <message>
         <source>Without load before a series</source>
-        <translation type="unfinished"></translation>
+        <translation>系列前的空载时间</translation>
     </message>
     <message>
         <source>Before each series, Fig. 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个系列之前，图 2。</translation>
     </message>
     <message>
         <source>At each load</source>
-        <translation type="unfinished"></translation>
+        <translation>每级载荷的保持时间</translation>
     </message>
     <message>
         <source>Before a reading is taken, Fig. 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>取读数之前，图 2。</translation>
     </message>
     <message>
         <source>Evaluation by the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>按论文评定</translation>
     </message>
     <message>
         <source>Coverage factor k of Eq 12</source>
-        <translation type="unfinished"></translation>
+        <translation>式 12 的包含因子 k</translation>
     </message>
     <message>
         <source>The paper takes 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文取 2。</translation>
     </message>
     <message>
         <source>A row of the interference table is</source>
-        <translation type="unfinished"></translation>
+        <translation>干扰表的一行表示</translation>
     </message>
     <message>
         <source>Section 2.5 says e_12 is the output of Fy under Fx (row = load), but divides by the rated output of the row and calls the row&apos;s largest the error of that sensor. Raw readings leave no doubt; for a printed table the choice changes U.</source>
-        <translation type="unfinished"></translation>
+        <translation>第 2.5 节称 e_12 是 Fx 作用下 Fy 的输出（行 = 载荷），但却除以该行的额定输出，并把该行最大者称为该传感器的误差。原始读数不会产生疑问；对于已印出的表，该选择会改变 U。</translation>
     </message>
     <message>
         <source>a sensor: its outputs under the other loads</source>
-        <translation type="unfinished"></translation>
+        <translation>一个传感器：其在其他载荷下的输出</translation>
     </message>
     <message>
         <source>a load: the outputs of the other sensors under it</source>
-        <translation type="unfinished"></translation>
+        <translation>一个载荷：其他传感器在该载荷下的输出</translation>
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>比较</translation>
     </message>
     <message>
         <source>Stated values</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的值</translation>
     </message>
     <message>
         <source>Values that a certificate or a paper prints, to be compared with those computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>证书或论文所印的值，与计算值比较。</translation>
     </message>
     <message>
         <source>As printed, in mV/V; empty: not compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>按所印，以 mV/V 表示；留空：不比较。</translation>
     </message>
     <message>
         <source>interference</source>
-        <translation type="unfinished"></translation>
+        <translation>干扰</translation>
     </message>
     <message>
         <source>U, relative</source>
-        <translation type="unfinished"></translation>
+        <translation>U，相对</translation>
     </message>
     <message>
         <source>Relative expanded uncertainty of Eq 12b.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 12b 的相对扩展不确定度。</translation>
     </message>
     <message>
         <source>U, as a load</source>
-        <translation type="unfinished"></translation>
+        <translation>U，以载荷表示</translation>
     </message>
     <message>
         <source>Expanded uncertainty of Eq 12c in N or N·m, a number without unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>式 12c 的扩展不确定度，以 N 或 N·m 计，为不带单位的数值。</translation>
     </message>
     <message>
         <source>Stated interference in %</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的干扰（%）</translation>
     </message>
     <message>
         <source>Table 4 of the paper: interference by the rated output of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>论文表 4：干扰除以该行的额定输出。</translation>
     </message>
     <message>
         <source>largest</source>
-        <translation type="unfinished"></translation>
+        <translation>最大</translation>
     </message>
     <message>
         <source>Largest of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>该行的最大值。</translation>
     </message>
     <message>
         <source>Typed measurement equation</source>
-        <translation type="unfinished"></translation>
+        <translation>手工输入的测量方程</translation>
     </message>
     <message>
         <source>The uncertainty of a quantity computed from others by an equation.</source>
-        <translation type="unfinished"></translation>
+        <translation>由方程从其他量计算得到的量的不确定度。</translation>
     </message>
     <message>
         <source>Gauge block by comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>量块比较测量</translation>
     </message>
     <message>
         <source>The length of a gauge block compared with a standard of the same length.</source>
-        <translation type="unfinished"></translation>
+        <translation>量块与相同长度的标准器比较得到的长度。</translation>
     </message>
     <message>
         <source>Two quantities from the same readings</source>
-        <translation type="unfinished"></translation>
+        <translation>同一组读数求两个量</translation>
     </message>
     <message>
         <source>Resistance and reactance from simultaneous readings, with their correlation.</source>
-        <translation type="unfinished"></translation>
+        <translation>由同时读数求电阻和电抗及其相关性。</translation>
     </message>
     <message>
         <source>Calibration line of a thermometer</source>
-        <translation type="unfinished"></translation>
+        <translation>温度计校准直线</translation>
     </message>
     <message>
         <source>The correction at any reading, from a line through calibration points.</source>
-        <translation type="unfinished"></translation>
+        <translation>由过校准点的直线求任意读数处的修正值。</translation>
     </message>
     <message>
         <source>Observations on several days</source>
-        <translation type="unfinished"></translation>
+        <translation>多日观测</translation>
     </message>
     <message>
         <source>The mean of readings in groups, and whether the groups differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>分组读数的平均值，以及各组之间是否有差异。</translation>
     </message>
     <message>
         <source>Pose of a platform from a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>由跟踪仪求平台位姿</translation>
     </message>
     <message>
         <source>Where a robot&apos;s flange or platform is, from nests measured by a laser tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>由激光跟踪仪测量靶座，求机器人法兰或平台的位姿。</translation>
     </message>
     <message>
         <source>Pose from two instruments together</source>
-        <translation type="unfinished"></translation>
+        <translation>两台仪器联合求位姿</translation>
     </message>
     <message>
         <source>The same pose measured by a tracker and a total station as one network.</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪仪和全站仪组成一个网络测量同一位姿。</translation>
     </message>
     <message>
         <source>Pose from calibrated artefacts</source>
-        <translation type="unfinished"></translation>
+        <translation>由已校准的实物标准器求位姿</translation>
     </message>
     <message>
         <source>A pose whose point uncertainties come from measurements of artefacts.</source>
-        <translation type="unfinished"></translation>
+        <translation>点的不确定度来自对实物标准器测量的位姿。</translation>
     </message>
     <message>
         <source>Points by cameras and a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>由相机和跟踪仪求点</translation>
     </message>
     <message>
         <source>Coordinates of targets that several instruments measure together.</source>
-        <translation type="unfinished"></translation>
+        <translation>若干仪器共同测量的目标点的坐标。</translation>
     </message>
     <message>
         <source>Where do I put the station?</source>
-        <translation type="unfinished"></translation>
+        <translation>测站设在哪里？</translation>
     </message>
     <message>
         <source>The place of an instrument that makes the uncertainties smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>使不确定度最小的仪器位置。</translation>
     </message>
     <message>
         <source>Tool by ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>由球杆仪求工具</translation>
     </message>
     <message>
         <source>A robot&apos;s tool centre point from rotations measured by telescopic ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>由伸缩式球杆仪测量的旋转求机器人的工具中心点。</translation>
     </message>
     <message>
         <source>Which points do I measure?</source>
-        <translation type="unfinished"></translation>
+        <translation>测量哪些点？</translation>
     </message>
     <message>
         <source>The dozen of a plan of points that makes the uncertainty smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>从点的方案中选出使不确定度最小的十二个点。</translation>
     </message>
     <message>
         <source>Tool position of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人的工具位置</translation>
     </message>
     <message>
         <source>Where the tool is, from joint readings and Denavit-Hartenberg parameters.</source>
-        <translation type="unfinished"></translation>
+        <translation>由关节读数和 Denavit-Hartenberg 参数求工具的位置。</translation>
     </message>
     <message>
         <source>Parameters of an arm from circles that its joints describe one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>由各关节逐一画出的圆求机械臂的参数。</translation>
     </message>
     <message>
         <source>Parameters of an arm from measured places of its flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>由法兰的实测位置求机械臂的参数。</translation>
     </message>
     <message>
         <source>Calibration of a force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>力/力矩传感器的校准</translation>
     </message>
     <message>
         <source>Errors and uncertainty of the channels of a multi-axis sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>多轴传感器各通道的误差和不确定度。</translation>
     </message>
     <message>
         <source>Forces and moments from readings</source>
-        <translation type="unfinished"></translation>
+        <translation>由读数求力和力矩</translation>
     </message>
     <message>
         <source>Loads from the readings of a multi-axis sensor by its calibration matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>用校准矩阵由多轴传感器的读数求载荷。</translation>
     </message>
     <message>
         <source>Law of propagation alone (JCGM 100), with a fixed number of trials (JCGM 101), or with as many as the tolerance needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅传播律（JCGM 100）、固定试验次数（JCGM 101），或按容差需要的试验次数。</translation>
     </message>
     <message>
         <source>Law of propagation only</source>
-        <translation type="unfinished"></translation>
+        <translation>仅传播律</translation>
     </message>
     <message>
         <source>Monte Carlo, fixed number of trials</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛，固定试验次数</translation>
     </message>
     <message>
         <source>Monte Carlo, adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛，自适应</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>试验次数</translation>
     </message>
     <message>
         <source>Of the method monte-carlo.</source>
-        <translation type="unfinished"></translation>
+        <translation>monte-carlo 方法的试验次数。</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>种子</translation>
     </message>
     <message>
         <source>0 to 18446744073709551615, as text.</source>
-        <translation type="unfinished"></translation>
+        <translation>0 至 18446744073709551615，以文本给出。</translation>
     </message>
     <message>
         <source>Variance reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>方差缩减</translation>
     </message>
     <message>
         <source>Makes each trial tell more; the gain is measured and stated with the result. Plain trials are those of JCGM 101.</source>
-        <translation type="unfinished"></translation>
+        <translation>使每次试验提供更多信息；增益经测定并随结果给出。普通试验即 JCGM 101 的试验。</translation>
     </message>
     <message>
         <source>None: plain trials</source>
-        <translation type="unfinished"></translation>
+        <translation>无：普通试验</translation>
     </message>
     <message>
         <source>Control variate: the linear part</source>
-        <translation type="unfinished"></translation>
+        <translation>控制变量：线性部分</translation>
     </message>
     <message>
         <source>Sobol points, scrambled</source>
-        <translation type="unfinished"></translation>
+        <translation>加扰 Sobol 点</translation>
     </message>
     <message>
         <source>Coverage probability</source>
-        <translation type="unfinished"></translation>
+        <translation>包含概率</translation>
     </message>
     <message>
         <source>Of the expanded uncertainty, of intervals and regions.</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度、区间和区域的包含概率。</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子</translation>
     </message>
     <message>
         <source>A fixed k for U = k u; absent: U by the effective degrees of freedom (law of propagation), or half of the coverage interval (Monte Carlo).</source>
-        <translation type="unfinished"></translation>
+        <translation>U = k u 所用的固定 k；缺省：U 由有效自由度得到（传播律），或为包含区间的一半（蒙特卡洛）。</translation>
     </message>
     <message>
         <source>Second-order terms</source>
-        <translation type="unfinished"></translation>
+        <translation>二阶项</translation>
     </message>
     <message>
         <source>Terms of second order of the law of propagation (JCGM 100 5.1.2).</source>
-        <translation type="unfinished"></translation>
+        <translation>传播律的二阶项（JCGM 100 5.1.2）。</translation>
     </message>
     <message>
         <source>Trials one at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>逐一试验次数</translation>
     </message>
     <message>
         <source>Of Monte Carlo with all components but one kept constant, for each component; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>对每个分量，其余分量均保持不变时的蒙特卡洛试验次数；0：无。</translation>
     </message>
     <message>
         <source>Trials by contributor</source>
-        <translation type="unfinished"></translation>
+        <translation>按贡献源的试验次数</translation>
     </message>
     <message>
         <source>Of Monte Carlo without each contributor, and of it alone; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉每个贡献源以及仅保留该贡献源时的蒙特卡洛试验次数；0：无。</translation>
     </message>
     <message>
         <source>Trials for Sobol indices</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobol 指数的试验次数</translation>
     </message>
     <message>
         <source>Pairs of trials for Sobol indices; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于 Sobol 指数的试验对数；0：无。</translation>
     </message>
     <message>
         <source>Significant digits</source>
-        <translation type="unfinished"></translation>
+        <translation>有效位数</translation>
     </message>
     <message>
         <source>Of u, for the numerical tolerance of adaptive runs and of the validation (JCGM 101 7.9.2, 8).</source>
-        <translation type="unfinished"></translation>
+        <translation>u 的有效位数，用于自适应运行的数值容差和验证（JCGM 101 7.9.2、8）。</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>容差</translation>
     </message>
     <message>
         <source>A quantity applies to the outputs of its dimension; a number to every output in its SI unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>带单位的量适用于同量纲的输出；纯数适用于每个输出，以其 SI 单位计。</translation>
     </message>
     <message>
         <source>Least number of batches</source>
-        <translation type="unfinished"></translation>
+        <translation>最少批数</translation>
     </message>
     <message>
         <source>Of an adaptive run, before it may stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>自适应运行允许停止前的批数。</translation>
     </message>
     <message>
         <source>Most trials</source>
-        <translation type="unfinished"></translation>
+        <translation>最多试验次数</translation>
     </message>
     <message>
         <source>At which an adaptive run stops in any case.</source>
-        <translation type="unfinished"></translation>
+        <translation>自适应运行无论如何都停止的试验次数。</translation>
     </message>
     <message>
         <source>Certificate and laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>证书和实验室</translation>
     </message>
     <message>
         <source>Certificate number</source>
-        <translation type="unfinished"></translation>
+        <translation>证书编号</translation>
     </message>
     <message>
         <source>Unique; it stands on every page.</source>
-        <translation type="unfinished"></translation>
+        <translation>唯一；印在每一页上。</translation>
     </message>
     <message>
         <source>Laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>实验室</translation>
     </message>
     <message>
         <source>That issues the certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>出具证书的实验室。</translation>
     </message>
     <message>
         <source>Address of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>实验室地址</translation>
     </message>
     <message>
         <source>Street, town, country.</source>
-        <translation type="unfinished"></translation>
+        <translation>街道、城市、国家。</translation>
     </message>
     <message>
         <source>Country of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>实验室所在国家</translation>
     </message>
     <message>
         <source>Two capital letters (ISO 3166-1): DE. For a Digital Calibration Certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个大写字母（ISO 3166-1）：DE。用于数字校准证书。</translation>
     </message>
     <message>
         <source>Accreditation number</source>
-        <translation type="unfinished"></translation>
+        <translation>认可编号</translation>
     </message>
     <message>
         <source>Absent: not accredited for this.</source>
-        <translation type="unfinished"></translation>
+        <translation>缺省：未就此获得认可。</translation>
     </message>
     <message>
         <source>Place of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>校准地点</translation>
     </message>
     <message>
         <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation type="unfinished"></translation>
+        <translation>不在实验室进行时的地点：在客户处、在现场。</translation>
     </message>
     <message>
         <source>Customer</source>
-        <translation type="unfinished"></translation>
+        <translation>客户</translation>
     </message>
     <message>
         <source>For whom it was done.</source>
-        <translation type="unfinished"></translation>
+        <translation>为谁进行校准。</translation>
     </message>
     <message>
         <source>Address of the customer</source>
-        <translation type="unfinished"></translation>
+        <translation>客户地址</translation>
     </message>
     <message>
         <source>Item</source>
-        <translation type="unfinished"></translation>
+        <translation>被校物品</translation>
     </message>
     <message>
         <source>What was calibrated.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准的是什么。</translation>
     </message>
     <message>
         <source>Manufacturer</source>
-        <translation type="unfinished"></translation>
+        <translation>制造商</translation>
     </message>
     <message>
         <source>Of the item.</source>
-        <translation type="unfinished"></translation>
+        <translation>被校物品的制造商。</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>The manufacturer&apos;s name for it: model, size, class.</source>
-        <translation type="unfinished"></translation>
+        <translation>制造商给出的名称：型号、规格、等级。</translation>
     </message>
     <message>
         <source>Serial number</source>
-        <translation type="unfinished"></translation>
+        <translation>序列号</translation>
     </message>
     <message>
         <source>By which the item is recognised, unless it has an identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于识别被校物品，除非已有标识。</translation>
     </message>
     <message>
         <source>Identification</source>
-        <translation type="unfinished"></translation>
+        <translation>标识</translation>
     </message>
     <message>
         <source>The customer&apos;s mark, an inventory number.</source>
-        <translation type="unfinished"></translation>
+        <translation>客户的标记、资产编号。</translation>
     </message>
     <message>
         <source>Condition of the item</source>
-        <translation type="unfinished"></translation>
+        <translation>被校物品状态</translation>
     </message>
     <message>
         <source>As it was received, where that matters.</source>
-        <translation type="unfinished"></translation>
+        <translation>接收时的状态（有影响时）。</translation>
     </message>
     <message>
         <source>Dates</source>
-        <translation type="unfinished"></translation>
+        <translation>日期</translation>
     </message>
     <message>
         <source>Received</source>
-        <translation type="unfinished"></translation>
+        <translation>接收日期</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-17.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 8601：2026-04-17。</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>校准日期</translation>
     </message>
     <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个日期，或表示期间的两个日期：2026-04-17/2026-04-18。</translation>
     </message>
     <message>
         <source>Issued</source>
-        <translation type="unfinished"></translation>
+        <translation>签发日期</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 8601：2026-04-20。</translation>
     </message>
     <message>
         <source>Procedure by which it was calibrated, with its edition.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准所依据的程序及其版本。</translation>
     </message>
     <message>
         <source>Deviations from the method</source>
-        <translation type="unfinished"></translation>
+        <translation>对方法的偏离</translation>
     </message>
     <message>
         <source>Additions, exclusions.</source>
-        <translation type="unfinished"></translation>
+        <translation>增加、删减。</translation>
     </message>
     <message>
         <source>Environmental conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>环境条件</translation>
     </message>
     <message>
         <source>Those that influence the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>影响结果的环境条件。</translation>
     </message>
     <message>
         <source>Metrological traceability</source>
-        <translation type="unfinished"></translation>
+        <translation>计量溯源性</translation>
     </message>
     <message>
         <source>To which references, by which certificates the results are traceable.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果通过哪些证书溯源到哪些参考标准。</translation>
     </message>
     <message>
         <source>Adjustment or repair</source>
-        <translation type="unfinished"></translation>
+        <translation>调整或修理</translation>
     </message>
     <message>
         <source>Results before and after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>调整或修理前后的结果。</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>Opinions and interpretations are marked as such (7.8.7).</source>
-        <translation type="unfinished"></translation>
+        <translation>意见和解释按规定标明（7.8.7）。</translation>
     </message>
     <message>
         <source>Authorisation</source>
-        <translation type="unfinished"></translation>
+        <translation>批准</translation>
     </message>
     <message>
         <source>Authorised by</source>
-        <translation type="unfinished"></translation>
+        <translation>批准人</translation>
     </message>
     <message>
         <source>The person who authorises the certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>批准证书的人员。</translation>
     </message>
     <message>
         <source>Function</source>
-        <translation type="unfinished"></translation>
+        <translation>职务</translation>
     </message>
     <message>
         <source>Of that person in the laboratory.</source>
-        <translation type="unfinished"></translation>
+        <translation>该人员在实验室的职务。</translation>
     </message>
     <message>
         <source>Measurement model</source>
-        <translation type="unfinished"></translation>
+        <translation>测量模型</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>测量设置</translation>
     </message>
     <message>
         <source>Input quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>输入量</translation>
     </message>
     <message>
         <source>Artefacts and instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>实物标准器和仪器</translation>
     </message>
     <message>
         <source>Uncertainty budgets</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度预算</translation>
     </message>
     <message>
         <source>Sobol indices and contributors</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobol 指数和贡献源</translation>
     </message>
     <message>
         <source>Evaluation of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>测量设置的评定</translation>
     </message>
     <message>
         <source>Law of propagation beside Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>传播律与蒙特卡洛对照</translation>
     </message>
     <message>
         <source>Joint coverage regions</source>
-        <translation type="unfinished"></translation>
+        <translation>联合包含区域</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>Set-up in space</source>
-        <translation type="unfinished"></translation>
+        <translation>测量设置的空间图</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>相关性</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究</translation>
     </message>
     <message>
         <source>Designs</source>
-        <translation type="unfinished"></translation>
+        <translation>设计</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>附注</translation>
     </message>
     <message>
         <source>Provenance</source>
-        <translation type="unfinished"></translation>
+        <translation>来源记录</translation>
     </message>
     <message>
         <source>mean value</source>
-        <translation type="unfinished"></translation>
+        <translation>均值</translation>
     </message>
     <message>
         <source>standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>标准偏差</translation>
     </message>
     <message>
         <source>scale</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度</translation>
     </message>
     <message>
         <source>degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>自由度</translation>
     </message>
     <message>
         <source>lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>下限</translation>
     </message>
     <message>
         <source>upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>上限</translation>
     </message>
     <message>
         <source>curvilinear trapezoid</source>
-        <translation type="unfinished"></translation>
+        <translation>曲边梯形</translation>
     </message>
     <message>
         <source>inexactness of the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>界限的不准确度</translation>
     </message>
     <message>
         <source>ratio of top to base</source>
-        <translation type="unfinished"></translation>
+        <translation>上底与下底之比</translation>
     </message>
     <message>
         <source>shape</source>
-        <translation type="unfinished"></translation>
+        <translation>形状</translation>
     </message>
     <message>
         <source>truncated normal</source>
-        <translation type="unfinished"></translation>
+        <translation>截尾正态</translation>
     </message>
     <message>
         <source>lognormal</source>
-        <translation type="unfinished"></translation>
+        <translation>对数正态</translation>
     </message>
     <message>
         <source>mean value of the logarithm of the number in SI</source>
-        <translation type="unfinished"></translation>
+        <translation>SI 数值的对数的均值</translation>
     </message>
     <message>
         <source>standard deviation of the logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>对数的标准偏差</translation>
     </message>
     <message>
         <source>parameter alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>参数 alpha</translation>
     </message>
     <message>
         <source>parameter beta</source>
-        <translation type="unfinished"></translation>
+        <translation>参数 beta</translation>
     </message>
     <message>
         <source>discrete</source>
-        <translation type="unfinished"></translation>
+        <translation>离散</translation>
     </message>
     <message>
         <source>SpatialAnalyzer points (ASCII)</source>
-        <translation type="unfinished"></translation>
+        <translation>SpatialAnalyzer 点（ASCII）</translation>
     </message>
     <message>
         <source>Table of points</source>
-        <translation type="unfinished"></translation>
+        <translation>点表</translation>
     </message>
     <message>
         <source>Digital Calibration Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>数字校准证书</translation>
     </message>
     <message>
         <source>Leica GSI-8 and GSI-16</source>
-        <translation type="unfinished"></translation>
+        <translation>Leica GSI-8 和 GSI-16</translation>
     </message>
     <message>
         <source>GNU Gama network</source>
-        <translation type="unfinished"></translation>
+        <translation>GNU Gama 网</translation>
     </message>
     <message>
         <source>Comp3D coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D 坐标</translation>
     </message>
     <message>
         <source>Comp3D observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D 观测值</translation>
     </message>
     <message>
         <source>Uncertainty budget in Excel</source>
-        <translation type="unfinished"></translation>
+        <translation>Excel 中的不确定度预算</translation>
     </message>
     <message>
         <source>GUM Workbench</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM Workbench</translation>
     </message>
     <message>
         <source>Suncal project</source>
-        <translation type="unfinished"></translation>
+        <translation>Suncal 项目</translation>
     </message>
     <message>
         <source>OptiTrack Motive tracking data</source>
-        <translation type="unfinished"></translation>
+        <translation>OptiTrack Motive 跟踪数据</translation>
     </message>
     <message>
         <source>Kinematic calibration of a UR robot (ROS)</source>
-        <translation type="unfinished"></translation>
+        <translation>UR 机器人运动学校准（ROS）</translation>
     </message>
     <message>
         <source>Point list with Ux Uy Uz (SpatialAnalyzer ASCII)</source>
-        <translation type="unfinished"></translation>
+        <translation>带 Ux Uy Uz 的点列表（SpatialAnalyzer ASCII）</translation>
     </message>
     <message>
         <source>Digital Calibration Certificate 3.2.1</source>
-        <translation type="unfinished"></translation>
+        <translation>数字校准证书 3.2.1</translation>
     </message>
     <message>
         <source>Excel workbook</source>
-        <translation type="unfinished"></translation>
+        <translation>Excel 工作簿</translation>
     </message>
     <message>
         <source>Robot description (URDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人描述（URDF）</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>组</translation>
     </message>
     <message>
         <source>The pose, point or target the quantity belongs to</source>
-        <translation type="unfinished"></translation>
+        <translation>该量所属的位姿、点或目标点</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>输出量</translation>
     </message>
     <message>
         <source>Estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值</translation>
     </message>
     <message>
         <source>Best value of the output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>输出量的最佳值</translation>
     </message>
     <message>
         <source>Standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>标准不确定度</translation>
     </message>
     <message>
         <source>Coverage factor. U = k u with k of the t distribution for the effective degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子。U = k u，k 取有效自由度的 t 分布。</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U = k u with k of the t distribution for the effective degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度。U = k u，k 取有效自由度的 t 分布。</translation>
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>下端</translation>
     </message>
     <message>
         <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>概率对称包含区间的界限</translation>
     </message>
     <message>
         <source>High</source>
-        <translation type="unfinished"></translation>
+        <translation>上端</translation>
     </message>
     <message>
         <source>Limit of the shortest coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>最短包含区间的界限</translation>
     </message>
     <message>
         <source>Estimate (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值（一阶）</translation>
     </message>
     <message>
         <source>By the law of propagation of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>按不确定度传播律</translation>
     </message>
     <message>
         <source>u (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>u（一阶）</translation>
     </message>
     <message>
         <source>Effective degrees of freedom (JCGM 100 G.4)</source>
-        <translation type="unfinished"></translation>
+        <translation>有效自由度（JCGM 100 G.4）</translation>
     </message>
     <message>
         <source>U (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>U（一阶）</translation>
     </message>
     <message>
         <source>First order validated</source>
-        <translation type="unfinished"></translation>
+        <translation>一阶结果已验证</translation>
     </message>
     <message>
         <source>JCGM 101 clause 8: agrees with Monte Carlo within the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 101 第 8 章：在容差内与蒙特卡洛一致</translation>
     </message>
     <message>
         <source>u (second order)</source>
-        <translation type="unfinished"></translation>
+        <translation>u（二阶）</translation>
     </message>
     <message>
         <source>With the second-order terms of JCGM 100 5.1.2; for information</source>
-        <translation type="unfinished"></translation>
+        <translation>含 JCGM 100 5.1.2 的二阶项；仅供参考</translation>
     </message>
     <message>
         <source>shift (second order)</source>
-        <translation type="unfinished"></translation>
+        <translation>偏移（二阶）</translation>
     </message>
     <message>
         <source>What the curvature of the equation adds to the estimate; for information, not added</source>
-        <translation type="unfinished"></translation>
+        <translation>方程的曲率给估计值带来的增量；仅供参考，未计入</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished"></translation>
+        <translation>目标值</translation>
     </message>
     <message>
         <source>Target uncertainty that is required</source>
-        <translation type="unfinished"></translation>
+        <translation>要求的目标不确定度</translation>
     </message>
     <message>
         <source>U / target</source>
-        <translation type="unfinished"></translation>
+        <translation>U / 目标值</translation>
     </message>
     <message>
         <source>Expanded uncertainty as a part of its target: above 1 the target is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度与其目标值之比：大于 1 则未达到目标</translation>
     </message>
     <message>
         <source>Requirement</source>
-        <translation type="unfinished"></translation>
+        <translation>要求</translation>
     </message>
     <message>
         <source>Whether the target uncertainty is met and the value is accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>是否达到目标不确定度且值被接受</translation>
     </message>
     <message>
         <source>Input quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>输入量</translation>
     </message>
     <message>
         <source>Component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度分量</translation>
     </message>
     <message>
         <source>Of the component&apos;s u</source>
-        <translation type="unfinished"></translation>
+        <translation>该分量 u 的单位</translation>
     </message>
     <message>
         <source>Standard uncertainty of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>该分量的标准不确定度</translation>
     </message>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
-        <translation type="unfinished"></translation>
+        <translation>A 类或 B 类评定（JCGM 100 2.3.2、2.3.3）</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>自由度</translation>
     </message>
     <message>
         <source>Sensitivity coefficient, unit of the output quantity per unit of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>灵敏系数，输出量的单位除以分量的单位</translation>
     </message>
     <message>
         <source>|c|·u</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u</translation>
     </message>
     <message>
         <source>Contribution to the standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>对标准不确定度的贡献</translation>
     </message>
     <message>
         <source>Share / %</source>
-        <translation type="unfinished"></translation>
+        <translation>占比 / %</translation>
     </message>
     <message>
         <source>Of the variance, with its part of the covariances</source>
-        <translation type="unfinished"></translation>
+        <translation>占方差的比例，含其协方差部分</translation>
     </message>
     <message>
         <source>u one at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>逐一 u</translation>
     </message>
     <message>
         <source>By Monte Carlo with every other component kept constant</source>
-        <translation type="unfinished"></translation>
+        <translation>由蒙特卡洛得到，其余分量均保持不变</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>来源</translation>
     </message>
     <message>
         <source>Where the figure comes from</source>
-        <translation type="unfinished"></translation>
+        <translation>数值的出处</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>存在于</translation>
     </message>
     <message>
         <source>Whether both results have the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>两个结果是否都有该量</translation>
     </message>
     <message>
         <source>U before</source>
-        <translation type="unfinished"></translation>
+        <translation>U（前）</translation>
     </message>
     <message>
         <source>Expanded uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度</translation>
     </message>
     <message>
         <source>U after</source>
-        <translation type="unfinished"></translation>
+        <translation>U（后）</translation>
     </message>
     <message>
         <source>Change of U in %</source>
-        <translation type="unfinished"></translation>
+        <translation>U 的变化（%）</translation>
     </message>
     <message>
         <source>Change of the expanded uncertainty, in per cent of that before</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度的变化，以之前值的百分数表示</translation>
     </message>
     <message>
         <source>Estimate before</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值（前）</translation>
     </message>
     <message>
         <source>Estimate after</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值（后）</translation>
     </message>
     <message>
         <source>Change of estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值的变化</translation>
     </message>
     <message>
         <source>Estimate after less estimate before</source>
-        <translation type="unfinished"></translation>
+        <translation>之后的估计值减去之前的估计值</translation>
     </message>
     <message>
         <source>u before</source>
-        <translation type="unfinished"></translation>
+        <translation>u（前）</translation>
     </message>
     <message>
         <source>u after</source>
-        <translation type="unfinished"></translation>
+        <translation>u（后）</translation>
     </message>
     <message>
         <source>k before</source>
-        <translation type="unfinished"></translation>
+        <translation>k（前）</translation>
     </message>
     <message>
         <source>k after</source>
-        <translation type="unfinished"></translation>
+        <translation>k（后）</translation>
     </message>
     <message>
         <source>Changed, the same, new, or gone</source>
-        <translation type="unfinished"></translation>
+        <translation>已变化、相同、新增或消失</translation>
     </message>
     <message>
         <source>|c|·u before</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u（前）</translation>
     </message>
     <message>
         <source>|c|·u after</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u（后）</translation>
     </message>
     <message>
         <source>Share before / %</source>
-        <translation type="unfinished"></translation>
+        <translation>占比（前）/ %</translation>
     </message>
     <message>
         <source>Of the variance before</source>
-        <translation type="unfinished"></translation>
+        <translation>占之前方差的比例</translation>
     </message>
     <message>
         <source>Share after / %</source>
-        <translation type="unfinished"></translation>
+        <translation>占比（后）/ %</translation>
     </message>
     <message>
         <source>Of the variance after</source>
-        <translation type="unfinished"></translation>
+        <translation>占之后方差的比例</translation>
     </message>
     <message>
         <source>Change of variance / %</source>
-        <translation type="unfinished"></translation>
+        <translation>方差的变化 / %</translation>
     </message>
     <message>
         <source>By how much this component changes the variance of the output, in per cent of the whole variance before; the rows add up to the change of the whole</source>
-        <translation type="unfinished"></translation>
+        <translation>该分量使输出的方差改变多少，以之前总方差的百分数表示；各行之和为总变化</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>满足</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished"></translation>
+        <translation>不满足</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>是</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>否</translation>
     </message>
     <message>
         <source>gamma</source>
-        <translation type="unfinished"></translation>
+        <translation>gamma</translation>
     </message>
     <message>
         <source>beta</source>
-        <translation type="unfinished"></translation>
+        <translation>beta</translation>
     </message>
     <message>
         <source>Coverage factor. U = k u with the coverage factor that was fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子。U = k u，采用固定的包含因子。</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U = k u with the coverage factor that was fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度。U = k u，采用固定的包含因子。</translation>
     </message>
     <message>
         <source>Coverage factor. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子。U 为概率对称包含区间宽度的一半，k = U/u。</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度。U 为概率对称包含区间宽度的一半，k = U/u。</translation>
     </message>
     <message>
         <source>75 nm: standard uncertainty
@@ -4443,122 +4443,304 @@ rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcs
 limits 19.5 to 20.5: they give the value
 resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>75 nm：标准不确定度
+2 ppm：标准不确定度，为值的一部分
+U = 0.3 um, k = 2（或 p = 95 %）：证书
+rectangular 0.5（或 rect、±）：值两侧的界限；triangular、arcsine 同理
+limits 19.5 to 20.5：由界限给出值
+resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
+以上任一项之后加 nu 18：自由度</translation>
+    </message>
+    <message>
+        <source>Target uncertainty</source>
+        <translation>目标不确定度</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U must not exceed this.</source>
+        <translation>扩展不确定度 U 不得超过此值。</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>下限</translation>
+    </message>
+    <message>
+        <source>Of the tolerance; empty: none.</source>
+        <translation>公差的界限;留空:无。</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>Guard factor</source>
+        <translation>保护因子</translation>
+    </message>
+    <message>
+        <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
+        <translation>公差内取 U 的这一倍数作为保护带:1 证明合格(ISO 14253-1),0 为简单接受,负值有利于生产方。</translation>
+    </message>
+    <message>
+        <source>Prior mean</source>
+        <translation>先验均值</translation>
+    </message>
+    <message>
+        <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
+        <translation>测量前对此类量的认知,以正态分布表示(生产过程):用于 JCGM 106 的全局风险。</translation>
+    </message>
+    <message>
+        <source>Prior standard deviation</source>
+        <translation>先验标准偏差</translation>
+    </message>
+    <message>
+        <source>Of the production process.</source>
+        <translation>生产过程的。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui</name>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>添加 %1</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是数值。</translation>
     </message>
     <message>
         <source>“%1” is not a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是单位。</translation>
     </message>
     <message>
         <source>a number without unit is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>应为不带单位的数值。</translation>
     </message>
     <message>
         <source>a unit like %1 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 %1 之类的单位。</translation>
     </message>
     <message>
         <source>The unit %1 does not fit here: </source>
-        <translation type="unfinished"></translation>
+        <translation>单位 %1 不适用于此处： </translation>
     </message>
     <message>
         <source>“%1” is not a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是整数。</translation>
     </message>
     <message>
         <source>“%1” is not one of: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是下列之一：%2。</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>是</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>否</translation>
     </message>
     <message>
         <source>“%1” is neither yes nor no.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”既非“是”也非“否”。</translation>
     </message>
     <message>
         <source>The value must be greater than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>值必须大于 %1。</translation>
     </message>
     <message>
         <source>The value must be at least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>值必须不小于 %1。</translation>
     </message>
     <message>
         <source>The value must be at most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>值必须不大于 %1。</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>自由度</translation>
     </message>
     <message>
         <source>Unsaved Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存的更改</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>是否保存对“%1”的更改？</translation>
     </message>
     <message>
         <source>Without saving they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>不保存则更改将丢失。</translation>
     </message>
     <message>
         <source>File Changed</source>
-        <translation type="unfinished"></translation>
+        <translation>文件已更改</translation>
     </message>
     <message>
         <source>Another program changed “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一程序更改了“%1”。</translation>
     </message>
     <message>
         <source>Reading it again loses your unsaved changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>重新读取将丢失未保存的更改。</translation>
     </message>
     <message>
         <source>It can be read again.</source>
-        <translation type="unfinished"></translation>
+        <translation>可以重新读取。</translation>
     </message>
     <message>
         <source>Read Again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新读取</translation>
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation type="unfinished"></translation>
+        <translation>保留我的</translation>
     </message>
     <message>
         <source>Recover Unsaved Work</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复未保存的工作</translation>
     </message>
     <message>
         <source>Covaria did not end properly. Unsaved work was kept:</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria 上次未正常结束。未保存的工作已保留：</translation>
     </message>
     <message>
         <source>Open Project</source>
-        <translation type="unfinished"></translation>
+        <translation>打开项目</translation>
     </message>
     <message>
         <source>Covaria project or report (*.covaria *.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria 项目或报告 (*.covaria *.pdf)</translation>
+    </message>
+    <message>
+        <source>About Covaria</source>
+        <translation>关于 Covaria</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;机器人与大尺寸计量的测量不确定度。&lt;br&gt;按 JCGM 100、101 和 102 评定。&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>symbol</source>
+        <translation>符号</translation>
+    </message>
+    <message>
+        <source>As the equations use it; further rows of a symbol add components</source>
+        <translation>与方程中所用的一致；同一符号的后续行增加分量</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>它是什么</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>估计值</translation>
+    </message>
+    <message>
+        <source>In the row&apos;s unit: 50.000 838 or 50.000 838 mm</source>
+        <translation>以该行的单位表示：50.000 838 或 50.000 838 mm</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Of the estimate and of what is stated</source>
+        <translation>估计值和所给内容的单位</translation>
+    </message>
+    <message>
+        <source>stated as</source>
+        <translation>给出方式</translation>
+    </message>
+    <message>
+        <source>distribution</source>
+        <translation>分布</translation>
+    </message>
+    <message>
+        <source>That Monte Carlo draws</source>
+        <translation>蒙特卡洛抽样所用的分布</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
+        <translation>A 类或 B 类评定（JCGM 100 2.3.2、2.3.3）</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom; empty: infinite, or those of the observations</source>
+        <translation>自由度；留空：无穷大，或观测值的自由度</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty, in the row&apos;s unit</source>
+        <translation>标准不确定度，以该行的单位表示</translation>
+    </message>
+    <message>
+        <source>Sensitivity coefficient, unit of the result per unit of the row</source>
+        <translation>灵敏系数，结果的单位除以该行的单位</translation>
+    </message>
+    <message>
+        <source>Contribution to the standard uncertainty of the result</source>
+        <translation>对结果标准不确定度的贡献</translation>
+    </message>
+    <message>
+        <source>index / %</source>
+        <translation>指数 / %</translation>
+    </message>
+    <message>
+        <source>Share of the variance, with its part of the covariances</source>
+        <translation>占方差的比例，含其协方差部分</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Where the figure comes from</source>
+        <translation>数值的出处</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the position in space: square root of the sum of the variances of its three coordinates</source>
+        <translation>空间位置的标准不确定度：三个坐标的方差之和的平方根</translation>
+    </message>
+    <message>
+        <source>, worth %1</source>
+        <translation>，即 %1</translation>
+    </message>
+    <message>
+        <source>Preview by the law of propagation, without Monte Carlo</source>
+        <translation>按传播律预览，不含蒙特卡洛</translation>
+    </message>
+    <message>
+        <source>Preview with %1 trials, before the adaptive procedure</source>
+        <translation>用 %1 次试验预览，先于自适应程序</translation>
+    </message>
+    <message>
+        <source>Preview with %1 of %2 trials</source>
+        <translation>用 %1 次试验预览，共 %2 次</translation>
+    </message>
+    <message>
+        <source>Law of propagation of uncertainty</source>
+        <translation>不确定度传播律</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials</source>
+        <translation>蒙特卡洛，%1 次试验</translation>
+    </message>
+    <message>
+        <source>Out of date: of the project as it was</source>
+        <translation>已过期：为项目之前的状态</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>创建 %1 的副本</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty</source>
+        <translation>扩展不确定度</translation>
     </message>
     <message>
         <source># Keys
@@ -4572,651 +4754,563 @@ nu 18 behind any of them: degrees of freedom</source>
 | Arrow keys, + and − | turn and zoom the scene |
 | 1, 2, 3, 4, F | iso, top, front, right view, fit |
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| F1 | help on the model of the selected analysis |
+| F1 | help on the field, cell or entry with the focus |
 </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>About Covaria</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
+        <translation># 快捷键
 
-## Equations as evaluated
-
-</source>
-        <translation type="unfinished"></translation>
+| 键 | 作用 |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | 新建、打开、保存 |
+| Ctrl+Z, Ctrl+Y | 撤销、重做 |
+| F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
+| F2, Ctrl+D, Delete | 重命名、复制、删除所选条目 |
+| 方向键、+ 和 − | 旋转和缩放场景 |
+| 1, 2, 3, 4, F | 等轴测、俯视、前视、右视、适合窗口 |
+| Ctrl+C, Ctrl+V | 复制和粘贴单元格块 |
+| F1 | 当前焦点处的字段、单元格或条目的帮助 |
+</translation>
     </message>
     <message>
-        <source>
-## Notes
-
-</source>
-        <translation type="unfinished"></translation>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation>该分析尚不完整:仍需给出的内容列于下方。</translation>
     </message>
     <message>
-        <source>
-## References
-
-</source>
-        <translation type="unfinished"></translation>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation>该分析有问题,列于下方。</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::AllResultsModel</name>
+    <message>
+        <source>%1 interval</source>
+        <translation>%1 区间</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <source>Interval</source>
+        <translation>区间</translation>
     </message>
     <message>
-        <source>Help on This &amp;Model</source>
-        <translation type="unfinished"></translation>
+        <source>Analysis</source>
+        <translation>分析</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <source>Coverage interval of the result line</source>
+        <translation>结果行的包含区间</translation>
     </message>
     <message>
-        <source>M&amp;odels</source>
-        <translation type="unfinished"></translation>
+        <source>, low</source>
+        <translation>,下限</translation>
     </message>
     <message>
-        <source>&amp;Results and Requirements</source>
-        <translation type="unfinished"></translation>
+        <source>, high</source>
+        <translation>,上限</translation>
     </message>
     <message>
-        <source>Results and requirements</source>
-        <translation type="unfinished"></translation>
+        <source>State</source>
+        <translation>状态</translation>
     </message>
     <message>
-        <source>What Every &amp;Analysis Has</source>
-        <translation type="unfinished"></translation>
+        <source>Double click: goes to the analysis</source>
+        <translation>双击:转到该分析</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::AllResultsTab</name>
+    <message>
+        <source>Filter: analysis, symbol, name, group</source>
+        <translation>筛选:分析、符号、名称、组</translation>
     </message>
     <message>
-        <source>What every analysis has</source>
-        <translation type="unfinished"></translation>
+        <source>Filter of all results</source>
+        <translation>全部结果的筛选</translation>
     </message>
     <message>
-        <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <source>Not met only</source>
+        <translation>仅显示不满足的</translation>
     </message>
     <message>
-        <source>&amp;About Covaria</source>
-        <translation type="unfinished"></translation>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>仅显示不满足目标不确定度或公差的结果</translation>
     </message>
     <message>
-        <source>symbol</source>
-        <translation type="unfinished"></translation>
+        <source>all-results</source>
+        <translation>全部结果</translation>
     </message>
     <message>
-        <source>As the equations use it; further rows of a symbol add components</source>
-        <translation type="unfinished"></translation>
+        <source>Output quantity</source>
+        <translation>输出量</translation>
     </message>
     <message>
-        <source>quantity</source>
-        <translation type="unfinished"></translation>
+        <source>k</source>
+        <translation>k</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation type="unfinished"></translation>
+        <source>up to date</source>
+        <translation>最新</translation>
     </message>
     <message>
-        <source>estimate</source>
-        <translation type="unfinished"></translation>
+        <source>%1 of %2 requirements met</source>
+        <translation>%2 项要求中满足 %1 项</translation>
     </message>
     <message>
-        <source>In the row&apos;s unit: 50.000 838 or 50.000 838 mm</source>
-        <translation type="unfinished"></translation>
+        <source>%1 of %2 analyses have no result: press Ctrl+F5</source>
+        <translation>%2 个分析中有 %1 个没有结果:请按 Ctrl+F5</translation>
     </message>
     <message>
-        <source>unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the estimate and of what is stated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>stated as</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>distribution</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>That Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Degrees of freedom; empty: infinite, or those of the observations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Standard uncertainty, in the row&apos;s unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sensitivity coefficient, unit of the result per unit of the row</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contribution to the standard uncertainty of the result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>index / %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Share of the variance, with its part of the covariances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where the figure comes from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of the position in space: square root of the sum of the variances of its three coordinates</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, worth %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview by the law of propagation, without Monte Carlo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview with %1 trials, before the adaptive procedure</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Preview with %1 of %2 trials</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Law of propagation of uncertainty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Monte Carlo, %1 trials</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Out of date: of the project as it was</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Expanded uncertainty</source>
-        <translation type="unfinished"></translation>
+        <source>; </source>
+        <translation>; </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::AssetEvaluation</name>
     <message>
         <source>The asset has problems; they are listed below the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>该资源有问题；列于场景下方。</translation>
     </message>
     <message>
         <source>This asset is used as it is specified; nothing is evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>该资源按其技术指标使用；不作评定。</translation>
     </message>
     <message>
         <source>Evaluation of the asset</source>
-        <translation type="unfinished"></translation>
+        <translation>资源的评定</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::BudgetPage</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Correlation coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>相关系数</translation>
     </message>
     <message>
         <source>Select two rows, and type the correlation coefficient of their components</source>
-        <translation type="unfinished"></translation>
+        <translation>选择两行，输入其分量的相关系数</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>预算</translation>
     </message>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation type="unfinished"></translation>
+        <translation>两行的 &lt;i&gt;r&lt;/i&gt; =</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>已过期：正在计算。</translation>
     </message>
     <message>
         <source>Type a name here to add a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>在此输入名称以添加量</translation>
     </message>
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是以 %2 表示的量的单位。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 要求。</translation>
     </message>
     <message>
         <source>Asked for by %1 where it applies.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在适用时要求。</translation>
     </message>
     <message>
         <source>Next Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个缺项</translation>
     </message>
     <message>
         <source>What the certificate lacks</source>
-        <translation type="unfinished"></translation>
+        <translation>证书缺少的内容</translation>
     </message>
     <message>
         <source>Goes to the next field that %1 requires and that is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>转到 %1 要求且为空的下一个字段</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改%1</translation>
     </message>
     <message>
         <source>Everything that %1 requires beside the results is stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 要求的结果以外的内容均已给出。</translation>
     </message>
     <message>
         <source>For File › Export › Certificate. A clause of %1 stands where it requires something; a report needs none of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于“文件 › 导出 › 证书”。有要求之处标有 %1 的条款；报告不需要这些内容。</translation>
     </message>
     <message>
         <source>%1 of %2 required texts are stated; missing: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>要求的 %2 项文本中已给出 %1 项；缺少：%3。</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
     <message>
         <source>Run the analysis to see this chart</source>
-        <translation type="unfinished"></translation>
+        <translation>运行分析以查看此图</translation>
     </message>
     <message>
         <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 文件 (*.%2)</translation>
     </message>
     <message>
         <source>Save Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图</translation>
     </message>
     <message>
         <source>Show All</source>
-        <translation type="unfinished"></translation>
+        <translation>全部显示</translation>
     </message>
     <message>
         <source>Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>复制图片</translation>
     </message>
     <message>
         <source>Copy Data</source>
-        <translation type="unfinished"></translation>
+        <translation>复制数据</translation>
     </message>
     <message>
         <source>Save as %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>保存为 %1 …</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ColumnTableModel</name>
     <message>
         <source>Out of date: the project has changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>已过期：项目此后已更改。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CompareTab</name>
     <message>
         <source>Keep as Before</source>
-        <translation type="unfinished"></translation>
+        <translation>保留为之前状态</translation>
     </message>
     <message>
         <source>Keeps the present results of this analysis, to compare later ones with</source>
-        <translation type="unfinished"></translation>
+        <translation>保留此分析的当前结果，以便与后来的结果比较</translation>
     </message>
     <message>
         <source>Go Back to Kept State</source>
-        <translation type="unfinished"></translation>
+        <translation>返回保留的状态</translation>
     </message>
     <message>
         <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>使项目恢复到保留结果时的状态；可以撤销</translation>
     </message>
     <message>
         <source>Discard Kept State</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃保留的状态</translation>
     </message>
     <message>
         <source>Forgets the kept results; the project stays as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>丢弃保留的结果；项目保持现状</translation>
     </message>
     <message>
         <source>Go Back</source>
-        <translation type="unfinished"></translation>
+        <translation>返回</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃</translation>
     </message>
     <message>
         <source>comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>比较</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>组</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>输出量</translation>
     </message>
     <message>
         <source>Change of estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值的变化</translation>
     </message>
     <message>
         <source>u before</source>
-        <translation type="unfinished"></translation>
+        <translation>u（前）</translation>
     </message>
     <message>
         <source>u after</source>
-        <translation type="unfinished"></translation>
+        <translation>u（后）</translation>
     </message>
     <message>
         <source>k before</source>
-        <translation type="unfinished"></translation>
+        <translation>k（前）</translation>
     </message>
     <message>
         <source>k after</source>
-        <translation type="unfinished"></translation>
+        <translation>k（后）</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>存在于</translation>
     </message>
     <message>
         <source>budget-changes</source>
-        <translation type="unfinished"></translation>
+        <translation>预算变化</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>来源</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>图</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>Changes of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>预算的变化</translation>
     </message>
     <message>
         <source>The results are kept: the tab Compare shows them beside those to come.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果已保留：“比较”选项卡将其与以后的结果并列显示。</translation>
     </message>
     <message>
         <source>Go back to kept state</source>
-        <translation type="unfinished"></translation>
+        <translation>返回保留的状态</translation>
     </message>
     <message>
         <source>Select an analysis to compare its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择一个分析以比较其结果。</translation>
     </message>
     <message>
         <source>Run the analysis (F5), then keep its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>运行分析 (F5)，然后保留其结果。</translation>
     </message>
     <message>
         <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>保留当前结果并编辑：之前与之后在此并列显示。</translation>
     </message>
     <message>
         <source>Before: %1, kept at %2. </source>
-        <translation type="unfinished"></translation>
+        <translation>之前：%1，保留于 %2。 </translation>
     </message>
     <message>
         <source>After: no results.</source>
-        <translation type="unfinished"></translation>
+        <translation>之后：无结果。</translation>
     </message>
     <message>
         <source>After: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>之后：%1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ComponentsEdit</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>添加</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>重置</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度分量</translation>
     </message>
     <message>
         <source>Name of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>分量名称</translation>
     </message>
     <message>
         <source>Type of evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>评定类型</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>自由度</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>来源</translation>
     </message>
     <message>
         <source>Back to the components that the model gives</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复模型给出的分量</translation>
     </message>
     <message>
         <source>Type A (from observations)</source>
-        <translation type="unfinished"></translation>
+        <translation>A 类（由观测值）</translation>
     </message>
     <message>
         <source>Type B (other means)</source>
-        <translation type="unfinished"></translation>
+        <translation>B 类（其他方法）</translation>
     </message>
     <message>
         <source>Degrees of freedom of the standard uncertainty; empty: infinitely many.</source>
-        <translation type="unfinished"></translation>
+        <translation>标准不确定度的自由度；留空：无穷大。</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>Change component of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改 %1 的分量</translation>
     </message>
     <message>
         <source>component %1</source>
-        <translation type="unfinished"></translation>
+        <translation>分量 %1</translation>
     </message>
     <message>
         <source>Add component to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>为 %1 添加分量</translation>
     </message>
     <message>
         <source>Remove component of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>移除 %1 的分量</translation>
     </message>
     <message>
         <source>Reset components of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>重置 %1 的分量</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationEdit</name>
     <message>
         <source>Add to the matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>添加到矩阵</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>Correlation coefficients between components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度分量之间的相关系数</translation>
     </message>
     <message>
         <source>Component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度分量</translation>
     </message>
     <message>
         <source>All components are uncorrelated. Add those that are correlated to the matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有分量均不相关。将相关的分量添加到矩阵。</translation>
     </message>
     <message>
         <source>The coefficients are possible together (positive semi-definite). Monte Carlo draws them with a Gaussian copula: exact for normal distributions, nearly so for others.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些系数可以同时成立（半正定）。蒙特卡洛用高斯 copula 抽样：对正态分布精确，对其他分布近似精确。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationTableModel</name>
     <message>
         <source>Correlation of %1 with %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 与 %2 的相关性</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CsvImportDialog</name>
     <message>
         <source>Import %1 into %2</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 导入 %2</translation>
     </message>
     <message>
         <source>found by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>自动识别</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>逗号</translation>
     </message>
     <message>
         <source>semicolon</source>
-        <translation type="unfinished"></translation>
+        <translation>分号</translation>
     </message>
     <message>
         <source>tab</source>
-        <translation type="unfinished"></translation>
+        <translation>制表符</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>预览</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>导入</translation>
     </message>
     <message>
         <source>&amp;Separator of cells</source>
-        <translation type="unfinished"></translation>
+        <translation>单元格分隔符(&amp;S)</translation>
     </message>
     <message>
         <source>Column of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>文件的列</translation>
     </message>
     <message>
         <source>is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>读作</translation>
     </message>
     <message>
         <source>Columns of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>文件的各列</translation>
     </message>
     <message>
         <source>Column %1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 列读作</translation>
     </message>
     <message>
         <source>as it is named</source>
-        <translation type="unfinished"></translation>
+        <translation>按其名称</translation>
     </message>
     <message>
         <source>unknown: choose</source>
-        <translation type="unfinished"></translation>
+        <translation>未知：请选择</translation>
     </message>
     <message>
         <source>not read</source>
-        <translation type="unfinished"></translation>
+        <translation>不读取</translation>
     </message>
     <message>
         <source>The file cannot be imported: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法导入该文件：%1。</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行：%2</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 行。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n more problem(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>另有 %n 个问题。</numerusform>
         </translation>
     </message>
 </context>
@@ -5224,667 +5318,667 @@ nu 18 behind any of them: degrees of freedom</source>
     <name>covaria::ui::DateEditor</name>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>至</translation>
     </message>
     <message>
         <source>%1, last day</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，最后一天</translation>
     </message>
     <message>
         <source>Choose from a calendar</source>
-        <translation type="unfinished"></translation>
+        <translation>从日历中选择</translation>
     </message>
     <message>
         <source>“%1” is no date of the form 2026-04-17.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是 2026-04-17 形式的日期。</translation>
     </message>
     <message>
         <source>The first day is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少第一天。</translation>
     </message>
     <message>
         <source>The last day is before the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>最后一天早于第一天。</translation>
     </message>
     <message>
         <source>the same day</source>
-        <translation type="unfinished"></translation>
+        <translation>同一天</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DensityPicture</name>
     <message>
         <source>Density of the distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>分布的密度</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignBoxList</name>
     <message>
         <source>Add Box</source>
-        <translation type="unfinished"></translation>
+        <translation>添加长方体</translation>
     </message>
     <message>
         <source>To, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>到，%1</translation>
     </message>
     <message>
         <source>From, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>从，%1</translation>
     </message>
     <message>
         <source>Name of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体名称</translation>
     </message>
     <message>
         <source>name, such as pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>名称，例如 pillar</translation>
     </message>
     <message>
         <source>Remove Box</source>
-        <translation type="unfinished"></translation>
+        <translation>移除长方体</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>从</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>到</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
         <source>Reductions with a price, in place of variables and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>带价格的减小项，代替变量和行</translation>
     </message>
     <message>
         <source>Add Reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>添加减小项</translation>
     </message>
     <message>
         <source>One more uncertainty that can be made smaller for money</source>
-        <translation type="unfinished"></translation>
+        <translation>再增加一个可花钱减小的不确定度</translation>
     </message>
     <message>
         <source>Smallest factor</source>
-        <translation type="unfinished"></translation>
+        <translation>最小系数</translation>
     </message>
     <message>
         <source>The smallest factor that can be had, between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>可达到的最小系数，在 0 和 1 之间</translation>
     </message>
     <message>
         <source>Price of the first halving</source>
-        <translation type="unfinished"></translation>
+        <translation>首次减半的价格</translation>
     </message>
     <message>
         <source>Law of the price</source>
-        <translation type="unfinished"></translation>
+        <translation>价格规律</translation>
     </message>
     <message>
         <source>price (1/f − 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>价格 (1/f − 1)</translation>
     </message>
     <message>
         <source>price (1/f² − 1)/3: further readings</source>
-        <translation type="unfinished"></translation>
+        <translation>价格 (1/f² − 1)/3：增加读数</translation>
     </message>
     <message>
         <source>price log₂(1/f): every halving the same</source>
-        <translation type="unfinished"></translation>
+        <translation>价格 log₂(1/f)：每次减半相同</translation>
     </message>
     <message>
         <source>Remove Reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>移除减小项</translation>
     </message>
     <message>
         <source>Reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>被减小的量</translation>
     </message>
     <message>
         <source>Least factor</source>
-        <translation type="unfinished"></translation>
+        <translation>最小系数</translation>
     </message>
     <message>
         <source>First halving</source>
-        <translation type="unfinished"></translation>
+        <translation>首次减半</translation>
     </message>
     <message>
         <source>A factor f costs</source>
-        <translation type="unfinished"></translation>
+        <translation>系数 f 的代价</translation>
     </message>
     <message>
         <source>choose what is reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>选择要减小的量</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignTab</name>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>设计</translation>
     </message>
     <message>
         <source>Design of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>此分析的设计</translation>
     </message>
     <message>
         <source>Run Design</source>
-        <translation type="unfinished"></translation>
+        <translation>运行设计</translation>
     </message>
     <message>
         <source>Searches for the best design</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索最佳设计</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>Stops the search (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>停止搜索 (Esc)</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑 …</translation>
     </message>
     <message>
         <source>Variables, rows and objective of the design, in the properties of the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>设计的变量、行和目标，在分析的属性中</translation>
     </message>
     <message>
         <source>Take Over This Design</source>
-        <translation type="unfinished"></translation>
+        <translation>采用此设计</translation>
     </message>
     <message>
         <source>Puts the values and rows that were found into the project; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>将找到的值和行写入项目；可以撤销</translation>
     </message>
     <message>
         <source>Add Design …</source>
-        <translation type="unfinished"></translation>
+        <translation>添加设计 …</translation>
     </message>
     <message>
         <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation type="unfinished"></translation>
+        <translation>运行设计，查看在其可选范围内能达到的最佳结果。</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: add one.</source>
-        <translation type="unfinished"></translation>
+        <translation>设计用于找出设站位置和测量内容：请添加一个。</translation>
     </message>
     <message>
         <source> – out of date</source>
-        <translation type="unfinished"></translation>
+        <translation> – 已过期</translation>
     </message>
     <message>
         <source>%1 of %2 evaluations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 次评定</translation>
     </message>
     <message>
         <source>, best so far %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，目前最佳 %1</translation>
     </message>
     <message>
         <source>searching …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在搜索 …</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>失败：%1</translation>
     </message>
     <message>
         <source>Not searched yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未搜索。</translation>
     </message>
     <message>
         <source>Nothing that was tried has a result.</source>
-        <translation type="unfinished"></translation>
+        <translation>所尝试的均无结果。</translation>
     </message>
     <message>
         <source>The cheapest reductions cost %1</source>
-        <translation type="unfinished"></translation>
+        <translation>最便宜的减小项费用为 %1</translation>
     </message>
     <message>
         <source>The cheapest rows cost %1</source>
-        <translation type="unfinished"></translation>
+        <translation>最便宜的行费用为 %1</translation>
     </message>
     <message>
         <source>, before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，之前 %1</translation>
     </message>
     <message>
         <source>; &lt;b&gt;the target of U(%1) is not met&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>；&lt;b&gt;未达到 U(%1) 的目标&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;已过期&lt;/b&gt;：显示的是项目之前的状态。 </translation>
     </message>
     <message>
         <source>Take over design</source>
-        <translation type="unfinished"></translation>
+        <translation>采用设计</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignsForm</name>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>设计</translation>
     </message>
     <message>
         <source>Adds a design of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>添加此分析的一个设计</translation>
     </message>
     <message>
         <source>Adds a copy of this design</source>
-        <translation type="unfinished"></translation>
+        <translation>添加此设计的副本</translation>
     </message>
     <message>
         <source>Deletes this design</source>
-        <translation type="unfinished"></translation>
+        <translation>删除此设计</translation>
     </message>
     <message>
         <source>Searches for the best design</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索最佳设计</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: the numbers and the rows of the set-up that make the uncertainties smallest. Add one to let Covaria search.</source>
-        <translation type="unfinished"></translation>
+        <translation>设计用于找出设站位置和测量内容：使不确定度最小的测量设置数值和行。添加一个设计，让 Covaria 搜索。</translation>
     </message>
     <message>
         <source>Add Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>添加变量</translation>
     </message>
     <message>
         <source>One more number that may be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>再增加一个可选择的数值</translation>
     </message>
     <message>
         <source>Name of the design</source>
-        <translation type="unfinished"></translation>
+        <translation>设计名称</translation>
     </message>
     <message>
         <source>Objective</source>
-        <translation type="unfinished"></translation>
+        <translation>目标函数</translation>
     </message>
     <message>
         <source>What is made smallest of the ratios of U to the target uncertainties; without targets to U of the present design</source>
-        <translation type="unfinished"></translation>
+        <translation>在 U 与目标不确定度之比中使哪一个最小；没有目标值时，取与当前设计的 U 之比</translation>
     </message>
     <message>
         <source>Largest ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>最大比值</translation>
     </message>
     <message>
         <source>Mean of the ratios</source>
-        <translation type="unfinished"></translation>
+        <translation>比值的平均值</translation>
     </message>
     <message>
         <source>Root mean square of the ratios</source>
-        <translation type="unfinished"></translation>
+        <translation>比值的均方根</translation>
     </message>
     <message>
         <source>Cost of the rows, with all targets met</source>
-        <translation type="unfinished"></translation>
+        <translation>行的费用，且满足所有目标值</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>最小化</translation>
     </message>
     <message>
         <source>Output quantities of the design</source>
-        <translation type="unfinished"></translation>
+        <translation>设计的输出量</translation>
     </message>
     <message>
         <source>Output quantities looked at; with none ticked, all with a target uncertainty, or all measurands</source>
-        <translation type="unfinished"></translation>
+        <translation>所考察的输出量；均未勾选时，为所有带目标不确定度的输出量，或所有被测量</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all with a target, or all measurands)</source>
-        <translation type="unfinished"></translation>
+        <translation>输出量（均未勾选：所有带目标值的，或所有被测量）</translation>
     </message>
     <message>
         <source>Rows to choose from</source>
-        <translation type="unfinished"></translation>
+        <translation>可选的行</translation>
     </message>
     <message>
         <source>Table to choose from</source>
-        <translation type="unfinished"></translation>
+        <translation>可选的表</translation>
     </message>
     <message>
         <source>Rows to keep</source>
-        <translation type="unfinished"></translation>
+        <translation>保留的行数</translation>
     </message>
     <message>
         <source>File of candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>候选文件</translation>
     </message>
     <message>
         <source>A CSV file beside the project with further rows; may be empty</source>
-        <translation type="unfinished"></translation>
+        <translation>与项目并存的含其他行的 CSV 文件；可为空</translation>
     </message>
     <message>
         <source>Rows that stay</source>
-        <translation type="unfinished"></translation>
+        <translation>固定保留的行</translation>
     </message>
     <message>
         <source>Ticked rows stay in any case</source>
-        <translation type="unfinished"></translation>
+        <translation>勾选的行无论如何都保留</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>表</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>保留</translation>
     </message>
     <message>
         <source>Candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>候选</translation>
     </message>
     <message>
         <source>Stay</source>
-        <translation type="unfinished"></translation>
+        <translation>固定</translation>
     </message>
     <message>
         <source>Prices</source>
-        <translation type="unfinished"></translation>
+        <translation>价格</translation>
     </message>
     <message>
         <source>Starts</source>
-        <translation type="unfinished"></translation>
+        <translation>起点数</translation>
     </message>
     <message>
         <source>Evaluations at most</source>
-        <translation type="unfinished"></translation>
+        <translation>最多评定次数</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>种子</translation>
     </message>
     <message>
         <source>Least distance</source>
-        <translation type="unfinished"></translation>
+        <translation>最小距离</translation>
     </message>
     <message>
         <source>Between instruments, and of them from all other points</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器之间，以及仪器与所有其他点之间</translation>
     </message>
     <message>
         <source>Keep out of</source>
-        <translation type="unfinished"></translation>
+        <translation>禁入区域</translation>
     </message>
     <message>
         <source>No instrument stands in this box</source>
-        <translation type="unfinished"></translation>
+        <translation>此长方体内不放置仪器</translation>
     </message>
     <message>
         <source>Lines of sight are hidden by</source>
-        <translation type="unfinished"></translation>
+        <translation>视线遮挡物</translation>
     </message>
     <message>
         <source>No line of sight passes this box</source>
-        <translation type="unfinished"></translation>
+        <translation>视线不穿过此长方体</translation>
     </message>
     <message>
         <source>Prices of the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>各行的价格</translation>
     </message>
     <message>
         <source>one for all rows, or one for each: 120; 80; 95</source>
-        <translation type="unfinished"></translation>
+        <translation>所有行一个，或每行一个：120; 80; 95</translation>
     </message>
     <message>
         <source>What the rows cost, separated by semicolons; needed where the cost is to be small</source>
-        <translation type="unfinished"></translation>
+        <translation>各行的费用，用分号分隔；要求费用小时需要</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no number; separate prices by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 不是数值；请用分号分隔价格</translation>
     </message>
     <message>
         <source>Of the random starts: a whole number from 0 to 18446744073709551615</source>
-        <translation type="unfinished"></translation>
+        <translation>随机起点的种子：0 至 18446744073709551615 的整数</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DistributionEdit</name>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>单位</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>值</translation>
     </message>
     <message>
         <source>Probabilities</source>
-        <translation type="unfinished"></translation>
+        <translation>概率</translation>
     </message>
     <message>
         <source>numbers with ; between</source>
-        <translation type="unfinished"></translation>
+        <translation>以 ; 分隔的数值</translation>
     </message>
     <message>
         <source>“%1” are not all numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不全是数值。</translation>
     </message>
     <message>
         <source>There must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>概率的个数必须与值的个数相同。</translation>
     </message>
     <message>
         <source>This distribution has no finite standard uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>该分布没有有限的标准不确定度。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
     <message>
         <source>Float or dock</source>
-        <translation type="unfinished"></translation>
+        <translation>浮动或停靠</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::Document</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名</translation>
     </message>
     <message>
         <source>%1 (from %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（来自 %2）</translation>
     </message>
     <message>
         <source>The project has no file yet: choose a name for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>项目尚无文件：请为其选择名称。</translation>
     </message>
     <message>
         <source> (copy)</source>
-        <translation type="unfinished"></translation>
+        <translation> (副本)</translation>
     </message>
     <message>
         <source>Add study</source>
-        <translation type="unfinished"></translation>
+        <translation>添加参数研究</translation>
     </message>
     <message>
         <source>Duplicate study</source>
-        <translation type="unfinished"></translation>
+        <translation>创建参数研究副本</translation>
     </message>
     <message>
         <source>Delete study</source>
-        <translation type="unfinished"></translation>
+        <translation>删除参数研究</translation>
     </message>
     <message>
         <source>Change study</source>
-        <translation type="unfinished"></translation>
+        <translation>更改参数研究</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究 %1</translation>
     </message>
     <message>
         <source>Add design</source>
-        <translation type="unfinished"></translation>
+        <translation>添加设计</translation>
     </message>
     <message>
         <source>Duplicate design</source>
-        <translation type="unfinished"></translation>
+        <translation>创建设计副本</translation>
     </message>
     <message>
         <source>Delete design</source>
-        <translation type="unfinished"></translation>
+        <translation>删除设计</translation>
     </message>
     <message>
         <source>Change design</source>
-        <translation type="unfinished"></translation>
+        <translation>更改设计</translation>
     </message>
     <message>
         <source>Design %1</source>
-        <translation type="unfinished"></translation>
+        <translation>设计 %1</translation>
     </message>
     <message>
         <source>the project</source>
-        <translation type="unfinished"></translation>
+        <translation>项目</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名 %1</translation>
     </message>
     <message>
         <source>Change notes of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改 %1 的附注</translation>
     </message>
     <message>
         <source>Delete %1</source>
-        <translation type="unfinished"></translation>
+        <translation>删除 %1</translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>移动 %1</translation>
     </message>
     <message>
         <source>Take %1 from an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>从分析中取 %1</translation>
     </message>
     <message>
         <source>Remove the link of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>移除 %1 的链接</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
-        <translation type="unfinished"></translation>
+        <translation>方程</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationTab</name>
     <message>
         <source>Evaluation of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>测量设置的评定</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
     <message>
         <source>Tables of the evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>评定的表格</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>图</translation>
     </message>
     <message>
         <source>Which chart of the evaluation is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>显示评定的哪个图</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ExportActions</name>
     <message>
         <source>PDF document (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF 文档 (*.pdf)</translation>
     </message>
     <message>
         <source>HTML page (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML 页面 (*.html)</translation>
     </message>
     <message>
         <source>Markdown text (*.md)</source>
-        <translation type="unfinished"></translation>
+        <translation>Markdown 文本 (*.md)</translation>
     </message>
     <message>
         <source>Report as &amp;PDF …</source>
-        <translation type="unfinished"></translation>
+        <translation>报告为 PDF(&amp;P) …</translation>
     </message>
     <message>
         <source>&amp;Certificate as PDF …</source>
-        <translation type="unfinished"></translation>
+        <translation>证书为 PDF(&amp;C) …</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>导出(&amp;E)</translation>
     </message>
     <message>
         <source>Report as &amp;HTML …</source>
-        <translation type="unfinished"></translation>
+        <translation>报告为 HTML(&amp;H) …</translation>
     </message>
     <message>
         <source>Report as &amp;Markdown …</source>
-        <translation type="unfinished"></translation>
+        <translation>报告为 Markdown(&amp;M) …</translation>
     </message>
     <message>
         <source>&amp;Results and Tables …</source>
-        <translation type="unfinished"></translation>
+        <translation>结果和表格(&amp;R) …</translation>
     </message>
     <message>
         <source> …</source>
-        <translation type="unfinished"></translation>
+        <translation> …</translation>
     </message>
     <message>
         <source>No results yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无结果</translation>
     </message>
     <message>
         <source>No analysis is up to date. Run one first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>没有最新的分析。请先运行一个分析 (F5)。</translation>
     </message>
     <message>
         <source>The export waits until the analyses have run</source>
-        <translation type="unfinished"></translation>
+        <translation>导出将等待各分析运行完毕</translation>
     </message>
     <message>
         <source>, without %1: not up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>，不含 %1：未更新</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Export Report</source>
-        <translation type="unfinished"></translation>
+        <translation>导出报告</translation>
     </message>
     <message>
         <source>The certificate does not state what ISO/IEC 17025 requires of it:
@@ -5892,1902 +5986,1967 @@ nu 18 behind any of them: degrees of freedom</source>
 %1
 
 It says “not stated” in these places. They are fields of the project&apos;s page.</source>
-        <translation type="unfinished"></translation>
+        <translation>证书未给出 ISO/IEC 17025 所要求的内容：
+
+%1
+
+这些位置将写为“未给出”。它们是项目页面的字段。</translation>
     </message>
     <message>
         <source>Export Anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>仍然导出</translation>
     </message>
     <message>
         <source>Export Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>导出证书</translation>
     </message>
     <message>
         <source>Export Results and Tables into the Folder of</source>
-        <translation type="unfinished"></translation>
+        <translation>将结果和表格导出到所选文件的文件夹</translation>
     </message>
     <message>
         <source>Results (results.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>结果 (results.json)</translation>
     </message>
     <message>
         <source>%1: what it must state is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：缺少必须给出的内容</translation>
     </message>
     <message>
         <source>Export %1</source>
-        <translation type="unfinished"></translation>
+        <translation>导出 %1</translation>
     </message>
     <message>
         <source>%1 (*%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (*%2)</translation>
     </message>
     <message>
         <source>A report is being written; wait until it is finished</source>
-        <translation type="unfinished"></translation>
+        <translation>正在写报告；请等待其完成</translation>
     </message>
     <message>
         <source>Writing %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在写入 %1 …</translation>
     </message>
     <message>
         <source>Wrote %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已写入 %1</translation>
     </message>
     <message>
         <source>The export failed</source>
-        <translation type="unfinished"></translation>
+        <translation>导出失败</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FieldEditor</name>
     <message>
         <source>From %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>从 %1 到 %2。</translation>
     </message>
     <message>
         <source>More than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 %1。</translation>
     </message>
     <message>
         <source>At least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>不小于 %1。</translation>
     </message>
     <message>
         <source>At most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>不大于 %1。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
     <message>
         <source>Help on the field</source>
-        <translation type="unfinished"></translation>
+        <translation>字段帮助</translation>
     </message>
     <message>
         <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation type="unfinished"></translation>
+        <translation>数值可以用其他单位输入 (0.5 um)；方向键改变最后一位数字。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
     <message>
         <source>line %1: </source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行： </translation>
     </message>
     <message>
         <source>&amp;New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>新建项目(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>打开(&amp;O) …</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存(&amp;S)</translation>
     </message>
     <message>
         <source>Save &amp;As …</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为(&amp;A) …</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>打开最近的项目(&amp;R)</translation>
     </message>
     <message>
         <source>No projects yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无项目</translation>
     </message>
     <message>
         <source>New from &amp;Example</source>
-        <translation type="unfinished"></translation>
+        <translation>从示例新建(&amp;E)</translation>
     </message>
     <message>
         <source>Untitled project</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名项目</translation>
     </message>
     <message>
         <source>Opening %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在打开 %1 …</translation>
     </message>
     <message>
         <source>%1 was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 未打开</translation>
     </message>
     <message>
         <source>The project has errors and was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>项目有错误，未打开</translation>
     </message>
     <message>
         <source>Opened %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已打开 %1</translation>
     </message>
     <message>
         <source>The example could not be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开示例</translation>
     </message>
     <message>
         <source>The project was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>项目未保存</translation>
     </message>
     <message>
         <source>Save Project</source>
-        <translation type="unfinished"></translation>
+        <translation>保存项目</translation>
     </message>
     <message>
         <source>Covaria project (*.covaria)</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria 项目 (*.covaria)</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存 %1</translation>
     </message>
     <message numerus="yes">
         <source>Saved %1 without %n text(s) that cannot be read: see the problems</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已保存 %1，但不含 %n 项无法读取的文本：见问题</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>The work could not be recovered</source>
-        <translation type="unfinished"></translation>
+        <translation>无法恢复工作</translation>
     </message>
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已被另一程序移除；保存将重新写入</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::HelpActions</name>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Help on What Has the &amp;Focus</source>
+        <translation>当前焦点项的帮助(&amp;F)</translation>
+    </message>
+    <message>
+        <source>M&amp;odels</source>
+        <translation>模型(&amp;O)</translation>
+    </message>
+    <message>
+        <source>A&amp;rtefacts, Instruments and Robots</source>
+        <translation>实物标准器、仪器与机器人(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Results and Requirements</source>
+        <translation>结果与要求(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What Every &amp;Analysis Has</source>
+        <translation>每个分析都有的内容(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>术语表(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>快捷键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Covaria</source>
+        <translation>关于 Covaria(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::HelpPane</name>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ImportActions</name>
     <message>
         <source>&amp;Import File …</source>
-        <translation type="unfinished"></translation>
+        <translation>导入文件(&amp;I) …</translation>
     </message>
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>添加其他程序的点、预算、证书、读数或位姿</translation>
     </message>
     <message>
         <source>&amp;Import Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>导入机器人 (URDF)(&amp;I) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>从 URDF 机器人描述添加串联机器人</translation>
     </message>
     <message>
         <source>Import File</source>
-        <translation type="unfinished"></translation>
+        <translation>导入文件</translation>
     </message>
     <message>
         <source>Files that are read (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>可读取的文件 (%1);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>导入 %1</translation>
     </message>
     <message>
         <source>Imported %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已导入 %1</translation>
     </message>
     <message>
         <source>Import Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>导入机器人</translation>
     </message>
     <message>
         <source>Robot description (*.urdf);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人描述 (*.urdf);;所有文件 (*)</translation>
     </message>
     <message>
         <source>The robot was not imported</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人未导入</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ImportDialog</name>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行：%2</translation>
     </message>
     <message>
         <source>What the file says contradicts itself: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>文件内容自相矛盾：%1</translation>
     </message>
     <message>
         <source>&amp;Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>工作表(&amp;S)</translation>
     </message>
     <message>
         <source>Columns of the file and what each is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>文件的各列以及各读作什么</translation>
     </message>
     <message>
         <source>Units that the &amp;file does not state</source>
-        <translation type="unfinished"></translation>
+        <translation>文件未给出的单位(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Note the file with its size, time and SHA-256 in what is added</source>
-        <translation type="unfinished"></translation>
+        <translation>在所添加的内容中注明文件及其大小、时间和 SHA-256(&amp;N)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>导入 %1</translation>
     </message>
     <message>
         <source>as the file says, else mm</source>
-        <translation type="unfinished"></translation>
+        <translation>按文件所述，否则为 mm</translation>
     </message>
     <message>
         <source>What becomes of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>文件如何处理</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>导入</translation>
     </message>
     <message>
         <source>&amp;Read as</source>
-        <translation type="unfinished"></translation>
+        <translation>读作(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Unit of lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>长度单位(&amp;U)</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>量</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>单位</translation>
     </message>
     <message>
         <source>What becomes of it, and what is not taken over</source>
-        <translation type="unfinished"></translation>
+        <translation>如何处理，以及哪些内容不采用</translation>
     </message>
     <message>
         <source>no reader recognises it: choose one</source>
-        <translation type="unfinished"></translation>
+        <translation>没有读取器能识别：请选择一个</translation>
     </message>
     <message>
         <source>several readers recognise it: choose one</source>
-        <translation type="unfinished"></translation>
+        <translation>有多个读取器能识别：请选择一个</translation>
     </message>
     <message>
         <source>%1 (recognised)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（已识别）</translation>
     </message>
     <message>
         <source>Column %1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 列读作</translation>
     </message>
     <message>
         <source>unknown: choose</source>
-        <translation type="unfinished"></translation>
+        <translation>未知：请选择</translation>
     </message>
     <message>
         <source>as it is named</source>
-        <translation type="unfinished"></translation>
+        <translation>按其名称</translation>
     </message>
     <message>
         <source>Choose what the file is read as.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择文件读作什么。</translation>
     </message>
     <message>
         <source>%1 assets and %2 analyses are added, in one step that can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>将添加 %1 个资源和 %2 个分析，为可撤销的一步。</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>导入自 %1，%2 字节，%3，SHA-256 %4。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputCorrelationModel</name>
     <message>
         <source>Remove correlations of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>移除 %1 的相关性</translation>
     </message>
     <message>
         <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>相关系数在 −1 和 1 之间；“%1”不在此范围。</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是数值。</translation>
     </message>
     <message>
         <source>Change correlation of %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>更改 %1 与 %2 的相关性</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputQuantitiesModel</name>
     <message>
         <source>from %1, linearised: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>来自 %1，线性化：%2</translation>
     </message>
     <message>
         <source>from %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>来自 %1：%2</translation>
     </message>
     <message>
         <source>%1 (%2, %3 %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2, %3 %4)</translation>
     </message>
     <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>在每次试验中于另一分析内评定：请在该处编辑。</translation>
     </message>
     <message>
         <source>Changed: differs from what the model says.</source>
-        <translation type="unfinished"></translation>
+        <translation>已更改：与模型给出的不同。</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>符号</translation>
     </message>
     <message>
         <source>Input quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>输入量</translation>
     </message>
     <message>
         <source>Estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>单位</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度分量</translation>
     </message>
     <message>
         <source>Constant</source>
-        <translation type="unfinished"></translation>
+        <translation>常量</translation>
     </message>
     <message>
         <source>Change estimate of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改 %1 的估计值</translation>
     </message>
     <message>
         <source>Keep %1 constant</source>
-        <translation type="unfinished"></translation>
+        <translation>使 %1 保持不变</translation>
     </message>
     <message>
         <source>Let %1 vary</source>
-        <translation type="unfinished"></translation>
+        <translation>使 %1 可变</translation>
     </message>
     <message>
         <source>Reset %1 to the model&apos;s values</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 重置为模型的值</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputsPage</name>
     <message>
         <source>Find a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>查找量</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished"></translation>
+        <translation>分量</translation>
     </message>
     <message>
         <source>Correlations</source>
-        <translation type="unfinished"></translation>
+        <translation>相关性</translation>
     </message>
     <message>
         <source>The quantities that the set-up makes. What is changed here replaces what the set-up states.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量设置所产生的量。在此更改的内容取代测量设置给出的内容。</translation>
     </message>
     <message>
         <source>Input quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>输入量</translation>
     </message>
     <message>
         <source>Take From an Analysis…</source>
-        <translation type="unfinished"></translation>
+        <translation>取自分析…</translation>
     </message>
     <message>
         <source>Remove Link</source>
-        <translation type="unfinished"></translation>
+        <translation>移除链接</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>添加</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>创建副本</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>删除</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
-        <translation type="unfinished"></translation>
+        <translation>集合</translation>
     </message>
     <message>
         <source>Templates, examples and assets</source>
-        <translation type="unfinished"></translation>
+        <translation>模板、示例和资源</translation>
     </message>
     <message>
         <source>Library and Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>库和示例</translation>
     </message>
     <message>
         <source>Search: name, kind, source</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索：名称、种类、来源</translation>
     </message>
     <message>
         <source>Search in the library</source>
-        <translation type="unfinished"></translation>
+        <translation>在库中搜索</translation>
     </message>
     <message>
         <source>What is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>所选内容</translation>
     </message>
     <message>
         <source>New analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>新分析</translation>
     </message>
     <message>
         <source>Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>示例</translation>
     </message>
     <message>
         <source>GUM and its supplements</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM 及其补充件</translation>
     </message>
     <message>
         <source>Everything</source>
-        <translation type="unfinished"></translation>
+        <translation>全部</translation>
     </message>
     <message>
         <source>It comes with what it needs and has results at once. Assets of the same kind that the project has already stand in the place of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>它带有所需的一切，并立即有结果。项目中已有的同类资源将取代其自带资源。</translation>
     </message>
     <message>
         <source>Opens as a new project.</source>
-        <translation type="unfinished"></translation>
+        <translation>作为新项目打开。</translation>
     </message>
     <message>
         <source>Add to the Project</source>
-        <translation type="unfinished"></translation>
+        <translation>添加到项目</translation>
     </message>
     <message>
         <source>&lt;p&gt;Nothing here has these words.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;此处没有包含这些词的内容。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Open as a New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>作为新项目打开</translation>
     </message>
     <message>
         <source>Add This Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>添加此分析</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
         <source>From the &amp;Library</source>
-        <translation type="unfinished"></translation>
+        <translation>从库中(&amp;L)</translation>
     </message>
     <message>
         <source>Not readable: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取：%1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LinesEditor</name>
     <message>
         <source>Add rows for new names</source>
-        <translation type="unfinished"></translation>
+        <translation>为新名称添加行</translation>
     </message>
     <message>
         <source>Adds a row to the tables below for every name that has none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>在下面的表中为每个尚无行的名称添加一行</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LinkDialog</name>
     <message>
         <source>&amp;Linearised: faster, exact to first order only</source>
-        <translation type="unfinished"></translation>
+        <translation>线性化：较快，仅一阶精确(&amp;L)</translation>
     </message>
     <message>
         <source>Take %1 From an Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>从分析中取 %1</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>分析</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>No other analysis has a result of this dimension.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有其他分析具有该量纲的结果。</translation>
     </message>
     <message>
         <source>Both analyses are then evaluated together, as one model: the result is not carried over as a number with an uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个分析将作为一个模型一起评定：结果不是作为带不确定度的数值传递。</translation>
     </message>
     <message>
         <source>&amp;Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>分析(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Result</source>
-        <translation type="unfinished"></translation>
+        <translation>结果(&amp;R)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ListEditor</name>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>（无）</translation>
     </message>
     <message>
         <source>%1 (does not exist)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（不存在）</translation>
     </message>
     <message>
         <source>%1
 
 Chosen: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+
+已选：%2</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LogPane</name>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>日志</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
     <message>
         <source>Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>项目</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>属性</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>分析</translation>
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>问题</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>日志</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>重做(&amp;R)</translation>
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished"></translation>
+        <translation>添加分析或其所用的内容</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>工具</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Library and Examples …</source>
-        <translation type="unfinished"></translation>
+        <translation>库和示例(&amp;L) …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>退出(&amp;Q)</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑(&amp;E)</translation>
     </message>
     <message>
         <source>Pre&amp;ferences …</source>
-        <translation type="unfinished"></translation>
+        <translation>首选项(&amp;F) …</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>视图(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Reset Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>重置布局(&amp;R)</translation>
     </message>
     <message>
         <source>Start Page</source>
-        <translation type="unfinished"></translation>
+        <translation>起始页</translation>
     </message>
     <message>
         <source>3D Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>三维场景</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>帮助(&amp;H)</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>已过期</translation>
     </message>
     <message>
         <source>Problems (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>问题 (%1)</translation>
     </message>
     <message>
         <source>Covaria[*]</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria[*]</translation>
     </message>
     <message>
         <source>%1[*] – Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Covaria</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::NotesPage</name>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>标题</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>附注</translation>
     </message>
     <message>
         <source>Appear in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>列入报告</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::OptionsForm</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Forecast</source>
-        <translation type="unfinished"></translation>
+        <translation>预测</translation>
     </message>
     <message>
         <source>Change evaluation options</source>
-        <translation type="unfinished"></translation>
+        <translation>更改评定选项</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::OutputTicks</name>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation> (%1)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>首选项</translation>
     </message>
     <message>
         <source>Results in the window</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口中的结果</translation>
     </message>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于项目未作规定之处。报告和文件只按项目的规定，一律使用小数点。</translation>
     </message>
     <message>
         <source>New analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>新分析</translation>
     </message>
     <message>
         <source>Written into analyses that are added; others stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>写入所添加的分析；其他分析保持不变。</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lengths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Angles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moments</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口</translation>
     </message>
     <message>
         <source>Of tables and charts of results</source>
-        <translation type="unfinished"></translation>
+        <translation>结果表格和图的单位</translation>
     </message>
     <message>
         <source>As the model gives them</source>
-        <translation type="unfinished"></translation>
+        <translation>按模型给出</translation>
     </message>
     <message>
         <source>Digits of U</source>
-        <translation type="unfinished"></translation>
+        <translation>U 的位数</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度的有效位数；估计值相应修约</translation>
     </message>
     <message>
         <source>1</source>
-        <translation type="unfinished"></translation>
+        <translation>1</translation>
     </message>
     <message>
         <source>2</source>
-        <translation type="unfinished"></translation>
+        <translation>2</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>数值</translation>
     </message>
     <message>
         <source>Of all tables, charts and fields of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口中所有表格、图和字段的数值</translation>
     </message>
     <message>
         <source>As the language writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>按语言习惯</translation>
     </message>
     <message>
         <source>1234.5 (point)</source>
-        <translation type="unfinished"></translation>
+        <translation>1234.5（点）</translation>
     </message>
     <message>
         <source>1234,5 (comma)</source>
-        <translation type="unfinished"></translation>
+        <translation>1234,5（逗号）</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>包含因子</translation>
     </message>
     <message>
         <source>Of U = k u, where a new analysis begins with a fixed one</source>
-        <translation type="unfinished"></translation>
+        <translation>U = k u 的包含因子，新分析以固定值开始时使用</translation>
     </message>
     <message>
         <source>k from the degrees of freedom or the coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>k 由自由度或包含区间得到</translation>
     </message>
     <message>
         <source>k = 2</source>
-        <translation type="unfinished"></translation>
+        <translation>k = 2</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>试验次数</translation>
     </message>
     <message>
         <source>Of Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛的试验次数</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>语言</translation>
     </message>
     <message>
         <source>Of the window, when Covaria starts again</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口的语言，Covaria 重新启动后生效</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随系统</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色</translation>
     </message>
     <message>
         <source>Of the window, its charts and the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口、图和场景的颜色</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>浅色</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>深色</translation>
     </message>
     <message>
         <source>Font size</source>
-        <translation type="unfinished"></translation>
+        <translation>字号</translation>
     </message>
     <message>
         <source>Of the whole window</source>
-        <translation type="unfinished"></translation>
+        <translation>整个窗口的字号</translation>
     </message>
     <message>
         <source>as the system</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随系统</translation>
     </message>
     <message>
         <source> pt</source>
-        <translation type="unfinished"></translation>
+        <translation> pt</translation>
     </message>
     <message>
         <source>Recovery copy</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复副本</translation>
     </message>
     <message>
         <source>How long an edit may stay without a copy that a crash leaves behind</source>
-        <translation type="unfinished"></translation>
+        <translation>一次编辑最长可在多久内没有崩溃后可用的副本</translation>
     </message>
     <message>
         <source>at most </source>
-        <translation type="unfinished"></translation>
+        <translation>至多 </translation>
     </message>
     <message>
         <source> s after an edit</source>
-        <translation type="unfinished"></translation>
+        <translation> s（编辑后）</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsModel</name>
     <message>
         <source>, row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，第 %1 行</translation>
     </message>
     <message>
         <source>Project: certificate, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>项目：证书，%1</translation>
     </message>
     <message>
         <source>Project: report</source>
-        <translation type="unfinished"></translation>
+        <translation>项目：报告</translation>
     </message>
     <message>
         <source>evaluation, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>评定，%1</translation>
     </message>
     <message>
         <source>To give</source>
-        <translation type="unfinished"></translation>
+        <translation>待给出</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>错误</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>警告</translation>
     </message>
     <message>
         <source>, line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，第 %1 行</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>种类</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>位置</translation>
     </message>
     <message>
         <source>Problem</source>
-        <translation type="unfinished"></translation>
+        <translation>问题</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>问题</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ProjectPage</name>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Of the project or order; in the report</source>
+        <translation>项目或委托的编号;写入报告</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>作者</translation>
+    </message>
+    <message>
+        <source>Who evaluated; in the report</source>
+        <translation>评定人;写入报告</translation>
+    </message>
+    <message>
+        <source>Results of all analyses</source>
+        <translation>所有分析的结果</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改%1</translation>
+    </message>
+    <message>
+        <source>Not stated</source>
+        <translation>未给出</translation>
+    </message>
+    <message>
+        <source>Of results in the window, reports, tables and CSV files; where it is not stated, files have the unit of the model</source>
+        <translation>窗口、报告、表格和 CSV 文件中结果的单位;未给出时,文件采用模型的单位</translation>
+    </message>
+    <message>
+        <source>Change units of results</source>
+        <translation>更改结果的各单位</translation>
+    </message>
+    <message>
+        <source>Digits of U</source>
+        <translation>U 的位数</translation>
+    </message>
+    <message>
+        <source>Significant digits of uncertainties in the window and the report; certificates have two</source>
+        <translation>窗口和报告中不确定度的有效位数;证书为两位</translation>
+    </message>
+    <message>
+        <source>Change digits of results</source>
+        <translation>更改结果的位数</translation>
+    </message>
+    <message>
+        <source>Coverage factor</source>
+        <translation>包含因子</translation>
+    </message>
+    <message>
+        <source>A fixed k for U = k u of all analyses whose options state none; empty: from the degrees of freedom, or the coverage interval</source>
+        <translation>对选项中未给出 k 的所有分析,U = k u 中采用的固定 k;留空:由自由度或包含区间得出</translation>
+    </message>
+    <message>
+        <source>Change coverage factor</source>
+        <translation>更改包含因子</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>项目</translation>
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>创建副本(&amp;U)</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Delete …</source>
-        <translation type="unfinished"></translation>
+        <translation>删除(&amp;D) …</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation type="unfinished"></translation>
+        <translation>添加(&amp;A)</translation>
     </message>
     <message>
         <source>Analysis: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>分析：%1</translation>
     </message>
     <message>
         <source>&amp;Library and Templates …</source>
-        <translation type="unfinished"></translation>
+        <translation>库和模板(&amp;L) …</translation>
     </message>
     <message>
         <source>The analysis was not added: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>分析未添加：%1</translation>
     </message>
     <message>
         <source>“%1” is in the project now</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”现已在项目中</translation>
     </message>
     <message>
         <source>Delete “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>删除“%1”？</translation>
     </message>
     <message>
         <source>
 
 It is used by: %1. They will have an error until they use something else.</source>
-        <translation type="unfinished"></translation>
+        <translation>
+
+它被下列各项使用：%1。在改用其他内容之前，它们将有错误。</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>删除</translation>
     </message>
     <message>
         <source>“%1” is in your library now (Add &gt; From the Library)</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”现已在您的库中（添加 &gt; 从库中）</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行</translation>
     </message>
     <message>
         <source>Keep in My Library</source>
-        <translation type="unfinished"></translation>
+        <translation>保存到我的库</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectTreeModel</name>
     <message>
         <source>Artefacts</source>
-        <translation type="unfinished"></translation>
+        <translation>实物标准器</translation>
     </message>
     <message>
         <source>Instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>Robots</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人</translation>
     </message>
     <message>
         <source>Points and frames</source>
-        <translation type="unfinished"></translation>
+        <translation>点和坐标系</translation>
     </message>
     <message>
         <source>Analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>分析</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished"></translation>
+        <translation>有问题</translation>
     </message>
     <message>
         <source>Untitled project</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名项目</translation>
     </message>
     <message>
         <source>Title, notes, certificate and contents of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>标题、附注、证书和报告内容</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished"></translation>
+        <translation>不完整</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>项目</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状态</translation>
     </message>
     <message>
         <source>running</source>
-        <translation type="unfinished"></translation>
+        <translation>运行中</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>最新</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>失败</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>已过期</translation>
+    </message>
+    <message>
+        <source>%1 of %2 requirements not met</source>
+        <translation>%2 项要求中有 %1 项不满足</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
     <message>
         <source>The project is empty. Add an analysis, or first what it uses, with the plus sign above or a right click in the project tree.</source>
-        <translation type="unfinished"></translation>
+        <translation>项目为空。用上方的加号或在项目树中单击右键，添加一个分析，或先添加其所用的内容。</translation>
     </message>
     <message>
         <source>Select an entry of the project tree to see its properties.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择项目树中的条目以查看其属性。</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>属性</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>测量设置</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>项目</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>证书</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>评定</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>输入</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>选项</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究</translation>
     </message>
     <message>
         <source>Designs</source>
-        <translation type="unfinished"></translation>
+        <translation>设计</translation>
     </message>
     <message>
         <source>Requirements</source>
-        <translation type="unfinished"></translation>
+        <translation>要求</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>附注</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
     <message>
         <source>A value is needed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处需要一个值。</translation>
     </message>
     <message>
         <source>A whole number is needed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处需要一个整数。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
-        <translation type="unfinished"></translation>
+        <translation>（项目中没有合适的内容：请先添加）</translation>
     </message>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>（无）</translation>
     </message>
     <message>
         <source>(choose)</source>
-        <translation type="unfinished"></translation>
+        <translation>（请选择）</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReportForm</name>
     <message>
         <source>Analyses, of report and certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>报告和证书所含的分析</translation>
     </message>
     <message>
         <source>Chapters of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告的章节</translation>
     </message>
     <message>
         <source>Long tables</source>
-        <translation type="unfinished"></translation>
+        <translation>长表</translation>
     </message>
     <message>
         <source>The report shows what counts most of long tables; the CSV files have them whole. Ticked, they stand whole at the end of the report too.</source>
-        <translation type="unfinished"></translation>
+        <translation>报告只显示长表中最重要的内容；CSV 文件包含完整长表。勾选后，长表也完整列于报告末尾。</translation>
     </message>
     <message>
         <source>Whole, in an annex</source>
-        <translation type="unfinished"></translation>
+        <translation>完整，列于附录</translation>
     </message>
     <message>
         <source>Change the annex of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>更改报告的附录</translation>
     </message>
     <message>
         <source>Goes into the report where it is ticked.</source>
-        <translation type="unfinished"></translation>
+        <translation>勾选时列入报告。</translation>
     </message>
     <message>
         <source>Put %1 into the report</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 列入报告</translation>
     </message>
     <message>
         <source>Leave %1 out of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告中不列入 %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>页</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished"></translation>
+        <translation>文档</translation>
     </message>
     <message>
         <source>What is shown: the report, or the calibration certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>显示内容：报告或校准证书</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>证书</translation>
     </message>
     <message>
         <source>Update</source>
-        <translation type="unfinished"></translation>
+        <translation>更新</translation>
     </message>
     <message>
         <source>The report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
     <message>
         <source>The certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>证书</translation>
     </message>
     <message>
         <source>Out of date: the project or its results have changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>已过期：项目或其结果此后已更改。</translation>
     </message>
     <message>
         <source>%1 has not been made yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1尚未生成。</translation>
     </message>
     <message>
         <source>The analyses are running: %1 waits for them.</source>
-        <translation type="unfinished"></translation>
+        <translation>分析正在运行：%1等待其完成。</translation>
     </message>
     <message>
         <source>No analysis is up to date: run one first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>没有最新的分析：请先运行一个分析 (F5)。</translation>
     </message>
     <message>
         <source>%1 is being made …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在生成%1 …</translation>
     </message>
     <message>
         <source>%1 could not be made: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>无法生成%1：%2</translation>
     </message>
     <message>
         <source>1 page, as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>1 页，与打印一致</translation>
     </message>
     <message>
         <source>%1 pages, as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 页，与打印一致</translation>
     </message>
     <message>
         <source>%1; one required text is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1；有一项要求的文本未给出</translation>
     </message>
     <message>
         <source>%1; %2 required texts are not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1；有 %2 项要求的文本未给出</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>U = %1：目标值为 %2。</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>满足</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished"></translation>
+        <translation>不满足</translation>
     </message>
     <message>
         <source>&lt;li&gt;u of %1 reduced from %2 to %3&lt;/li&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;li&gt;%1 的 u 从 %2 减小到 %3&lt;/li&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;It would be met with one of these alone:&lt;ul&gt;%1&lt;/ul&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;仅采取下列任一措施即可达到：&lt;ul&gt;%1&lt;/ul&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;No component suffices alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;单靠任何一个分量都不够。</translation>
     </message>
     <message>
         <source> It would be met with all standard uncertainties multiplied by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> 所有标准不确定度乘以 %1 即可达到。</translation>
     </message>
     <message>
         <source>(trials)</source>
-        <translation type="unfinished"></translation>
+        <translation>（试验）</translation>
     </message>
     <message>
         <source>(Student t)</source>
-        <translation type="unfinished"></translation>
+        <translation>（学生 t）</translation>
     </message>
     <message>
         <source>(normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>（正态）</translation>
     </message>
     <message>
         <source>Not judged: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>未判定：%1。</translation>
     </message>
     <message>
         <source>By %5, guard band %1: the result is &lt;b&gt;%2&lt;/b&gt;. Probability of conformance %3 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>按 %5，保护带 %1：结果为&lt;b&gt;%2&lt;/b&gt;。合格概率 %3 %4。</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>接受</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>拒绝</translation>
     </message>
     <message>
         <source>&lt;br&gt;TUR %1, C&lt;sub&gt;m&lt;/sub&gt; %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;TUR %1，C&lt;sub&gt;m&lt;/sub&gt; %2。</translation>
     </message>
     <message>
         <source>&lt;br&gt;Global risks of the rule: consumer&apos;s %1, producer&apos;s %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;该规则的总体风险：使用方风险 %1，生产方风险 %2。</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Target uncertainty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The expanded uncertainty U must not exceed this.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lower limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the tolerance; empty: none.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Upper limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Prior mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Prior standard deviation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the production process.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guard factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Change the requirement for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改对 %1 的要求</translation>
     </message>
     <message>
         <source>By the law of propagation; Monte Carlo is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>按传播律；蒙特卡洛随后进行。</translation>
     </message>
     <message>
         <source>By the trials of a preview; the whole run is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>按预览的试验；完整运行随后进行。</translation>
     </message>
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
-        <translation type="unfinished"></translation>
+        <translation>运行分析以查看是否满足要求。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>预算</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>相关性</translation>
     </message>
     <message>
         <source>Convergence</source>
-        <translation type="unfinished"></translation>
+        <translation>收敛性</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>评定</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究</translation>
     </message>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>设计</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>比较</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>预算和图的输出量</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>输出量</translation>
     </message>
     <message>
         <source>digits of U: </source>
-        <translation type="unfinished"></translation>
+        <translation>U 的位数： </translation>
     </message>
     <message>
         <source>Significant digits of uncertainties</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度的有效位数</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度的有效位数；估计值相应修约</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished"></translation>
+        <translation>下一步</translation>
     </message>
     <message>
         <source>Filter: symbol, name, group</source>
-        <translation type="unfinished"></translation>
+        <translation>筛选：符号、名称、组</translation>
     </message>
     <message>
         <source>Filter of the results</source>
-        <translation type="unfinished"></translation>
+        <translation>结果筛选</translation>
     </message>
     <message>
         <source>All groups</source>
-        <translation type="unfinished"></translation>
+        <translation>所有组</translation>
     </message>
     <message>
         <source>Results of all poses, points or targets, whichever is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>所有位姿、点或目标点的结果，无论选择了哪一个</translation>
     </message>
     <message>
         <source>Not met only</source>
-        <translation type="unfinished"></translation>
+        <translation>仅显示不满足的</translation>
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>仅显示不满足目标不确定度或公差的结果</translation>
     </message>
     <message>
         <source>results</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>组</translation>
     </message>
     <message>
         <source>Estimate (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>估计值（一阶）</translation>
     </message>
     <message>
         <source>U (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>U（一阶）</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>单位</translation>
     </message>
     <message>
         <source>Shortest Coverage Intervals</source>
-        <translation type="unfinished"></translation>
+        <translation>最短包含区间</translation>
     </message>
     <message>
         <source>budget</source>
-        <translation type="unfinished"></translation>
+        <translation>预算</translation>
     </message>
     <message>
         <source>correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>相关性</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>选择一个分析以查看其结果。</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>失败：%1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚不完整：没有错误。</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未评定：请按 F5。</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished"></translation>
+        <translation>分析有问题。</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished"></translation>
+        <translation>；运行中</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished"></translation>
+        <translation>；按 F5 得到结果</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished"></translation>
+        <translation>；%1 次试验没有值</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;不能代表被测量&lt;/b&gt;（损失的试验超过 1 %）。 </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished"></translation>
+        <translation>；未稳定</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;已过期&lt;/b&gt;：显示的是项目之前的状态。 </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>下一步：%1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished"></translation>
+        <translation>转到下一个必须给出的字段</translation>
     </message>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation> (%1)</translation>
+    </message>
+    <message>
+        <source>All Results</source>
+        <translation>全部结果</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
     <message>
         <source>&amp;Run This Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>运行此分析(&amp;R)</translation>
     </message>
     <message>
         <source>Run &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>全部运行(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Live</source>
-        <translation type="unfinished"></translation>
+        <translation>实时(&amp;L)</translation>
     </message>
     <message>
         <source>Each edit computes first-order results at once, then Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>每次编辑后立即计算一阶结果，然后进行蒙特卡洛</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RunStatus</name>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 次试验</translation>
     </message>
     <message>
         <source>, %1 million/s</source>
-        <translation type="unfinished"></translation>
+        <translation>，%1 百万次/s</translation>
     </message>
     <message>
         <source>, %1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>，剩余 %1 s</translation>
     </message>
     <message>
         <source>Progress of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行进度</translation>
     </message>
     <message>
         <source>Stop all runs (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>停止所有运行 (Esc)</translation>
     </message>
     <message>
         <source>Stop all runs</source>
-        <translation type="unfinished"></translation>
+        <translation>停止所有运行</translation>
     </message>
     <message>
         <source>%1: %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 %</translation>
     </message>
     <message>
         <source>, best so far %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，目前最佳 %1</translation>
     </message>
     <message>
         <source>No analysis yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无分析</translation>
     </message>
     <message>
         <source>No analysis selected</source>
-        <translation type="unfinished"></translation>
+        <translation>未选择分析</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished"></translation>
+        <translation>有问题</translation>
     </message>
     <message>
         <source>, %1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>，%1 次试验</translation>
     </message>
     <message>
         <source>, with warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>，有警告</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ScenePanel</name>
     <message>
         <source>Select an analysis in the project tree to see its layout here.</source>
-        <translation type="unfinished"></translation>
+        <translation>在项目树中选择一个分析，在此查看其布局。</translation>
     </message>
     <message>
         <source>Which pose or group of outputs to show</source>
-        <translation type="unfinished"></translation>
+        <translation>显示哪个位姿或哪组输出</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>组</translation>
     </message>
     <message>
         <source>Iso</source>
-        <translation type="unfinished"></translation>
+        <translation>轴测</translation>
     </message>
     <message>
         <source>View from the front right, from above (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>从右前上方观察 (1)</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>俯视</translation>
     </message>
     <message>
         <source>View from above (2)</source>
-        <translation type="unfinished"></translation>
+        <translation>从上方观察 (2)</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>前视</translation>
     </message>
     <message>
         <source>View from the front (3)</source>
-        <translation type="unfinished"></translation>
+        <translation>从前方观察 (3)</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>右视</translation>
     </message>
     <message>
         <source>View from the right (4)</source>
-        <translation type="unfinished"></translation>
+        <translation>从右侧观察 (4)</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>适合窗口</translation>
     </message>
     <message>
         <source>Everything in the picture (F)</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部内容 (F)</translation>
     </message>
     <message>
         <source>Magnification of the uncertainty; it is always written in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度的放大倍数；始终标注在图中</translation>
     </message>
     <message>
         <source>Magnification of the uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度的放大倍数</translation>
     </message>
     <message>
         <source>Magnification: auto</source>
-        <translation type="unfinished"></translation>
+        <translation>放大倍数：自动</translation>
     </message>
     <message>
         <source>× %1</source>
-        <translation type="unfinished"></translation>
+        <translation>× %1</translation>
     </message>
     <message>
         <source>Coverage probability of the ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>椭球的包含概率</translation>
     </message>
     <message>
         <source>p = %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>p = %1 %</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>Bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>实体</translation>
     </message>
     <message>
         <source>Links and Sight Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>连杆和视线</translation>
     </message>
     <message>
         <source>Vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>矢量</translation>
     </message>
     <message>
         <source>Ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>椭球</translation>
     </message>
     <message>
         <source>Clouds</source>
-        <translation type="unfinished"></translation>
+        <translation>点云</translation>
     </message>
     <message>
         <source>Histograms on the Walls</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面直方图</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>标签</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标轴</translation>
     </message>
     <message>
         <source>Legend</source>
-        <translation type="unfinished"></translation>
+        <translation>图例</translation>
     </message>
     <message>
         <source>Map of a Study or Design</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究或设计的分布图</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>图层</translation>
     </message>
     <message>
         <source>What the picture shows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation type="unfinished"></translation>
+        <translation>图中显示的内容</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;  位于 %2</translation>
     </message>
     <message>
         <source>,  u = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>,  u = %1</translation>
     </message>
     <message>
         <source>,  U = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>,  U = %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
-        <translation type="unfinished"></translation>
+        <translation>三维场景</translation>
     </message>
     <message>
         <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation type="unfinished"></translation>
+        <translation>方向键旋转场景，加减键缩放，F 适合窗口，1 至 4 为标准视图；所选的点或仪器可拖到其他位置</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>图片无法写入 %1</translation>
     </message>
     <message>
         <source>Drawing …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在绘制 …</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>适合窗口</translation>
     </message>
     <message>
         <source>Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>复制图片</translation>
     </message>
     <message>
         <source>Save Picture …</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图片 …</translation>
     </message>
     <message>
         <source>Save Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图片</translation>
     </message>
     <message>
         <source>scene.png</source>
-        <translation type="unfinished"></translation>
+        <translation>scene.png</translation>
     </message>
     <message>
         <source>PNG picture (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG 图片 (*.png)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SetupForm</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改%1</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>及另外 %n 项</numerusform>
         </translation>
     </message>
 </context>
@@ -7795,543 +7954,571 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::SetupTableModel</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改%1</translation>
     </message>
     <message>
         <source>Insert rows in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 中插入行</translation>
     </message>
     <message>
         <source>Delete rows of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>删除 %1 的行</translation>
     </message>
     <message>
         <source>Paste into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴到 %1</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>删除行</translation>
     </message>
     <message>
         <source>Fill down in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 中向下填充</translation>
     </message>
     <message>
         <source>Clear cells of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>清除 %1 的单元格</translation>
     </message>
     <message>
         <source>Change unit in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改 %1 中的单位</translation>
     </message>
     <message>
         <source>Take %1 into the project</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 纳入项目</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SortableTable</name>
     <message>
         <source>Click to sort, right click to choose columns</source>
-        <translation type="unfinished"></translation>
+        <translation>单击排序，单击右键选择列</translation>
     </message>
     <message>
         <source>Save Table</source>
-        <translation type="unfinished"></translation>
+        <translation>保存表格</translation>
     </message>
     <message>
         <source>CSV table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV 表格 (*.csv)</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>复制</translation>
     </message>
     <message>
         <source>Select All</source>
-        <translation type="unfinished"></translation>
+        <translation>全选</translation>
     </message>
     <message>
         <source>Columns</source>
-        <translation type="unfinished"></translation>
+        <translation>列</translation>
     </message>
     <message>
         <source>Original Order</source>
-        <translation type="unfinished"></translation>
+        <translation>原始顺序</translation>
     </message>
     <message>
         <source>Save as CSV …</source>
-        <translation type="unfinished"></translation>
+        <translation>保存为 CSV …</translation>
     </message>
     <message>
         <source>Fit Widths</source>
-        <translation type="unfinished"></translation>
+        <translation>适合列宽</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SpreadsheetView</name>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>复制</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>剪切</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>清除</translation>
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished"></translation>
+        <translation>向下填充</translation>
     </message>
     <message>
         <source>Insert row above</source>
-        <translation type="unfinished"></translation>
+        <translation>在上方插入行</translation>
     </message>
     <message>
         <source>Add row at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>在末尾添加行</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>删除行</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StartPage</name>
     <message>
         <source>Start page</source>
-        <translation type="unfinished"></translation>
+        <translation>起始页</translation>
     </message>
     <message>
         <source>Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria</translation>
     </message>
     <message>
         <source>Measurement uncertainty of robots
 and large-scale metrology</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人与大尺寸计量的
+测量不确定度</translation>
     </message>
     <message>
         <source>New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>新建项目</translation>
     </message>
     <message>
         <source>Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>打开 …</translation>
     </message>
     <message>
         <source>Library and Examples …</source>
-        <translation type="unfinished"></translation>
+        <translation>库和示例 …</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>最近</translation>
     </message>
     <message>
         <source>Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>示例</translation>
     </message>
     <message>
         <source>They open as new projects; the shipped files stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>它们作为新项目打开；随附的文件保持不变。</translation>
     </message>
     <message>
         <source>Worked examples of the GUM and its supplements</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM 及其补充件的算例</translation>
     </message>
     <message>
         <source>Projects that you open are listed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>您打开的项目列于此处。</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudiesForm</name>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究</translation>
     </message>
     <message>
         <source>Adds a study of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>添加此分析的一个参数研究</translation>
     </message>
     <message>
         <source>Adds a copy of this study</source>
-        <translation type="unfinished"></translation>
+        <translation>添加此参数研究的副本</translation>
     </message>
     <message>
         <source>Deletes this study</source>
-        <translation type="unfinished"></translation>
+        <translation>删除此参数研究</translation>
     </message>
     <message>
         <source>Evaluates the analysis at every grid point of this study</source>
-        <translation type="unfinished"></translation>
+        <translation>在此参数研究的每个网格点评定分析</translation>
     </message>
     <message>
         <source>A study evaluates this analysis for many values of a number: a sweep over one, a map over two or three. Add one to see how the uncertainty depends on the set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究对一个数值的许多取值评定此分析：对一个数值为扫描，对两个或三个数值为分布图。添加一个，查看不确定度如何随测量设置变化。</translation>
     </message>
     <message>
         <source>Name of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究名称</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>Law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>传播律</translation>
     </message>
     <message>
         <source>Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛</translation>
     </message>
     <message>
         <source>Trials at each grid point</source>
-        <translation type="unfinished"></translation>
+        <translation>每个网格点的试验次数</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Trials per point</source>
-        <translation type="unfinished"></translation>
+        <translation>每点试验次数</translation>
     </message>
     <message>
         <source>Add Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>添加轴</translation>
     </message>
     <message>
         <source>Varies one more number: every combination is evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>再改变一个数值：评定每种组合</translation>
     </message>
     <message>
         <source>Output quantities of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究的输出量</translation>
     </message>
     <message>
         <source>Output quantities looked at; with none ticked, all measurands</source>
-        <translation type="unfinished"></translation>
+        <translation>所考察的输出量；均未勾选时，为所有被测量</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all measurands)</source>
-        <translation type="unfinished"></translation>
+        <translation>输出量（均未勾选：所有被测量）</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyAxisEdit</name>
     <message>
         <source>Axis %1</source>
-        <translation type="unfinished"></translation>
+        <translation>轴 %1</translation>
     </message>
     <message>
         <source>Variable %1</source>
-        <translation type="unfinished"></translation>
+        <translation>变量 %1</translation>
     </message>
     <message>
         <source>Remove Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>移除轴</translation>
     </message>
     <message>
         <source>Remove Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>移除变量</translation>
     </message>
     <message>
         <source>takes these values</source>
-        <translation type="unfinished"></translation>
+        <translation>取下列值</translation>
     </message>
     <message>
         <source>is multiplied with</source>
-        <translation type="unfinished"></translation>
+        <translation>乘以</translation>
     </message>
     <message>
         <source>has added to it</source>
-        <translation type="unfinished"></translation>
+        <translation>加上</translation>
     </message>
     <message>
         <source>evenly spaced</source>
-        <translation type="unfinished"></translation>
+        <translation>等间隔</translation>
     </message>
     <message>
         <source>logarithmically spaced</source>
-        <translation type="unfinished"></translation>
+        <translation>对数等间隔</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>从</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>到</translation>
     </message>
     <message>
         <source>Number of values</source>
-        <translation type="unfinished"></translation>
+        <translation>值的个数</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>容差</translation>
     </message>
     <message>
         <source>It can be put into effect only so well: what counts is the worst within it</source>
-        <translation type="unfinished"></translation>
+        <translation>它只能以这样的精度实现：以其范围内的最差情况为准</translation>
     </message>
     <message>
         <source>Varied</source>
-        <translation type="unfinished"></translation>
+        <translation>被改变的量</translation>
     </message>
     <message>
         <source>It</source>
-        <translation type="unfinished"></translation>
+        <translation>该量</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>值</translation>
     </message>
     <message>
         <source>choose what is varied</source>
-        <translation type="unfinished"></translation>
+        <translation>选择要改变的量</translation>
     </message>
     <message>
         <source> (factor)</source>
-        <translation type="unfinished"></translation>
+        <translation> (系数)</translation>
     </message>
     <message>
         <source>%1: has a problem</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：有问题</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyTab</name>
     <message>
         <source>study</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究</translation>
     </message>
     <message>
         <source>Study of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>此分析的参数研究</translation>
     </message>
     <message>
         <source>Run Study</source>
-        <translation type="unfinished"></translation>
+        <translation>运行参数研究</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑 …</translation>
     </message>
     <message>
         <source>Axes, outputs and method of the study, in the properties of the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究的轴、输出和方法，在分析的属性中</translation>
     </message>
     <message>
         <source>Quantity of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究的量</translation>
     </message>
     <message>
         <source>What the chart and the scene show</source>
-        <translation type="unfinished"></translation>
+        <translation>图和场景显示的内容</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished"></translation>
+        <translation>图的种类</translation>
     </message>
     <message>
         <source>A map, or lines over the first axis</source>
-        <translation type="unfinished"></translation>
+        <translation>分布图，或沿第一轴的曲线</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>分布图</translation>
     </message>
     <message>
         <source>Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
     <message>
         <source>Axis of the slices</source>
-        <translation type="unfinished"></translation>
+        <translation>切片的轴</translation>
     </message>
     <message>
         <source>Which axis the slices are across</source>
-        <translation type="unfinished"></translation>
+        <translation>切片与哪个轴垂直</translation>
     </message>
     <message>
         <source>Slice</source>
-        <translation type="unfinished"></translation>
+        <translation>切片</translation>
     </message>
     <message>
         <source>slice only</source>
-        <translation type="unfinished"></translation>
+        <translation>仅切片</translation>
     </message>
     <message>
         <source>In the scene: the points of this slice; else all</source>
-        <translation type="unfinished"></translation>
+        <translation>在场景中：此切片的点；否则为全部</translation>
     </message>
     <message>
         <source>ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>椭球</translation>
     </message>
     <message>
         <source>In the scene: coverage ellipsoids at the grid points</source>
-        <translation type="unfinished"></translation>
+        <translation>在场景中：网格点处的包含椭球</translation>
     </message>
     <message>
         <source>Add Study …</source>
-        <translation type="unfinished"></translation>
+        <translation>添加参数研究 …</translation>
     </message>
     <message>
         <source>Out of date: of the project as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>已过期：为项目之前的状态</translation>
     </message>
     <message>
         <source>slice: </source>
-        <translation type="unfinished"></translation>
+        <translation>切片： </translation>
     </message>
     <message>
         <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation type="unfinished"></translation>
+        <translation>运行参数研究，查看不确定度如何随所改变的量变化</translation>
     </message>
     <message>
         <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation type="unfinished"></translation>
+        <translation>参数研究对一个数值的许多取值评定分析：请添加一个</translation>
     </message>
     <message>
         <source> – out of date</source>
-        <translation type="unfinished"></translation>
+        <translation> – 已过期</translation>
     </message>
     <message>
         <source>running …</source>
-        <translation type="unfinished"></translation>
+        <translation>运行中 …</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>失败：%1</translation>
     </message>
     <message>
         <source>Not evaluated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未评定。</translation>
     </message>
     <message>
         <source>%1 grid points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个网格点</translation>
     </message>
     <message>
         <source>, %1 without values</source>
-        <translation type="unfinished"></translation>
+        <translation>，%1 个没有值</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;已过期&lt;/b&gt;：显示的是项目之前的状态。 </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyTableModel</name>
     <message>
         <source>Remark</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
-        <translation type="unfinished"></translation>
+        <translation>为何没有值，或值有何问题</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::TableEditor</name>
     <message>
         <source>Take into the project</source>
-        <translation type="unfinished"></translation>
+        <translation>纳入项目</translation>
     </message>
     <message>
         <source>Add row</source>
-        <translation type="unfinished"></translation>
+        <translation>添加行</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>删除行</translation>
     </message>
     <message>
         <source>Import CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入 CSV…</translation>
     </message>
     <message>
         <source>Read from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>读自 %1</translation>
     </message>
     <message>
         <source>The rows are read from %1. Taken into the project they can be edited here.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些行读自 %1。纳入项目后可在此编辑。</translation>
     </message>
     <message>
         <source>Import CSV into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>将 CSV 导入 %1</translation>
     </message>
     <message>
         <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>表格 (*.csv *.tsv *.txt);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>导入 %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::TargetBox</name>
     <message>
         <source>What is varied: type a part of its name to search</source>
-        <translation type="unfinished"></translation>
+        <translation>改变的量：输入其名称的一部分以搜索</translation>
     </message>
     <message>
         <source>What is varied</source>
-        <translation type="unfinished"></translation>
+        <translation>改变的量</translation>
     </message>
     <message>
         <source>“%1” names nothing that can be varied.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不对应任何可改变的量。</translation>
     </message>
     <message numerus="yes">
         <source>“%1” names %n things that can be varied.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>“%1”对应 %n 个可改变的量。</numerusform>
         </translation>
     </message>
     <message>
         <source> (factor)</source>
-        <translation type="unfinished"></translation>
+        <translation> (系数)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnitButton</name>
     <message>
         <source>Units</source>
-        <translation type="unfinished"></translation>
+        <translation>单位</translation>
     </message>
     <message>
         <source>Units of the tables and charts</source>
-        <translation type="unfinished"></translation>
+        <translation>表格和图的单位</translation>
     </message>
     <message>
         <source>As the Model Gives Them</source>
-        <translation type="unfinished"></translation>
+        <translation>按模型给出</translation>
+    </message>
+    <message>
+        <source>Change unit of results</source>
+        <translation>更改结果的单位</translation>
+    </message>
+    <message>
+        <source>Clear units of results</source>
+        <translation>清除结果的单位</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::UnitChoices</name>
+    <message>
+        <source>Lengths</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation>力矩</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnreadTexts</name>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>字段中输入的内容无法读取。%1</translation>
     </message>
 </context>
 </TS>
