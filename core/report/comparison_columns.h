@@ -28,7 +28,8 @@ bool has_changed(const ResultComparison& comparison, const ComparedPlace& place)
 
 /// Distributions over each other: trials where they ran, else the normal one of the law of propagation.
 PlotSpecification compared_distributions_plot(const ResultComparison& comparison, std::size_t output,
-                                              const DisplayUnits& units = {});
+                                              const DisplayUnits& units = {},
+                                              const NumberLocale& numbers = {});
 /// The largest changes of the budget as bars (at most `rows`, the rest summed).
 PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::size_t output,
                                       std::size_t rows = 10);

@@ -57,7 +57,7 @@ Text component_label(const ResultComparison& comparison, const ComparedPlace& pl
 }  // namespace
 
 PlotSpecification compared_distributions_plot(const ResultComparison& comparison, std::size_t output,
-                                              const DisplayUnits& units) {
+                                              const DisplayUnits& units, const NumberLocale& numbers) {
     const ComparedOutput& at = comparison.outputs[output];
     PlotSpecification plot;
     DisplayUnits shown = units;  // one unit for both
@@ -65,7 +65,7 @@ PlotSpecification compared_distributions_plot(const ResultComparison& comparison
     const auto add = [&](const UncertaintyResult& result, std::optional<std::size_t> index, const char* words,
                          SeriesRole role) {
         if (!index) return;
-        const PlottedOutput y(result, *index, shown);
+        const PlottedOutput y(result, *index, shown, numbers);
         plot.id = y.id("compared");
         plot.title = "Distributions of " + y.label();
         plot.x.title = y.with_unit(y.symbol());

@@ -92,7 +92,8 @@ void add_normal_curves(PlotSpecification& plot, const PlottedOutput& y) {
 void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probability) {
     const MonteCarloOutput& mc = *y.trials();
     const double low = y.value(mc.symmetric.low), high = y.value(mc.symmetric.high);
-    const std::string words = percent_text(probability) + " coverage interval";
+    const std::string words =
+        typeset_number(format_typed(100.0 * probability), y.numbers()) + "\u00a0%" + " coverage interval";
     plot.bands.push_back({words, low, high, SeriesRole::reference});
     plot.marks.push_back({y.result_text(mc.symmetric.low), low, false, SeriesRole::reference});
     plot.marks.push_back({"mean " + y.result_text(mc.mean), y.value(mc.mean), false, SeriesRole::emphasis});
@@ -127,8 +128,8 @@ PlotSeries plot_parts::histogram_bars(const PlottedOutput& y) {
 }
 
 PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output,
-                                 const DisplayUnits& units) {
-    const PlottedOutput y(result, output, units);
+                                 const DisplayUnits& units, const NumberLocale& numbers) {
+    const PlottedOutput y(result, output, units, numbers);
     const std::string id = y.id("histogram");
     if (const Text why = missing_distribution(y, "the distribution"); !why.empty())
         return nothing_to_show(id, why);

@@ -7,15 +7,17 @@
 
 #include "core/result/uncertainty_result.h"
 #include "core/text/display_units.h"
+#include "core/text/numbers.h"
 #include "core/text/plot_specification.h"
 
 namespace covaria {
 
-// Where there is nothing to show, the specification has no series and its title says what to do.
+// Where there is nothing to show, the specification has no series and its title says what to do. `numbers`:
+// how the labels write theirs.
 
 /// Histogram with mean, coverage interval, fitted normal and first-order normal. Needs Monte Carlo.
 PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output,
-                                 const DisplayUnits& units = {});
+                                 const DisplayUnits& units = {}, const NumberLocale& numbers = {});
 /// Quantiles against those of a normal distribution. Needs Monte Carlo.
 PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::size_t output,
                                        const DisplayUnits& units = {});
@@ -26,7 +28,7 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
 PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group);
 /// Running u (and mean) against trials with two standard errors.
 PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output,
-                                   const DisplayUnits& units = {});
+                                   const DisplayUnits& units = {}, const NumberLocale& numbers = {});
 
 /// The data shown as CSV (RFC 4180, full precision): x and y of every series side by side, each with its axis
 /// title; a heat map as a matrix with its categories.

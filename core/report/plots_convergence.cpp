@@ -10,8 +10,8 @@ using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
 PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output,
-                                   const DisplayUnits& units) {
-    const PlottedOutput y(result, output, units);
+                                   const DisplayUnits& units, const NumberLocale& numbers) {
+    const PlottedOutput y(result, output, units, numbers);
     const std::string id = y.id("convergence");
     if (!y.trials() || result.convergence.empty())
         return nothing_to_show(id, "Run Monte Carlo to see how u of " + y.label() + " settles");

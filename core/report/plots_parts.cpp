@@ -20,8 +20,9 @@ std::string unit_after_number(const Unit& unit) {
 
 }  // namespace
 
-PlottedOutput::PlottedOutput(const UncertaintyResult& result, std::size_t output, const DisplayUnits& units)
-    : output_(result.outputs.at(output)), unit_(units.of(output_.quantity.unit)) {}
+PlottedOutput::PlottedOutput(const UncertaintyResult& result, std::size_t output, const DisplayUnits& units,
+                             const NumberLocale& numbers)
+    : output_(result.outputs.at(output)), unit_(units.of(output_.quantity.unit)), numbers_(numbers) {}
 
 Text PlottedOutput::symbol() const {
     return symbol_text(output_.quantity.symbol);
@@ -48,11 +49,11 @@ std::string PlottedOutput::density_title() const {
 
 std::string PlottedOutput::result_text(double si) const {
     const std::string number = format_to_match(value(si), interval(output_.standard_uncertainty));
-    return typeset_number(number) + unit_after_number(unit_);
+    return typeset_number(number, numbers_) + unit_after_number(unit_);
 }
 
 std::string PlottedOutput::uncertainty_text(double si, int digits) const {
-    return typeset_number(format_significant(interval(si), digits)) + unit_after_number(unit_);
+    return typeset_number(format_significant(interval(si), digits), numbers_) + unit_after_number(unit_);
 }
 
 PlotSpecification nothing_to_show(std::string id, Text title) {

@@ -7,6 +7,7 @@
 
 #include "core/result/uncertainty_result.h"
 #include "core/text/display_units.h"
+#include "core/text/numbers.h"
 #include "core/text/plot_specification.h"
 
 namespace covaria::plot_parts {
@@ -14,8 +15,10 @@ namespace covaria::plot_parts {
 /// An output with its numbers in display units.
 class PlottedOutput {
 public:
-    PlottedOutput(const UncertaintyResult& result, std::size_t output, const DisplayUnits& units = {});
+    PlottedOutput(const UncertaintyResult& result, std::size_t output, const DisplayUnits& units = {},
+                  const NumberLocale& numbers = {});
 
+    const NumberLocale& numbers() const { return numbers_; }
     const OutputResult& output() const { return output_; }
     const MonteCarloOutput* trials() const { return output_.monte_carlo ? &*output_.monte_carlo : nullptr; }
     double value(double si) const { return unit_.from_si(si); }
@@ -32,6 +35,7 @@ public:
 private:
     const OutputResult& output_;
     Unit unit_;
+    NumberLocale numbers_;
 };
 
 /// A chart without series; the title says why and what to do.

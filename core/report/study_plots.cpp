@@ -29,8 +29,8 @@ double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_
 }
 
 /// Six significant digits: 500, 1500.25; no tails of a logarithmic spacing.
-std::string value_text(double value) {
-    return format_trimmed(value, 6);
+std::string value_text(double value, const NumberLocale& numbers) {
+    return typeset_number(format_trimmed(value, 6), numbers);
 }
 
 /// Runs of points with values; only the first has the name.
@@ -69,11 +69,11 @@ void choose_y_range(PlotSpecification& plot) {
     plot.y.high = 1.06 * high;  // from zero: lengths can be compared
 }
 
-void mark_present(PlotSpecification& plot, const StudyAxisValues& axis) {
+void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const NumberLocale& numbers) {
     const auto [low, high] = std::minmax(axis.values.front(), axis.values.back());
     if (axis.present < low || axis.present > high) return;
     plot.marks.push_back(
-        {"as set up: " + value_text(axis.present), axis.present, false, SeriesRole::reference});
+        {"as set up: " + value_text(axis.present, numbers), axis.present, false, SeriesRole::reference});
 }
 
 /// Outputs whose lines can share a chart with the quantity.
@@ -92,7 +92,7 @@ std::vector<StudyQuantity> companions(const std::vector<StudyQuantity>& all, con
     return found;
 }
 
-PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen) {
+PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen, const NumberLocale& numbers) {
     PlotSpecification plot;
     const StudyAxisValues& axis = study.axes.front();
     plot.title = study.name;
@@ -106,7 +106,7 @@ PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen) {
         add_line(plot, lines[k].title, family[k], axis.values, y);
     }
     choose_y_range(plot);
-    mark_present(plot, axis);
+    mark_present(plot, axis, numbers);
     return plot;
 }
 
@@ -136,19 +136,20 @@ Plane plane_of(const StudyResult& study, const StudyView& view) {
     return plane;
 }
 
-Text title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity) {
+Text title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity,
+              const NumberLocale& numbers) {
     Text title = study.name + ": " + with_unit(quantity.title, quantity.unit);
     if (study.axes.size() < 3) return title;
     const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
-    return title + " at " + axis.title + " = " + value_text(value) +
+    return title + " at " + axis.title + " = " + value_text(value, numbers) +
            (axis.unit == Unit{} ? "" : " " + axis.unit.display());
 }
 
-PlotAxis category_axis(const StudyAxisValues& values, bool downwards) {
+PlotAxis category_axis(const StudyAxisValues& values, bool downwards, const NumberLocale& numbers) {
     PlotAxis axis;
     axis.title = with_unit(values.title, values.unit);
-    for (const double value : values.values) axis.categories.push_back(value_text(value));
+    for (const double value : values.values) axis.categories.push_back(value_text(value, numbers));
     if (downwards) std::reverse(axis.categories.begin(), axis.categories.end());
     return axis;
 }
@@ -162,10 +163,11 @@ void set_colour_range(PlotSpecification& plot, const StudyResult& study, const S
     if (!(plot.z_high > plot.z_low)) plot.z_high = plot.z_low > 0.0 ? 1.001 * plot.z_low : 1.0;
 }
 
-PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQuantity& quantity) {
+PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQuantity& quantity,
+                      const NumberLocale& numbers) {
     PlotSpecification plot;
-    plot.x = category_axis(study.axes[plane.x], false);
-    plot.y = category_axis(study.axes[plane.y], true);
+    plot.x = category_axis(study.axes[plane.x], false, numbers);
+    plot.y = category_axis(study.axes[plane.y], true, numbers);
     PlotSeries cells;
     cells.kind = SeriesKind::heat_map;
     cells.name = with_unit(quantity.title, quantity.unit);
@@ -178,7 +180,7 @@ PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQ
 }
 
 PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
-                                   const StudyQuantity& quantity) {
+                                   const StudyQuantity& quantity, const NumberLocale& numbers) {
     PlotSpecification plot;
     const StudyAxisValues &x = study.axes[plane.x], &other = study.axes[plane.y];
     plot.x.title = with_unit(x.title, x.unit);
@@ -191,16 +193,17 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
         for (std::size_t i = 0; i < x.values.size(); ++i)
             y.push_back(shown(study, quantity, point_of(study, plane, i, j)));
         const std::string unit = other.unit == Unit{} ? "" : " " + other.unit.display();
-        add_line(plot, other.title + " = " + value_text(other.values[j]) + unit, family[k], x.values, y);
+        add_line(plot, other.title + " = " + value_text(other.values[j], numbers) + unit, family[k], x.values,
+                 y);
     }
     choose_y_range(plot);
-    mark_present(plot, x);
+    mark_present(plot, x, numbers);
     return plot;
 }
 
 }  // namespace
 
-PlotSpecification study_plot(const StudyResult& study, const StudyView& view) {
+PlotSpecification study_plot(const StudyResult& study, const StudyView& view, const NumberLocale& numbers) {
     const std::string id = "study-" + study.id;
     const std::vector<StudyQuantity> quantities = study_quantities(study);
     if (quantities.empty() || study.failed() == study.points.size())
@@ -211,11 +214,12 @@ PlotSpecification study_plot(const StudyResult& study, const StudyView& view) {
     const StudyQuantity& quantity = quantities[std::min(view.quantity, quantities.size() - 1)];
     PlotSpecification plot;
     if (study.axes.size() == 1) {
-        plot = sweep(study, quantity);
+        plot = sweep(study, quantity, numbers);
     } else {
         const Plane plane = plane_of(study, view);
-        plot = view.lines ? lines_over_first(study, plane, quantity) : map(study, plane, quantity);
-        plot.title = title_of(study, view, quantity);
+        plot = view.lines ? lines_over_first(study, plane, quantity, numbers)
+                          : map(study, plane, quantity, numbers);
+        plot.title = title_of(study, view, quantity, numbers);
     }
     plot.id = id + "-" + report_parts::id_part(quantity.id);
     return plot;
@@ -244,7 +248,8 @@ std::string point_words(const StudyResult& study, std::size_t point) {
     std::string words;
     for (std::size_t axis = 0; axis < at.size(); ++axis) {
         const StudyAxisValues& values = study.axes[axis];
-        words += (axis ? ", " : "") + to_unicode(values.title) + " = " + value_text(values.values[at[axis]]);
+        words +=
+            (axis ? ", " : "") + to_unicode(values.title) + " = " + value_text(values.values[at[axis]], {});
         if (!(values.unit == Unit{})) words += " " + values.unit.display();
     }
     return words;

@@ -399,11 +399,11 @@ void MainWindow::show_preferences() {
 void MainWindow::take_preferences() {
     const Preferences& wanted = preferences_.now();
     files_.set_autosave(wanted.autosave_seconds);
-    results_->take_preferences();
-    if (std::exchange(font_points_, wanted.font_points) != wanted.font_points) {
-        finish_typing();
-        properties_->start_over();  // sizes of forms are those of their font
-        // Those of names as well, when all have taken it.
+    const bool other_numbers = wanted.numbers != numbers_;
+    const bool other_font = std::exchange(font_points_, wanted.font_points) != wanted.font_points;
+    if (other_numbers || other_font) finish_typing();  // what was typed is of the form before
+    if (other_font) {
+        // Widths of names as well, when all have taken it.
         QMetaObject::invokeMethod(
             this,
             [this] {
@@ -412,11 +412,13 @@ void MainWindow::take_preferences() {
             },
             Qt::QueuedConnection);
     }
-    if (wanted.numbers == numbers_) return;
-    finish_typing();  // what was typed is of the form before
-    apply_number_form(numbers_ = wanted.numbers);
-    setLocale(QLocale());
-    properties_->start_over();
+    if (other_numbers) {
+        apply_number_form(numbers_ = wanted.numbers);
+        setLocale(QLocale());
+    }
+    results_->take_preferences();
+    if (other_numbers || other_font) properties_->start_over();  // sizes of forms are those of their font
+    if (!other_numbers) return;
     results_->set_dark(theme_->is_dark());
     for (auto* view : findChildren<QAbstractItemView*>()) view->viewport()->update();
 }

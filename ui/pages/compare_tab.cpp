@@ -11,6 +11,7 @@
 #include "core/report/comparison_columns.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/models/number_words.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/strings.h"
@@ -195,7 +196,7 @@ void CompareTab::show_chart() {
     const auto output = selected();
     if (!output) return chart_->set_plot({});
     PlotSpecification plot = chart_list_->currentIndex() == 0
-                                 ? compared_distributions_plot(*comparison_, *output, units_)
+                                 ? compared_distributions_plot(*comparison_, *output, units_, user_numbers())
                                  : budget_changes_plot(*comparison_, *output);
     const QString said = reservation(runner_.status(selection_.analysis()));
     if (!said.isEmpty() && !plot.series.empty()) plot.title += " \u2013 " + to_std(said);

@@ -21,6 +21,7 @@
 #include "ui/charts/chart_view.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
+#include "ui/models/number_words.h"
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
@@ -301,6 +302,7 @@ void ResultsPane::take_preferences() {
     budget_model_.set_units(units_->units());
     compare_->set_units(units_->units());
     all_->set_units(units_->units());
+    study_->show_study();
     refresh_charts();
 }
 
@@ -363,12 +365,13 @@ void ResultsPane::refresh_charts() {
     const QWidget* shown = tabs_->currentWidget();
     if (shown->isAncestorOf(contributions_)) show_chart(*contributions_, contribution_plot(*result_, index));
     if (shown->isAncestorOf(histogram_)) {
-        show_chart(*histogram_, histogram_plot(*result_, index, units_->units()));
+        show_chart(*histogram_, histogram_plot(*result_, index, units_->units(), user_numbers()));
         show_chart(*quantiles_, normal_quantile_plot(*result_, index, units_->units()));
     }
     if (shown->isAncestorOf(correlation_map_))
         show_chart(*correlation_map_, correlation_plot(*result_, result_->outputs[index].quantity.group));
-    if (shown == convergence_) show_chart(*convergence_, convergence_plot(*result_, index, units_->units()));
+    if (shown == convergence_)
+        show_chart(*convergence_, convergence_plot(*result_, index, units_->units(), user_numbers()));
 }
 
 void ResultsPane::start_over() {

@@ -9,6 +9,7 @@
 #include "core/text/numbers.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/models/number_words.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/theme/strings.h"
 
@@ -176,7 +177,7 @@ void StudyTab::show_study() {
     ellipsoids_->setVisible(result_ && !result_->triples.empty());
     PlotSpecification plot;
     if (result_)
-        plot = study_plot(*result_, view_);
+        plot = study_plot(*result_, view_, user_numbers());
     else
         plot.title = to_std(study_of_project()
                                 ? tr("Run the study to see how the uncertainty depends on what it varies")

@@ -32,6 +32,8 @@ public:
     bool is_current() const { return current_; }
     const StudyView& view() const { return view_; }
     QString state_words() const;
+    /// Anew, as it is and with numbers in the form of now.
+    void show_study();
     /// What the scene shows of it.
     bool wants_ellipsoids() const { return ellipsoids_->isChecked(); }
     bool wants_slice() const { return only_slice_->isChecked(); }
@@ -48,7 +50,6 @@ private:
     void refresh_list();
     void refresh_choices();
     void take_view();
-    void show_study();
     const Study* study_of_project() const;
 
     Document& document_;

@@ -82,6 +82,10 @@ TEST(ResultStatement, AnIntervalThatIsNotSymmetricIsStatedToo) {
     output.monte_carlo->symmetric = {9.4e-3, 11.4e-3};
     EXPECT_EQ(skewed_interval(output, result), "[9.4, 11.4]" + hard + "mm");
     EXPECT_TRUE(contains(coverage_statement(output, result), "coverage interval [9.4, 11.4]"));
+    const NumberLocale comma{.decimal = ","};
+    EXPECT_EQ(skewed_interval(output, result, comma), "[9,4; 11,4]" + hard + "mm");
+    EXPECT_EQ(value_statement(output, true, comma), "(10,0 ± 1,0)" + hard + "mm");
+    EXPECT_FALSE(contains(coverage_statement(output, result, comma), "."));
 }
 
 TEST(DecisionRule, HasItsName) {

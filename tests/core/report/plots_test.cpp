@@ -60,6 +60,17 @@ TEST(HistogramPlot, MarksMeanAndCoverageIntervalAndBothNormals) {
     EXPECT_NEAR(top(SeriesRole::first_order), 0.398942 / (1.06 * 0.367), 1e-6);
 }
 
+TEST(HistogramPlot, LabelsHaveTheDecimalSignThatIsAskedFor) {
+    const UncertaintyResult result = test::plot_sample();
+    for (const PlotSpecification& plot : {histogram_plot(result, 0, {}, {.decimal = ","}),
+                                          convergence_plot(result, 0, {}, {.decimal = ","})}) {
+        std::string labels;
+        for (const PlotMark& mark : plot.marks) labels += to_unicode(mark.label) + "\n";
+        EXPECT_NE(labels.find(','), std::string::npos) << labels;
+        EXPECT_EQ(labels.find('.'), std::string::npos) << labels;
+    }
+}
+
 TEST(HistogramPlot, JoinsCellsForFewTrials) {
     UncertaintyResult result = test::plot_sample();
     Histogram& histogram = result.outputs[0].monte_carlo->histogram;
