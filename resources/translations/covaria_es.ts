@@ -7798,7 +7798,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Ajuste</translation>
+        <translation>Ajustar</translation>
     </message>
     <message>
         <source>Everything in the picture (F)</source>
@@ -7917,7 +7917,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Ajuste</translation>
+        <translation>Ajustar</translation>
     </message>
     <message>
         <source>Copy Picture</source>

@@ -7795,7 +7795,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fit</source>
-        <translation>맞춤</translation>
+        <translation>화면 맞춤</translation>
     </message>
     <message>
         <source>Everything in the picture (F)</source>
@@ -7914,7 +7914,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fit</source>
-        <translation>맞춤</translation>
+        <translation>화면 맞춤</translation>
     </message>
     <message>
         <source>Copy Picture</source>
