@@ -5,11 +5,11 @@
     <name>QObject</name>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verschieben</translation>
     </message>
     <message>
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;%1 weitere Zeilen; die exportierte Tabelle enthält alle.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -17,4423 +17,4423 @@
     <message>
         <source>Pose from points</source>
         <extracomment>Measurement model</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Pose aus Punkten</translation>
     </message>
     <message>
         <source>Base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Basissystem</translation>
     </message>
     <message>
         <source>Base points</source>
-        <translation type="unfinished"></translation>
+        <translation>Basispunkte</translation>
     </message>
     <message>
         <source>Nominal coordinates of the points in their own frame, and standard uncertainties of single coordinates where they differ from the common ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinaten der Punkte in ihrem eigenen Koordinatensystem und Standardunsicherheiten einzelner Koordinaten, wo sie von den gemeinsamen abweichen.</translation>
     </message>
     <message>
         <source>name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Name of the point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Punktes.</translation>
     </message>
     <message>
         <source>Nominal coordinate x in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate x im eigenen System des Punktes.</translation>
     </message>
     <message>
         <source>Nominal coordinate y in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate y im eigenen System des Punktes.</translation>
     </message>
     <message>
         <source>Nominal coordinate z in the point&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate z im eigenen System des Punktes.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this x; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dieses x; leer: wie für alle eingegeben.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this y; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dieses y; leer: wie für alle eingegeben.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this z; empty: as typed for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dieses z; leer: wie für alle eingegeben.</translation>
     </message>
     <message>
         <source>Frame from its points</source>
-        <translation type="unfinished"></translation>
+        <translation>System aus seinen Punkten</translation>
     </message>
     <message>
         <source>3-2-1: the origin from point 1, the x-axis from points 1 and 2, the xy-plane from points 1, 2 and 3. Least squares: the frame in which the nominal coordinates fit all points best.</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1: der Ursprung aus Punkt 1, die x-Achse aus den Punkten 1 und 2, die xy-Ebene aus den Punkten 1, 2 und 3. Kleinste Quadrate: das System, in dem die Nennkoordinaten am besten zu allen Punkten passen.</translation>
     </message>
     <message>
         <source>3-2-1</source>
-        <translation type="unfinished"></translation>
+        <translation>3-2-1</translation>
     </message>
     <message>
         <source>least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinste Quadrate</translation>
     </message>
     <message>
         <source>Side of point 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite von Punkt 3</translation>
     </message>
     <message>
         <source>On which side of the x-axis point 3 lies in the base frame b; this directs z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf welcher Seite der x-Achse Punkt 3 im Basissystem b liegt; dies legt die Richtung von z fest.</translation>
     </message>
     <message>
         <source>negative y: z = (q3 − q1) × x</source>
-        <translation type="unfinished"></translation>
+        <translation>negatives y: z = (q3 − q1) × x</translation>
     </message>
     <message>
         <source>positive y: z = x × (q3 − q1)</source>
-        <translation type="unfinished"></translation>
+        <translation>positives y: z = x × (q3 − q1)</translation>
     </message>
     <message>
         <source>Origin from point 1, x</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursprung von Punkt 1, x</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang x des Basissystems b (s der Gln. 17 und 18).</translation>
     </message>
     <message>
         <source>Origin from point 1, y</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursprung von Punkt 1, y</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang y des Basissystems b (s der Gln. 17 und 18).</translation>
     </message>
     <message>
         <source>Origin from point 1, z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursprung von Punkt 1, z</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the base frame b (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang z des Basissystems b (s der Gln. 17 und 18).</translation>
     </message>
     <message>
         <source>Pose of the base in frame 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose der Basis im System 0</translation>
     </message>
     <message>
         <source>Where the base stands in the frame of the measurement (frame 0, the world of the picture). It matters only for an instrument that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Basis im System der Messung steht (System 0, die Welt des Bildes). Das ist nur für ein Messgerät von Belang, das irgendwo steht.</translation>
     </message>
     <message>
         <source>Moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegtes System</translation>
     </message>
     <message>
         <source>Points of the moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte des bewegten Systems</translation>
     </message>
     <message>
         <source>On which side of the x-axis point 3 lies in the moving frame p; this directs z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf welcher Seite der x-Achse Punkt 3 im bewegten System p liegt; dies legt die Richtung von z fest.</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along x of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang x des bewegten Systems p (s der Gln. 17 und 18).</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along y of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang y des bewegten Systems p (s der Gln. 17 und 18).</translation>
     </message>
     <message>
         <source>Position of the origin from point 1 along z of the moving frame p (s of Eqs 17 and 18).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Ursprungs von Punkt 1 aus entlang z des bewegten Systems p (s der Gln. 17 und 18).</translation>
     </message>
     <message>
         <source>Poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung</translation>
     </message>
     <message>
         <source>A priori: at the nominal coordinates. A posteriori: at the means of measured coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>A priori: an den Nennkoordinaten. A posteriori: an den Mittelwerten gemessener Koordinaten.</translation>
     </message>
     <message>
         <source>a priori (nominal poses)</source>
-        <translation type="unfinished"></translation>
+        <translation>a priori (Nennposen)</translation>
     </message>
     <message>
         <source>a posteriori (measured points)</source>
-        <translation type="unfinished"></translation>
+        <translation>a posteriori (gemessene Punkte)</translation>
     </message>
     <message>
         <source>Nominal poses of the moving frame in the base frame; angles are R = Rz(γ) Ry(β) Rx(α). All poses share the measurement of the base.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennposen des bewegten Systems im Basissystem; die Winkel sind R = Rz(γ) Ry(β) Rx(α). Alle Posen teilen sich die Messung der Basis.</translation>
     </message>
     <message>
         <source>Name of the pose; groups its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Pose; fasst ihre Ergebnisse zusammen.</translation>
     </message>
     <message>
         <source>Position x in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Position x im Basissystem.</translation>
     </message>
     <message>
         <source>Position y in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Position y im Basissystem.</translation>
     </message>
     <message>
         <source>Position z in the base frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Position z im Basissystem.</translation>
     </message>
     <message>
         <source>Rotation about x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um x.</translation>
     </message>
     <message>
         <source>Rotation about y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um y.</translation>
     </message>
     <message>
         <source>Rotation about z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um z.</translation>
     </message>
     <message>
         <source>Measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Punkte</translation>
     </message>
     <message>
         <source>Coordinates in one frame 0 for the base and every pose, typed or from a CSV file; the mean of the repeats is the estimate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten in einem System 0 für die Basis und jede Pose, eingegeben oder aus einer CSV-Datei; der Mittelwert der Wiederholungen ist der Schätzwert.</translation>
     </message>
     <message>
         <source>set</source>
-        <translation type="unfinished"></translation>
+        <translation>Satz</translation>
     </message>
     <message>
         <source>&quot;base&quot;, or the name of a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;base&quot; oder der Name einer Pose.</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholung</translation>
     </message>
     <message>
         <source>Number of the repetition.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer der Wiederholung.</translation>
     </message>
     <message>
         <source>Measured coordinate x in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate x im System 0.</translation>
     </message>
     <message>
         <source>Measured coordinate y in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate y im System 0.</translation>
     </message>
     <message>
         <source>Measured coordinate z in frame 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate z im System 0.</translation>
     </message>
     <message>
         <source>Orientation stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierung angegeben als</translation>
     </message>
     <message>
         <source>Numbers in which the result states the orientation of the moving frame. Angles are undefined in gimbal lock; rotation vector and quaternion are not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen, in denen das Ergebnis die Orientierung des bewegten Systems angibt. Winkel sind bei kardanischer Blockade (Gimbal Lock) unbestimmt; Rotationsvektor und Quaternion nicht.</translation>
     </message>
     <message>
         <source>Z-Y-X angles (roll α, pitch β, yaw γ)</source>
-        <translation type="unfinished"></translation>
+        <translation>Z-Y-X-Winkel (Rollen α, Nicken β, Gieren γ)</translation>
     </message>
     <message>
         <source>Z-Y-Z angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Z-Y-Z-Winkel</translation>
     </message>
     <message>
         <source>rotation vector</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotationsvektor</translation>
     </message>
     <message>
         <source>unit quaternion</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheitsquaternion</translation>
     </message>
     <message>
         <source>Uncertainty: Base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit: Basissystem</translation>
     </message>
     <message>
         <source>Uncertainty of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit der Punkte</translation>
     </message>
     <message>
         <source>Standard uncertainties typed here, or those that an artefact or an instrument of the project gives.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier eingegebene Standardunsicherheiten oder solche, die ein Prüfkörper oder ein Messgerät des Projekts liefert.</translation>
     </message>
     <message>
         <source>typed</source>
-        <translation type="unfinished"></translation>
+        <translation>eingegeben</translation>
     </message>
     <message>
         <source>artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfkörper oder Messgerät</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along x of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Punktkoordinaten entlang x des Basissystems b.</translation>
     </message>
     <message>
         <source>u_x is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_x ist gemeinsam</translation>
     </message>
     <message>
         <source>One and the same deviation along x for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein und dieselbe Abweichung entlang x für alle Basispunkte statt unabhängiger.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along y of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Punktkoordinaten entlang y des Basissystems b.</translation>
     </message>
     <message>
         <source>u_y is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_y ist gemeinsam</translation>
     </message>
     <message>
         <source>One and the same deviation along y for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein und dieselbe Abweichung entlang y für alle Basispunkte statt unabhängiger.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along z of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Punktkoordinaten entlang z des Basissystems b.</translation>
     </message>
     <message>
         <source>u_z is common</source>
-        <translation type="unfinished"></translation>
+        <translation>u_z ist gemeinsam</translation>
     </message>
     <message>
         <source>One and the same deviation along z for all base points, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein und dieselbe Abweichung entlang z für alle Basispunkte statt unabhängiger.</translation>
     </message>
     <message>
         <source>Their distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Verteilung</translation>
     </message>
     <message>
         <source>The distribution of typed deviations of the points; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verteilung eingegebener Abweichungen der Punkte; angegeben ist ihre Standardunsicherheit, gleich welcher Form.</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>normal</translation>
     </message>
     <message>
         <source>rectangular: limits ± √3 u</source>
-        <translation type="unfinished"></translation>
+        <translation>rechteckig: Grenzen ± √3 u</translation>
     </message>
     <message>
         <source>triangular: limits ± √6 u</source>
-        <translation type="unfinished"></translation>
+        <translation>dreieckig: Grenzen ± √6 u</translation>
     </message>
     <message>
         <source>arc sine: limits ± √2 u</source>
-        <translation type="unfinished"></translation>
+        <translation>Arkussinus: Grenzen ± √2 u</translation>
     </message>
     <message>
         <source>Artefact or instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfkörper oder Messgerät</translation>
     </message>
     <message>
         <source>Gives the uncertainty of the coordinates of the points of the base frame b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liefert die Unsicherheit der Koordinaten der Punkte des Basissystems b.</translation>
     </message>
     <message>
         <source>Uncertainty: Moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit: bewegtes System</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along x of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Punktkoordinaten entlang x des bewegten Systems p.</translation>
     </message>
     <message>
         <source>One and the same deviation along x for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein und dieselbe Abweichung entlang x für alle Punkte des bewegten Systems, in allen Posen, statt unabhängiger.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along y of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Punktkoordinaten entlang y des bewegten Systems p.</translation>
     </message>
     <message>
         <source>One and the same deviation along y for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein und dieselbe Abweichung entlang y für alle Punkte des bewegten Systems, in allen Posen, statt unabhängiger.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the points&apos; coordinates along z of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Punktkoordinaten entlang z des bewegten Systems p.</translation>
     </message>
     <message>
         <source>One and the same deviation along z for all points of the moving frame, in all poses, instead of independent ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein und dieselbe Abweichung entlang z für alle Punkte des bewegten Systems, in allen Posen, statt unabhängiger.</translation>
     </message>
     <message>
         <source>Gives the uncertainty of the coordinates of the points of the moving frame p.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liefert die Unsicherheit der Koordinaten der Punkte des bewegten Systems p.</translation>
     </message>
     <message>
         <source>Uncertainties along</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheiten entlang</translation>
     </message>
     <message>
         <source>Along which axes the typed uncertainties of the moving points lie: those of the moving frame, which turn with it, or those of the base frame, the same in all poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang welcher Achsen die eingegebenen Unsicherheiten der bewegten Punkte liegen: der des bewegten Systems, die sich mit ihm drehen, oder der des Basissystems, in allen Posen gleich.</translation>
     </message>
     <message>
         <source>the axes of the moving frame</source>
-        <translation type="unfinished"></translation>
+        <translation>der Achsen des bewegten Systems</translation>
     </message>
     <message>
         <source>the axes of the base frame</source>
-        <translation type="unfinished"></translation>
+        <translation>der Achsen des Basissystems</translation>
     </message>
     <message>
         <source>Points from sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte aus Sensoren</translation>
     </message>
     <message>
         <source>Network</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz</translation>
     </message>
     <message>
         <source>Sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensoren</translation>
     </message>
     <message>
         <source>The instruments of the network, each an instrument of the project that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Messgeräte des Netzes, jedes ein Messgerät des Projekts, das irgendwo steht.</translation>
     </message>
     <message>
         <source>sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor</translation>
     </message>
     <message>
         <source>An instrument of the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Messgerät des Projekts.</translation>
     </message>
     <message>
         <source>Targets</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielpunkte</translation>
     </message>
     <message>
         <source>Points to be localised, at their nominal coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu bestimmende Punkte, an ihren Nennkoordinaten.</translation>
     </message>
     <message>
         <source>Name of the target, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Zielpunktes, eindeutig.</translation>
     </message>
     <message>
         <source>Nominal coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate x.</translation>
     </message>
     <message>
         <source>Nominal coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate y.</translation>
     </message>
     <message>
         <source>Nominal coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate z.</translation>
     </message>
     <message>
         <source>new set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>neue Aufstellung</translation>
     </message>
     <message>
         <source>The sensors were located anew before this target: it and those below share the deviations of the stations with each other, not with the targets above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sensoren wurden vor diesem Zielpunkt neu eingemessen: er und die folgenden haben die Abweichungen der Standpunkte miteinander gemeinsam, nicht mit den Zielpunkten darüber.</translation>
     </message>
     <message>
         <source>Distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände</translation>
     </message>
     <message>
         <source>Distances between targets that are measurands too, for instance of a scale bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände zwischen Zielpunkten, die ebenfalls Messgrößen sind, zum Beispiel die eines Maßstabs.</translation>
     </message>
     <message>
         <source>from</source>
-        <translation type="unfinished"></translation>
+        <translation>von</translation>
     </message>
     <message>
         <source>Name of a target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name eines Zielpunktes.</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>bis</translation>
     </message>
     <message>
         <source>Name of another target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name eines anderen Zielpunktes.</translation>
     </message>
     <message>
         <source>Angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Angles at a target between the directions to two others, measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel an einem Zielpunkt zwischen den Richtungen zu zwei anderen, ebenfalls Messgrößen.</translation>
     </message>
     <message>
         <source>at</source>
-        <translation type="unfinished"></translation>
+        <translation>bei</translation>
     </message>
     <message>
         <source>Name of the target where the angle is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Zielpunktes, an dem der Winkel liegt.</translation>
     </message>
     <message>
         <source>Name of a third target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name eines dritten Zielpunktes.</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinatensysteme</translation>
     </message>
     <message>
         <source>Frames on three targets (3-2-1), whose position and Z-Y-X angles in the world are measurands too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinatensysteme auf drei Zielpunkten (3-2-1), deren Position und Z-Y-X-Winkel in der Welt ebenfalls Messgrößen sind.</translation>
     </message>
     <message>
         <source>Name of the frame, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Systems, eindeutig.</translation>
     </message>
     <message>
         <source>origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursprung</translation>
     </message>
     <message>
         <source>Target at its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielpunkt in seinem Ursprung.</translation>
     </message>
     <message>
         <source>on x</source>
-        <translation type="unfinished"></translation>
+        <translation>auf x</translation>
     </message>
     <message>
         <source>Target on its positive x-axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielpunkt auf seiner positiven x-Achse.</translation>
     </message>
     <message>
         <source>in xy</source>
-        <translation type="unfinished"></translation>
+        <translation>in xy</translation>
     </message>
     <message>
         <source>Target in its xy-plane, at positive y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielpunkt in seiner xy-Ebene, bei positivem y.</translation>
     </message>
     <message>
         <source>Calibrated lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierte Längen</translation>
     </message>
     <message>
         <source>Scale bars and other calibrated distances between two targets: compared with the network, or a constraint of the estimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstäbe und andere kalibrierte Abstände zwischen zwei Zielpunkten: mit dem Netz verglichen oder eine Bedingung der Schätzung.</translation>
     </message>
     <message>
         <source>length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Calibrated length; empty in a design: the distance of the nominal targets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierte Länge; in einer Planung leer: der Abstand der Nennzielpunkte.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the length as it is during the measurement, with temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Länge, wie sie während der Messung ist, mit Temperatur.</translation>
     </message>
     <message>
         <source>role</source>
-        <translation type="unfinished"></translation>
+        <translation>Rolle</translation>
     </message>
     <message>
         <source>Check: the difference between network and calibration is a measurand. Constraint: the length is adjusted with the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung: Die Differenz zwischen Netz und Kalibrierung ist eine Messgröße. Bedingung: Die Länge wird mit den Ablesungen ausgeglichen.</translation>
     </message>
     <message>
         <source>check</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>constraint</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedingung</translation>
     </message>
     <message>
         <source>distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilung</translation>
     </message>
     <message>
         <source>The distribution that has the standard uncertainty u; empty: normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verteilung mit der Standardunsicherheit u; leer: normal.</translation>
     </message>
     <message>
         <source>Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen</translation>
     </message>
     <message>
         <source>A priori: the readings are those of the nominal targets. A posteriori: the readings are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>A priori: Die Ablesungen sind die der Nennzielpunkte. A posteriori: Die Ablesungen sind gegeben.</translation>
     </message>
     <message>
         <source>a priori (design: nominal targets)</source>
-        <translation type="unfinished"></translation>
+        <translation>a priori (Planung: Nennzielpunkte)</translation>
     </message>
     <message>
         <source>a posteriori (given readings)</source>
-        <translation type="unfinished"></translation>
+        <translation>a posteriori (gegebene Ablesungen)</translation>
     </message>
     <message>
         <source>What the sensors read, one row for a sensor and a target, typed or from a CSV file; leave empty what was not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Sensoren ablesen, eine Zeile je Sensor und Zielpunkt, eingegeben oder aus einer CSV-Datei; was nicht abgelesen wurde, bleibt leer.</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielpunkt</translation>
     </message>
     <message>
         <source>Name of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Zielpunktes.</translation>
     </message>
     <message>
         <source>The instrument that read it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Messgerät, das ihn abgelesen hat.</translation>
     </message>
     <message>
         <source>distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanz</translation>
     </message>
     <message>
         <source>Slope distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrägdistanz.</translation>
     </message>
     <message>
         <source>azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimut</translation>
     </message>
     <message>
         <source>Horizontal angle from the sensor&apos;s x-axis, positive towards y; whole turns do not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontalwinkel von der x-Achse des Sensors aus, positiv in Richtung y; ganze Umdrehungen spielen keine Rolle.</translation>
     </message>
     <message>
         <source>elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhenwinkel</translation>
     </message>
     <message>
         <source>Vertical angle above the sensor&apos;s xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertikalwinkel über der xy-Ebene des Sensors.</translation>
     </message>
     <message>
         <source>Estimation</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzung</translation>
     </message>
     <message>
         <source>Estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzer</translation>
     </message>
     <message>
         <source>How a target&apos;s coordinates follow from its readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Koordinaten eines Zielpunktes aus seinen Ablesungen folgen.</translation>
     </message>
     <message>
         <source>non-linear weighted least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>nichtlineare gewichtete kleinste Quadrate</translation>
     </message>
     <message>
         <source>linearised equations: OLS, then GLS (Eqs 1-4 of the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>linearisierte Gleichungen: OLS, dann GLS (Gln. 1-4 der Veröffentlichung)</translation>
     </message>
     <message>
         <source>linearised equations: OLS alone (Eq 3 of the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>linearisierte Gleichungen: nur OLS (Gl. 3 der Veröffentlichung)</translation>
     </message>
     <message>
         <source>Weights</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewichte</translation>
     </message>
     <message>
         <source>What the weights of the equations account for. Weights from the readings alone, as in the paper, are not the best where the stations are uncertain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Gewichte der Gleichungen berücksichtigen. Gewichte aus den Ablesungen allein, wie in der Veröffentlichung, sind nicht die besten, wenn die Standpunkte unsicher sind.</translation>
     </message>
     <message>
         <source>readings and stations, all targets of a set-up at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen und Standpunkte, alle Zielpunkte einer Aufstellung zugleich</translation>
     </message>
     <message>
         <source>readings alone, each target by itself (the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>nur Ablesungen, jeder Zielpunkt für sich (Veröffentlichung)</translation>
     </message>
     <message>
         <source>TCP from ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>TCP mit Kugelstäben</translation>
     </message>
     <message>
         <source>Measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Messung</translation>
     </message>
     <message>
         <source>Ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugelstäbe</translation>
     </message>
     <message>
         <source>The set of telescopic ballbars that measures the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Satz teleskopischer Kugelstäbe, der die Punkte misst.</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter</translation>
     </message>
     <message>
         <source>Gives the repeatability with which the robot goes to the points; none: an ideal robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liefert die Wiederholpräzision, mit der der Roboter die Punkte anfährt; keiner: ein idealer Roboter.</translation>
     </message>
     <message>
         <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Werkzeugmittelpunkt aus einem geplanten Verfahren oder aus gemessenen Punkten; oder nur die Punkte, wie die Kugelstäbe sie messen.</translation>
     </message>
     <message>
         <source>tool centre point, planned procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugmittelpunkt, geplantes Verfahren</translation>
     </message>
     <message>
         <source>tool centre point, measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugmittelpunkt, gemessene Punkte</translation>
     </message>
     <message>
         <source>points alone</source>
-        <translation type="unfinished"></translation>
+        <translation>nur Punkte</translation>
     </message>
     <message>
         <source>Procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren</translation>
     </message>
     <message>
         <source>Flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Flansch</translation>
     </message>
     <message>
         <source>Pose of the flange in the robot&apos;s frame before it turns; its origin is the centre of the sphere on which the ball moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose des Flansches im System des Roboters, bevor er sich dreht; sein Ursprung ist der Mittelpunkt der Kugelfläche, auf der sich die Kugel bewegt.</translation>
     </message>
     <message>
         <source>Tool x</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug x</translation>
     </message>
     <message>
         <source>Nominal coordinate x of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate x des Werkzeugmittelpunktes im System des Flansches.</translation>
     </message>
     <message>
         <source>Tool y</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug y</translation>
     </message>
     <message>
         <source>Nominal coordinate y of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate y des Werkzeugmittelpunktes im System des Flansches.</translation>
     </message>
     <message>
         <source>Tool z</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug z</translation>
     </message>
     <message>
         <source>Nominal coordinate z of the tool centre point in the flange&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkoordinate z des Werkzeugmittelpunktes im System des Flansches.</translation>
     </message>
     <message>
         <source>Rotations</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehungen</translation>
     </message>
     <message>
         <source>Two or three rotations of the flange about its own axes, its origin held in place: the ball traces an arc in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei oder drei Drehungen des Flansches um seine eigenen Achsen bei festgehaltenem Ursprung: Die Kugel beschreibt jeweils einen Bogen.</translation>
     </message>
     <message>
         <source>axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse</translation>
     </message>
     <message>
         <source>Axis of the flange about which the robot turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse des Flansches, um die der Roboter dreht.</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginn</translation>
     </message>
     <message>
         <source>Angle at the first point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel am ersten Punkt.</translation>
     </message>
     <message>
         <source>span</source>
-        <translation type="unfinished"></translation>
+        <translation>Spanne</translation>
     </message>
     <message>
         <source>Angle from the first point to the last; negative: turned the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel vom ersten bis zum letzten Punkt; negativ: in die andere Richtung gedreht.</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Number of points, equally spaced from the first to the last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Punkte, gleichmäßig vom ersten bis zum letzten verteilt.</translation>
     </message>
     <message>
         <source>Points as measured, each with the axis of its rotation and the commanded angle, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte wie gemessen, jeder mit der Achse seiner Drehung und dem befohlenen Winkel, eingegeben oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Commanded angle of rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Befohlener Drehwinkel.</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate x im System der Kugelstäbe.</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate y im System der Kugelstäbe.</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate z im System der Kugelstäbe.</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Places of the ball that are measured, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Orte der Kugel, die gemessen werden, eingegeben oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>Name of the point, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Punktes, eindeutig.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Anpassung</translation>
     </message>
     <message>
         <source>Axes of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen des Flansches</translation>
     </message>
     <message>
         <source>Measured axes are not exactly perpendicular: which one is kept as measured. A third measured axis then only helps the sphere and the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Achsen sind nicht genau rechtwinklig: welche so bleibt, wie sie gemessen ist. Eine dritte gemessene Achse hilft dann nur der Kugelfläche und dem Mittelwert.</translation>
     </message>
     <message>
         <source>y as measured, x nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>y wie gemessen, x der gemessenen am nächsten</translation>
     </message>
     <message>
         <source>x as measured, y nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>x wie gemessen, y der gemessenen am nächsten</translation>
     </message>
     <message>
         <source>z as measured, x nearest to measured</source>
-        <translation type="unfinished"></translation>
+        <translation>z wie gemessen, x der gemessenen am nächsten</translation>
     </message>
     <message>
         <source>nearest to all measured axes</source>
-        <translation type="unfinished"></translation>
+        <translation>allen gemessenen Achsen am nächsten</translation>
     </message>
     <message>
         <source>Centre of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelpunkt des Flansches</translation>
     </message>
     <message>
         <source>Sphere through all points by linear least squares, or refined to least distances from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugelfläche durch alle Punkte mit linearen kleinsten Quadraten oder verfeinert auf kleinste Abstände von ihr.</translation>
     </message>
     <message>
         <source>sphere, geometric fit from the linear one</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugelfläche, geometrische Anpassung nach der linearen</translation>
     </message>
     <message>
         <source>sphere, linear fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugelfläche, lineare Anpassung</translation>
     </message>
     <message>
         <source>Robot pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboterpose</translation>
     </message>
     <message>
         <source>The arm, with its parameters and their uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arm mit seinen Parametern und deren Unsicherheit.</translation>
     </message>
     <message>
         <source>Components of a parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponenten eines Parameters</translation>
     </message>
     <message>
         <source>Each by itself, so that the budget tells the sources apart; or combined into one normal deviation, which needs fewer draws.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede für sich, sodass das Budget die Quellen unterscheidet; oder zu einer normalen Abweichung zusammengefasst, was weniger Ziehungen braucht.</translation>
     </message>
     <message>
         <source>each by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>jede für sich</translation>
     </message>
     <message>
         <source>combined into one</source>
-        <translation type="unfinished"></translation>
+        <translation>zu einer zusammengefasst</translation>
     </message>
     <message>
         <source>Correlation of the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation der Parameter</translation>
     </message>
     <message>
         <source>Used as the robot states it; or ignored, as in the paper, to see what that does.</source>
-        <translation type="unfinished"></translation>
+        <translation>So verwendet, wie der Roboter sie angibt; oder vernachlässigt wie in der Veröffentlichung, um die Wirkung zu sehen.</translation>
     </message>
     <message>
         <source>used</source>
-        <translation type="unfinished"></translation>
+        <translation>verwendet</translation>
     </message>
     <message>
         <source>ignored (the paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>vernachlässigt (Veröffentlichung)</translation>
     </message>
     <message>
         <source>Poses by joint readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen nach Gelenkablesungen</translation>
     </message>
     <message>
         <source>Readings of the joints, typed or from a CSV file. An empty cell is the zero reading of the joint; a robot with fewer joints leaves the last columns empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen der Gelenke, eingegeben oder aus einer CSV-Datei. Eine leere Zelle ist die Nullablesung des Gelenks; ein Roboter mit weniger Gelenken lässt die letzten Spalten leer.</translation>
     </message>
     <message>
         <source>Name of the pose, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Pose, eindeutig.</translation>
     </message>
     <message>
         <source>Reading of joint 1, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 1, wenn es dreht.</translation>
     </message>
     <message>
         <source>Reading of joint 2, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 2, wenn es dreht.</translation>
     </message>
     <message>
         <source>Reading of joint 3, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 3, wenn es dreht.</translation>
     </message>
     <message>
         <source>Reading of joint 4, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 4, wenn es dreht.</translation>
     </message>
     <message>
         <source>Reading of joint 5, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 5, wenn es dreht.</translation>
     </message>
     <message>
         <source>Reading of joint 6, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 6, wenn es dreht.</translation>
     </message>
     <message>
         <source>Reading of joint 7, if it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 7, wenn es dreht.</translation>
     </message>
     <message>
         <source>Reading of joint 1, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 1, wenn es schiebt.</translation>
     </message>
     <message>
         <source>Reading of joint 2, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 2, wenn es schiebt.</translation>
     </message>
     <message>
         <source>Reading of joint 3, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 3, wenn es schiebt.</translation>
     </message>
     <message>
         <source>Reading of joint 4, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 4, wenn es schiebt.</translation>
     </message>
     <message>
         <source>Reading of joint 5, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 5, wenn es schiebt.</translation>
     </message>
     <message>
         <source>Reading of joint 6, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 6, wenn es schiebt.</translation>
     </message>
     <message>
         <source>Reading of joint 7, if it slides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 7, wenn es schiebt.</translation>
     </message>
     <message>
         <source>Poses by place</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen nach Ort</translation>
     </message>
     <message>
         <source>Places of the tool in the robot&apos;s base frame; the readings follow by inverse kinematics, within the limits and near those of the pose before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Orte des Werkzeugs im Basissystem des Roboters; die Ablesungen folgen durch inverse Kinematik, innerhalb der Grenzen und nahe denen der vorigen Pose.</translation>
     </message>
     <message>
         <source>Name, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name, eindeutig.</translation>
     </message>
     <message>
         <source>Coordinate x of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate x des Werkzeugs.</translation>
     </message>
     <message>
         <source>Coordinate y of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate y des Werkzeugs.</translation>
     </message>
     <message>
         <source>Coordinate z of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate z des Werkzeugs.</translation>
     </message>
     <message>
         <source>Orientation, R = Rz(gamma) Ry(beta) Rx(alpha); all three empty: any orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierung, R = Rz(gamma) Ry(beta) Rx(alpha); alle drei leer: beliebige Orientierung.</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Numbers that state the orientation of the tool; none: the position alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen, die die Orientierung des Werkzeugs angeben; keine: nur die Position.</translation>
     </message>
     <message>
         <source>none (position alone)</source>
-        <translation type="unfinished"></translation>
+        <translation>keine (nur Position)</translation>
     </message>
     <message>
         <source>Results in</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse in</translation>
     </message>
     <message>
         <source>The frame in which position and orientation are stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das System, in dem Position und Orientierung angegeben werden.</translation>
     </message>
     <message>
         <source>the base frame of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>dem Basissystem des Roboters</translation>
     </message>
     <message>
         <source>the world frame</source>
-        <translation type="unfinished"></translation>
+        <translation>dem Weltsystem</translation>
     </message>
     <message>
         <source>Robot by joint trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter aus Gelenkbahnen</translation>
     </message>
     <message>
         <source>Nominal robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennroboter</translation>
     </message>
     <message>
         <source>The arm as designed: directions of the frames, definitions of base and last link, and the arm of a simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arm wie konstruiert: Richtungen der Koordinatensysteme, Definitionen von Basis und letztem Glied und der Arm einer Simulation.</translation>
     </message>
     <message>
         <source>Points are</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte sind</translation>
     </message>
     <message>
         <source>Measured: a table. Simulated: those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessen: eine Tabelle. Simuliert: die des Nennroboters, um zu sehen, was ein Experiment ergäbe.</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessen</translation>
     </message>
     <message>
         <source>simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>simuliert</translation>
     </message>
     <message>
         <source>Points of the ball at the flange in the order in which they were measured, joint by joint, in the frame of the instrument&apos;s world; typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte der Kugel am Flansch in der Reihenfolge, in der sie gemessen wurden, Gelenk für Gelenk, im Weltsystem des Messgeräts; eingegeben oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk</translation>
     </message>
     <message>
         <source>Number of the joint that turned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer des Gelenks, das sich gedreht hat.</translation>
     </message>
     <message>
         <source>Reading of that joint; says which way round the points run. Empty: with the joint&apos;s positive direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung dieses Gelenks; sagt, in welcher Richtung die Punkte laufen. Leer: in der positiven Richtung des Gelenks.</translation>
     </message>
     <message>
         <source>Coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate x.</translation>
     </message>
     <message>
         <source>Coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate y.</translation>
     </message>
     <message>
         <source>Coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate z.</translation>
     </message>
     <message>
         <source>Range of each joint, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich jedes Gelenks, ±</translation>
     </message>
     <message>
         <source>Each joint turns from its zero reading less this to its zero reading plus this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Gelenk dreht von seiner Nullablesung minus diesem Wert bis zu seiner Nullablesung plus diesem Wert.</translation>
     </message>
     <message>
         <source>Points for each joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte je Gelenk</translation>
     </message>
     <message>
         <source>Number of points, evenly spaced over the range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Punkte, gleichmäßig über den Bereich verteilt.</translation>
     </message>
     <message>
         <source>Ball</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel</translation>
     </message>
     <message>
         <source>Where the ball is in the frame of the last link. On the axis of a joint it draws no circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Kugel im System des letzten Glieds ist. Auf der Achse eines Gelenks beschreibt sie keinen Kreis.</translation>
     </message>
     <message>
         <source>A standard uncertainty of every coordinate, or an instrument of the project that stands somewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Standardunsicherheit jeder Koordinate oder ein Messgerät des Projekts, das irgendwo steht.</translation>
     </message>
     <message>
         <source>typed: alike for all coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>eingegeben: gleich für alle Koordinaten</translation>
     </message>
     <message>
         <source>an instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Messgerät</translation>
     </message>
     <message>
         <source>Standard uncertainty of a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit einer Koordinate</translation>
     </message>
     <message>
         <source>Of every coordinate of every point, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Koordinate jedes Punktes, unabhängig von allen anderen.</translation>
     </message>
     <message>
         <source>The distribution of the coordinates&apos; deviations; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verteilung der Abweichungen der Koordinaten; angegeben ist ihre Standardunsicherheit, gleich welcher Form.</translation>
     </message>
     <message>
         <source>Instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgerät</translation>
     </message>
     <message>
         <source>What measured the points: each reading deviates by itself, its scale and its station alike for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Punkte gemessen hat: Jede Ablesung weicht für sich ab, sein Maßstab und sein Standpunkt für alle Punkte gleich.</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>Methode</translation>
     </message>
     <message>
         <source>Plane of a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene eines Kreises</translation>
     </message>
     <message>
         <source>Total least squares fits any plane. Eq 1 of the paper has no plane through the origin and fails near it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Totale kleinste Quadrate passen jede Ebene an. Gl. 1 der Veröffentlichung kennt keine Ebene durch den Ursprung und versagt in seiner Nähe.</translation>
     </message>
     <message>
         <source>total least squares</source>
-        <translation type="unfinished"></translation>
+        <translation>totale kleinste Quadrate</translation>
     </message>
     <message>
         <source>A x + B y + C z + 1 = 0 (Eq 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>A x + B y + C z + 1 = 0 (Gl. 1)</translation>
     </message>
     <message>
         <source>Axes are parallel below</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen sind parallel unter</translation>
     </message>
     <message>
         <source>Angle between two axes below which they are described by beta and not by their common perpendicular, whose place is then hardly determined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel zwischen zwei Achsen, unter dem sie durch beta beschrieben werden und nicht durch ihre gemeinsame Normale, deren Ort dann kaum bestimmt ist.</translation>
     </message>
     <message>
         <source>Robot from measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter aus gemessenen Posen</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the poses cannot tell, uncertainty of the readings of its joints, and the arm of a simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arm wie konstruiert: Startwert der Anpassung, Werte dessen, was die Posen nicht zeigen können, Unsicherheit der Ablesungen seiner Gelenke und der Arm einer Simulation.</translation>
     </message>
     <message>
         <source>Poses are</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen sind</translation>
     </message>
     <message>
         <source>Measured is</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessen ist</translation>
     </message>
     <message>
         <source>The position of a ball alone, or position and orientation of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die Position einer Kugel oder Position und Orientierung des Werkzeugs.</translation>
     </message>
     <message>
         <source>the position</source>
-        <translation type="unfinished"></translation>
+        <translation>die Position</translation>
     </message>
     <message>
         <source>position and orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Position und Orientierung</translation>
     </message>
     <message>
         <source>Measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Posen</translation>
     </message>
     <message>
         <source>Readings of the joints and the place of the ball or tool that was measured there; typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen der Gelenke und der Ort der Kugel oder des Werkzeugs, der dort gemessen wurde; eingegeben oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>use</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwendung</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the fit tells a pose that it has not seen. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anpassung: geht in die Anpassung ein. Prüfung: zurückgehalten, um zu sehen, wie gut die Anpassung eine ihr unbekannte Pose vorhersagt. Leer: Anpassung.</translation>
     </message>
     <message>
         <source>fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Anpassung</translation>
     </message>
     <message>
         <source>Reading of joint 1; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 1; leer: seine Nullablesung.</translation>
     </message>
     <message>
         <source>Reading of joint 2; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 2; leer: seine Nullablesung.</translation>
     </message>
     <message>
         <source>Reading of joint 3; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 3; leer: seine Nullablesung.</translation>
     </message>
     <message>
         <source>Reading of joint 4; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 4; leer: seine Nullablesung.</translation>
     </message>
     <message>
         <source>Reading of joint 5; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 5; leer: seine Nullablesung.</translation>
     </message>
     <message>
         <source>Reading of joint 6; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 6; leer: seine Nullablesung.</translation>
     </message>
     <message>
         <source>Reading of joint 7; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung von Gelenk 7; leer: seine Nullablesung.</translation>
     </message>
     <message>
         <source>Measured coordinate x in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate x im Weltsystem des Messgeräts.</translation>
     </message>
     <message>
         <source>Measured coordinate y in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate y im Weltsystem des Messgeräts.</translation>
     </message>
     <message>
         <source>Measured coordinate z in the frame of the instrument&apos;s world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate z im Weltsystem des Messgeräts.</translation>
     </message>
     <message>
         <source>Measured orientation, R = Rz(gamma) Ry(beta) Rx(alpha), where poses are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Orientierung, R = Rz(gamma) Ry(beta) Rx(alpha), wo Posen gemessen werden.</translation>
     </message>
     <message>
         <source>Number of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Posen</translation>
     </message>
     <message>
         <source>Poses of the simulated experiment, spread over the range of all joints, always the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen des simulierten Experiments, über den Bereich aller Gelenke verteilt, immer dieselben.</translation>
     </message>
     <message>
         <source>From the zero reading on, as far as the limits of the joint allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Nullablesung aus, so weit die Grenzen des Gelenks es erlauben.</translation>
     </message>
     <message>
         <source>Standard uncertainty of an orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit einer Orientierung</translation>
     </message>
     <message>
         <source>Of the rotation of the measured tool about each of its axes, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehung des gemessenen Werkzeugs um jede seiner Achsen, unabhängig.</translation>
     </message>
     <message>
         <source>Ball or tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel oder Werkzeug</translation>
     </message>
     <message>
         <source>Where it is in the frame of the last link: exactly, or as a start of the fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo sie im System des letzten Glieds ist: genau oder als Startwert der Anpassung.</translation>
     </message>
     <message>
         <source>Place of the ball or tool is</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort von Kugel oder Werkzeug ist</translation>
     </message>
     <message>
         <source>Found by the fit together with the parameters, or known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Anpassung zusammen mit den Parametern gefunden oder bekannt.</translation>
     </message>
     <message>
         <source>found by the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>durch Anpassung gefunden</translation>
     </message>
     <message>
         <source>known exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>genau bekannt</translation>
     </message>
     <message>
         <source>Place of the base is</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort der Basis ist</translation>
     </message>
     <message>
         <source>Found by the fit: the instrument stands anywhere. Known: the base stands where the robot says it stands in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch Anpassung gefunden: Das Messgerät steht irgendwo. Bekannt: Die Basis steht dort, wo sie laut Roboter in der Welt steht.</translation>
     </message>
     <message>
         <source>Parameters held</source>
-        <translation type="unfinished"></translation>
+        <translation>Festgehaltene Parameter</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the poses could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter, die ihren Nennwert behalten, obwohl die Posen sie zeigen könnten.</translation>
     </message>
     <message>
         <source>parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>A parameter by its symbol, such as d_3 or alpha_4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Parameter nach seinem Symbol, etwa d_3 oder alpha_4.</translation>
     </message>
     <message>
         <source>Channels of a force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanäle eines Kraft-/Momentensensors</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor</translation>
     </message>
     <message>
         <source>The calibrated multi-axis sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der kalibrierte mehrachsige Sensor.</translation>
     </message>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwendung</translation>
     </message>
     <message>
         <source>Loads on the other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasten auf den anderen Achsen</translation>
     </message>
     <message>
         <source>What acts on the other axes while a channel is read. Unknown loads are rectangular between minus and plus the rated load, one and the same for all channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was auf die anderen Achsen wirkt, während ein Kanal abgelesen wird. Unbekannte Lasten sind rechteckig zwischen minus und plus der Nennlast, ein und dieselbe für alle Kanäle.</translation>
     </message>
     <message>
         <source>none: one component alone</source>
-        <translation type="unfinished"></translation>
+        <translation>keine: eine Komponente allein</translation>
     </message>
     <message>
         <source>unknown on one axis, that with the largest interference</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannt auf einer Achse, der mit dem größten Übersprechen</translation>
     </message>
     <message>
         <source>unknown on all other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannt auf allen anderen Achsen</translation>
     </message>
     <message>
         <source>Repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision</translation>
     </message>
     <message>
         <source>The largest standard deviation of all steps, as in the paper, or that pooled over the steps, which has more degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die größte Standardabweichung aller Stufen wie in der Veröffentlichung oder die über die Stufen zusammengefasste, die mehr Freiheitsgrade hat.</translation>
     </message>
     <message>
         <source>largest of the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>größte der Stufen</translation>
     </message>
     <message>
         <source>pooled over the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>über die Stufen zusammengefasst</translation>
     </message>
     <message>
         <source>Type A in Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ A in Monte Carlo</translation>
     </message>
     <message>
         <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9). With n = 3 the latter has no standard deviation: only coverage intervals then mean something.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal, mit ihren Freiheitsgraden im Fortpflanzungsgesetz, oder eine t-Verteilung (JCGM 101 6.4.9). Mit n = 3 hat letztere keine Standardabweichung: Nur Überdeckungsintervalle haben dann eine Bedeutung.</translation>
     </message>
     <message>
         <source>scaled and shifted t</source>
-        <translation type="unfinished"></translation>
+        <translation>skaliertes, verschobenes t</translation>
     </message>
     <message>
         <source>Coverage factor of the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor des Vergleichs</translation>
     </message>
     <message>
         <source>k of the GUM&apos;s columns in the table beside the paper&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>k der GUM-Spalten in der Tabelle neben denen der Veröffentlichung.</translation>
     </message>
     <message>
         <source>Forces and moments by the calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Kräfte und Momente aus der Kalibriermatrix</translation>
     </message>
     <message>
         <source>Cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Fälle</translation>
     </message>
     <message>
         <source>Cases are given by</source>
-        <translation type="unfinished"></translation>
+        <translation>Fälle gegeben durch</translation>
     </message>
     <message>
         <source>Readings that were taken, or loads whose uncertainty is wanted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen, die genommen wurden, oder Lasten, deren Unsicherheit gesucht ist.</translation>
     </message>
     <message>
         <source>readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen</translation>
     </message>
     <message>
         <source>loads</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasten</translation>
     </message>
     <message>
         <source>Net readings of all channels, the unloaded readings subtracted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nettoablesungen aller Kanäle, die unbelasteten Ablesungen abgezogen.</translation>
     </message>
     <message>
         <source>Names the case in results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Benennt den Fall in den Ergebnissen.</translation>
     </message>
     <message>
         <source>Fx</source>
-        <translation type="unfinished"></translation>
+        <translation>Fx</translation>
     </message>
     <message>
         <source>Net reading of this channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nettoablesung dieses Kanals.</translation>
     </message>
     <message>
         <source>Fy</source>
-        <translation type="unfinished"></translation>
+        <translation>Fy</translation>
     </message>
     <message>
         <source>Fz</source>
-        <translation type="unfinished"></translation>
+        <translation>Fz</translation>
     </message>
     <message>
         <source>Mx</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx</translation>
     </message>
     <message>
         <source>My</source>
-        <translation type="unfinished"></translation>
+        <translation>My</translation>
     </message>
     <message>
         <source>Mz</source>
-        <translation type="unfinished"></translation>
+        <translation>Mz</translation>
     </message>
     <message>
         <source>Loads</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasten</translation>
     </message>
     <message>
         <source>Forces and moments that act together; the readings follow from the calibration matrix. An empty cell is zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kräfte und Momente, die zusammen wirken; die Ablesungen folgen aus der Kalibriermatrix. Eine leere Zelle ist null.</translation>
     </message>
     <message>
         <source>Load on this axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Last auf dieser Achse.</translation>
     </message>
     <message>
         <source>Calibration matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibriermatrix</translation>
     </message>
     <message>
         <source>Least squares through zero over the increasing readings: slopes alone, or with the squares of the loads.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Quadrate durch null über die steigenden Ablesungen: nur Steigungen oder mit den Quadraten der Lasten.</translation>
     </message>
     <message>
         <source>linear</source>
-        <translation type="unfinished"></translation>
+        <translation>linear</translation>
     </message>
     <message>
         <source>with quadratic terms</source>
-        <translation type="unfinished"></translation>
+        <translation>mit quadratischen Gliedern</translation>
     </message>
     <message>
         <source>Repeatability of a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision einer Ablesung</translation>
     </message>
     <message>
         <source>The largest standard deviation of all steps, or that pooled over the steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die größte Standardabweichung aller Stufen oder die über die Stufen zusammengefasste.</translation>
     </message>
     <message>
         <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with n = 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal, mit ihren Freiheitsgraden im Fortpflanzungsgesetz, oder eine t-Verteilung (JCGM 101 6.4.9), die mit n = 3 keine Standardabweichung hat.</translation>
     </message>
     <message>
         <source>Hysteresis of a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Hysterese einer Ablesung</translation>
     </message>
     <message>
         <source>Rectangular over the width of the loop: in proportion to the load on the channel&apos;s axis, or the full width at any load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteckig über die Breite der Schleife: proportional zur Last auf der Achse des Kanals oder die volle Breite bei jeder Last.</translation>
     </message>
     <message>
         <source>in proportion to the load</source>
-        <translation type="unfinished"></translation>
+        <translation>proportional zur Last</translation>
     </message>
     <message>
         <source>full at any load</source>
-        <translation type="unfinished"></translation>
+        <translation>voll bei jeder Last</translation>
     </message>
     <message>
         <source>Measurement equation</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgleichung</translation>
     </message>
     <message>
         <source>Equations</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleichungen</translation>
     </message>
     <message>
         <source>One equation a line: y = x_1*x_2 + 3 [mm]. Names without an equation are input quantities. &apos;solve y = 1: y^2 = x&apos; finds y in every trial, from its starting value. &apos;#&apos; starts a comment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Gleichung je Zeile: y = x_1*x_2 + 3 [mm]. Namen ohne Gleichung sind Eingangsgrößen. &apos;solve y = 1: y^2 = x&apos; findet y in jedem Versuch, ausgehend von seinem Startwert. &apos;#&apos; beginnt einen Kommentar.</translation>
     </message>
     <message>
         <source>What is reported, and in which unit. Without rows: every name that an equation defines and no other one uses, in SI units.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ausgegeben wird und in welcher Einheit. Ohne Zeilen: jeder Name, den eine Gleichung definiert und keine andere verwendet, in SI-Einheiten.</translation>
     </message>
     <message>
         <source>symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>Symbol</translation>
     </message>
     <message>
         <source>Name that an equation defines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name, den eine Gleichung definiert.</translation>
     </message>
     <message>
         <source>What it is, for tables and reports.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was es ist, für Tabellen und Berichte.</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Unit of the result; empty: the SI unit that follows from the equations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit des Ergebnisses; leer: die SI-Einheit, die aus den Gleichungen folgt.</translation>
     </message>
     <message>
         <source>Measurands have coverage regions together; empty: measurand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgrößen haben gemeinsame Überdeckungsbereiche; leer: Messgröße.</translation>
     </message>
     <message>
         <source>measurand</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgröße</translation>
     </message>
     <message>
         <source>intermediate</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischengröße</translation>
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Results of one group have a joint coverage region.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse einer Gruppe haben einen gemeinsamen Überdeckungsbereich.</translation>
     </message>
     <message>
         <source>Quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>Größen</translation>
     </message>
     <message>
         <source>One row for each component of uncertainty. The first row of a symbol has its value and unit; further rows of the same symbol add components and have no value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile je Unsicherheitskomponente. Die erste Zeile eines Symbols hat seinen Wert und seine Einheit; weitere Zeilen desselben Symbols fügen Komponenten hinzu und haben keinen Wert.</translation>
     </message>
     <message>
         <source>Name that the equations use: x_1, alpha_s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name, den die Gleichungen verwenden: x_1, alpha_s.</translation>
     </message>
     <message>
         <source>What it is, or what the component is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was es ist oder was die Komponente ist.</translation>
     </message>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>Estimate, in the row&apos;s unit; empty where observations or limits give it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert, in der Einheit der Zeile; leer, wo Beobachtungen oder Grenzen ihn liefern.</translation>
     </message>
     <message>
         <source>Unit of value, a and b; empty: 1. A difference of temperatures is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit von Wert, a und b; leer: 1. Eine Temperaturdifferenz wird in K angegeben.</translation>
     </message>
     <message>
         <source>stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>angegeben als</translation>
     </message>
     <message>
         <source>How its uncertainty is known; a and b are then: u; U and k; U and p in %; half-width (and inexactness, or ratio of top to base); lower and upper limit; step of the indication; permissible error and % of the value; number of counts; number of observations in the mean (pooled). Empty: a constant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie seine Unsicherheit bekannt ist; a und b sind dann: u; U und k; U und p in %; Halbbreite (und Ungenauigkeit oder Verhältnis von oberer zu unterer Seite); untere und obere Grenze; Anzeigeschritt; Fehlergrenze und % des Wertes; Anzahl der Zählereignisse; Anzahl der Beobachtungen im Mittelwert (zusammengefasst). Leer: eine Konstante.</translation>
     </message>
     <message>
         <source>constant</source>
-        <translation type="unfinished"></translation>
+        <translation>Konstante</translation>
     </message>
     <message>
         <source>standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit</translation>
     </message>
     <message>
         <source>certificate, U and k</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein, U und k</translation>
     </message>
     <message>
         <source>certificate, U and p</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein, U und p</translation>
     </message>
     <message>
         <source>rectangular</source>
-        <translation type="unfinished"></translation>
+        <translation>rechteckig</translation>
     </message>
     <message>
         <source>limits from a to b</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen von a bis b</translation>
     </message>
     <message>
         <source>limits inexactly known</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen ungenau bekannt</translation>
     </message>
     <message>
         <source>trapezoidal</source>
-        <translation type="unfinished"></translation>
+        <translation>trapezförmig</translation>
     </message>
     <message>
         <source>triangular</source>
-        <translation type="unfinished"></translation>
+        <translation>dreieckig</translation>
     </message>
     <message>
         <source>arc sine</source>
-        <translation type="unfinished"></translation>
+        <translation>Arkussinus</translation>
     </message>
     <message>
         <source>resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung</translation>
     </message>
     <message>
         <source>maximum permissible error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlergrenze (MPE)</translation>
     </message>
     <message>
         <source>exponential</source>
-        <translation type="unfinished"></translation>
+        <translation>exponentiell</translation>
     </message>
     <message>
         <source>counts</source>
-        <translation type="unfinished"></translation>
+        <translation>Zählereignisse</translation>
     </message>
     <message>
         <source>observations (Type A)</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen (Typ A)</translation>
     </message>
     <message>
         <source>pooled observations (Type A)</source>
-        <translation type="unfinished"></translation>
+        <translation>zusammengefasste Beobachtungen (Typ A)</translation>
     </message>
     <message>
         <source>reading of an instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung eines Messgeräts</translation>
     </message>
     <message>
         <source>First figure of the statement, in the row&apos;s unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Zahl der Angabe, in der Einheit der Zeile.</translation>
     </message>
     <message>
         <source>Second figure of the statement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite Zahl der Angabe.</translation>
     </message>
     <message>
         <source>Degrees of freedom; empty: infinite, or those of the observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade; leer: unendlich oder die der Beobachtungen.</translation>
     </message>
     <message>
         <source>Relative uncertainty of u instead of degrees of freedom (JCGM 100 G.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative Unsicherheit von u anstelle der Freiheitsgrade (JCGM 100 G.3).</translation>
     </message>
     <message>
         <source>source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <source>Where the figure comes from: certificate, data sheet, handbook.</source>
-        <translation type="unfinished"></translation>
+        <translation>Woher die Zahl stammt: Kalibrierschein, Datenblatt, Handbuch.</translation>
     </message>
     <message>
         <source>instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgerät</translation>
     </message>
     <message>
         <source>Instrument of the project that reads the quantity, a distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgerät des Projekts, das die Größe, eine Distanz, abliest.</translation>
     </message>
     <message>
         <source>Observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen</translation>
     </message>
     <message>
         <source>Repeated observations for Type A evaluations, typed, pasted or from a CSV file. Observations of several quantities with the same numbers were made together: their means are then correlated (JCGM 100 5.2.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholte Beobachtungen für Auswertungen vom Typ A, eingegeben, eingefügt oder aus einer CSV-Datei. Beobachtungen mehrerer Größen mit denselben Nummern wurden gemeinsam gemacht: Ihre Mittelwerte sind dann korreliert (JCGM 100 5.2.3).</translation>
     </message>
     <message>
         <source>quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Symbol of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Symbol der Größe.</translation>
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer</translation>
     </message>
     <message>
         <source>Number of the simultaneous observation; empty: the quantity was observed by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer der gleichzeitigen Beobachtung; leer: Die Größe wurde für sich beobachtet.</translation>
     </message>
     <message>
         <source>series</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihe</translation>
     </message>
     <message>
         <source>Name of an earlier series of the same procedure, for a pooled standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name einer früheren Reihe desselben Verfahrens, für eine zusammengefasste Standardabweichung.</translation>
     </message>
     <message>
         <source>Observed value, in the unit of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachteter Wert, in der Einheit der Größe.</translation>
     </message>
     <message>
         <source>Means of observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelwerte von Beobachtungen</translation>
     </message>
     <message>
         <source>Distribution of a mean in Monte Carlo trials: Student t with the degrees of freedom of the observations (JCGM 101 6.4.9), or normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilung eines Mittelwertes in den Monte-Carlo-Versuchen: Student-t mit den Freiheitsgraden der Beobachtungen (JCGM 101 6.4.9) oder normal.</translation>
     </message>
     <message>
         <source>Student t</source>
-        <translation type="unfinished"></translation>
+        <translation>Student-t</translation>
     </message>
     <message>
         <source>Calibration curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierkurve</translation>
     </message>
     <message>
         <source>Unit of x</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit von x</translation>
     </message>
     <message>
         <source>Unit in which x is given. A difference of temperatures, a correction of a thermometer too, is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit, in der x angegeben ist. Eine Temperaturdifferenz, auch die Korrektion eines Thermometers, wird in K angegeben.</translation>
     </message>
     <message>
         <source>Unit of y</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit von y</translation>
     </message>
     <message>
         <source>Unit in which y is given. A difference of temperatures, a correction of a thermometer too, is given in K.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit, in der y angegeben ist. Eine Temperaturdifferenz, auch die Korrektion eines Thermometers, wird in K angegeben.</translation>
     </message>
     <message>
         <source>Points of the calibration, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte der Kalibrierung, eingegeben, eingefügt oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>Independent quantity, in its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unabhängige Größe, in ihrer Einheit.</translation>
     </message>
     <message>
         <source>Standard uncertainty of x; empty: none. Used with stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von x; leer: keine. Verwendet bei angegebenen Unsicherheiten.</translation>
     </message>
     <message>
         <source>Observed quantity, in its unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtete Größe, in ihrer Einheit.</translation>
     </message>
     <message>
         <source>Standard uncertainty of y. Used, and needed, with stated uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von y. Verwendet und nötig bei angegebenen Unsicherheiten.</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Degree</source>
-        <translation type="unfinished"></translation>
+        <translation>Grad</translation>
     </message>
     <message>
         <source>Of the polynomial: 1 is a straight line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Polynoms: 1 ist eine Gerade.</translation>
     </message>
     <message>
         <source>Origin x_0</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursprung x_0</translation>
     </message>
     <message>
         <source>The polynomial is one of x - x_0, in the unit of x. In the middle of the points the coefficients are hardly correlated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Polynom ist eines von x - x_0, in der Einheit von x. In der Mitte der Punkte sind die Koeffizienten kaum korreliert.</translation>
     </message>
     <message>
         <source>Through the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch den Ursprung</translation>
     </message>
     <message>
         <source>No constant term: the curve is zero at x_0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein konstantes Glied: Die Kurve ist bei x_0 null.</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>From the scatter of the residuals about the curve (JCGM 100 H.3), or as stated for each point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Streuung der Residuen um die Kurve (JCGM 100 H.3) oder wie für jeden Punkt angegeben.</translation>
     </message>
     <message>
         <source>from the residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>aus den Residuen</translation>
     </message>
     <message>
         <source>as stated for x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>wie für x und y angegeben</translation>
     </message>
     <message>
         <source>Use of the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwendung der Kurve</translation>
     </message>
     <message>
         <source>Where the value of the curve is wanted, with its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Wert der Kurve mit seiner Unsicherheit gesucht ist.</translation>
     </message>
     <message>
         <source>In the unit of x.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Einheit von x.</translation>
     </message>
     <message>
         <source>Inverse use</source>
-        <translation type="unfinished"></translation>
+        <translation>Umkehrung</translation>
     </message>
     <message>
         <source>Observed values of y whose x is wanted, with its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtete Werte von y, deren x mit seiner Unsicherheit gesucht ist.</translation>
     </message>
     <message>
         <source>Observed, in the unit of y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtet, in der Einheit von y.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the observed y; empty: none beside that of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit des beobachteten y; leer: keine außer der der Ablesungen.</translation>
     </message>
     <message>
         <source>The observed y is the mean of so many readings, which scatter as the points of the calibration do. With the uncertainty from the residuals only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das beobachtete y ist der Mittelwert so vieler Ablesungen, die wie die Punkte der Kalibrierung streuen. Nur mit der Unsicherheit aus den Residuen.</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished"></translation>
+        <translation>nahe</translation>
     </message>
     <message>
         <source>Of several x that give this y, the one nearest to here, in the unit of x. Needed where the curve reaches y more than once between its points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von mehreren x, die dieses y ergeben, das hierzu nächste, in der Einheit von x. Nötig, wo die Kurve y zwischen ihren Punkten mehr als einmal erreicht.</translation>
     </message>
     <message>
         <source>Observations in groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen in Gruppen</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>Symbol</translation>
     </message>
     <message>
         <source>Of the measured quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gemessenen Größe.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>What is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gemessen wird.</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>In which the observations are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der die Beobachtungen angegeben sind.</translation>
     </message>
     <message>
         <source>Data</source>
-        <translation type="unfinished"></translation>
+        <translation>Daten</translation>
     </message>
     <message>
         <source>Every observation, or mean and standard deviation of each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Beobachtung oder Mittelwert und Standardabweichung jeder Gruppe.</translation>
     </message>
     <message>
         <source>observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen</translation>
     </message>
     <message>
         <source>means and standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelwerte und Standardabweichungen</translation>
     </message>
     <message>
         <source>Observations with the day, instrument or operator they belong to, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen mit dem Tag, Messgerät oder Bediener, zu dem sie gehören, eingegeben, eingefügt oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>Day, instrument or operator.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tag, Messgerät oder Bediener.</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppen</translation>
     </message>
     <message>
         <source>Mean and experimental standard deviation of the observations of each group.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelwert und empirische Standardabweichung der Beobachtungen jeder Gruppe.</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelwert</translation>
     </message>
     <message>
         <source>Of the observations of the group, in the unit of the quantity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Beobachtungen der Gruppe, in der Einheit der Größe.</translation>
     </message>
     <message>
         <source>Experimental standard deviation of a single observation of the group.</source>
-        <translation type="unfinished"></translation>
+        <translation>Empirische Standardabweichung einer einzelnen Beobachtung der Gruppe.</translation>
     </message>
     <message>
         <source>Number of observations in the group; empty: observations per group, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Beobachtungen in der Gruppe; leer: Beobachtungen je Gruppe, wie unten.</translation>
     </message>
     <message>
         <source>Observations per group</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen je Gruppe</translation>
     </message>
     <message>
         <source>Number of observations in each group whose row does not say it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Beobachtungen in jeder Gruppe, deren Zeile sie nicht angibt.</translation>
     </message>
     <message>
         <source>Effect of the groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfluss der Gruppen</translation>
     </message>
     <message>
         <source>Included: u of the mean of the groups&apos; means from their scatter. By components of variance: the same for groups of one size, else groups with more observations have more weight. Not included: all observations count as independent, which the F-test in the evaluation must allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einbezogen: u des Mittelwertes der Gruppenmittelwerte aus deren Streuung. Nach Varianzkomponenten: bei gleich großen Gruppen dasselbe, sonst haben Gruppen mit mehr Beobachtungen mehr Gewicht. Nicht einbezogen: Alle Beobachtungen gelten als unabhängig, was der F-Test in der Auswertung zulassen muss.</translation>
     </message>
     <message>
         <source>included</source>
-        <translation type="unfinished"></translation>
+        <translation>einbezogen</translation>
     </message>
     <message>
         <source>by components of variance</source>
-        <translation type="unfinished"></translation>
+        <translation>nach Varianzkomponenten</translation>
     </message>
     <message>
         <source>not included</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht einbezogen</translation>
     </message>
     <message>
         <source>Artefact with calibrated points</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfkörper mit kalibrierten Punkten</translation>
     </message>
     <message>
         <source>Artefact</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfkörper</translation>
     </message>
     <message>
         <source>Calibrated points</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierte Punkte</translation>
     </message>
     <message>
         <source>The artefact&apos;s points with their calibrated coordinates in the artefact&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte des Prüfkörpers mit ihren kalibrierten Koordinaten im System des Prüfkörpers.</translation>
     </message>
     <message>
         <source>Calibrated coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierte Koordinate x.</translation>
     </message>
     <message>
         <source>Calibrated coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierte Koordinate y.</translation>
     </message>
     <message>
         <source>Calibrated coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierte Koordinate z.</translation>
     </message>
     <message>
         <source>defines</source>
-        <translation type="unfinished"></translation>
+        <translation>definiert</translation>
     </message>
     <message>
         <source>Coordinates that define the frame (&quot;xyz&quot;, &quot;yz&quot;), when they are named by point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten, die das System definieren (&quot;xyz&quot;, &quot;yz&quot;), wenn sie punktweise benannt sind.</translation>
     </message>
     <message>
         <source>Evaluate from</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswerten aus</translation>
     </message>
     <message>
         <source>Repeated measurements of the artefact, or the components of uncertainty as a report prints them (Table 1 of the paper).</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholte Messungen des Prüfkörpers oder die Unsicherheitskomponenten, wie ein Bericht sie angibt (Tabelle 1 der Veröffentlichung).</translation>
     </message>
     <message>
         <source>components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheitskomponenten</translation>
     </message>
     <message>
         <source>Measured coordinates in the artefact&apos;s frame: one row for each point and run, typed or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinaten im System des Prüfkörpers: eine Zeile je Punkt und Lauf, eingegeben oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>Name of a calibrated point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name eines kalibrierten Punktes.</translation>
     </message>
     <message>
         <source>run</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf</translation>
     </message>
     <message>
         <source>Indicated coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezeigte Koordinate x.</translation>
     </message>
     <message>
         <source>Indicated coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezeigte Koordinate y.</translation>
     </message>
     <message>
         <source>Indicated coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezeigte Koordinate z.</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheitskomponenten</translation>
     </message>
     <message>
         <source>One row for each coordinate, as Table 1 of the paper prints them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile je Koordinate, wie Tabelle 1 der Veröffentlichung sie angibt.</translation>
     </message>
     <message>
         <source>coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate</translation>
     </message>
     <message>
         <source>Coordinate of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate der Zeile.</translation>
     </message>
     <message>
         <source>Calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung.</translation>
     </message>
     <message>
         <source>Temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur.</translation>
     </message>
     <message>
         <source>Variability: standard deviation of the errors of indication.</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung: Standardabweichung der Anzeigeabweichungen.</translation>
     </message>
     <message>
         <source>Bias: mean of the errors of indication.</source>
-        <translation type="unfinished"></translation>
+        <translation>Systematische Abweichung: Mittelwert der Anzeigeabweichungen.</translation>
     </message>
     <message>
         <source>Number of observations, where it is known; gives the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Beobachtungen, wo sie bekannt ist; liefert die Freiheitsgrade.</translation>
     </message>
     <message>
         <source>Coordinates that define the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten, die das System definieren</translation>
     </message>
     <message>
         <source>Errors of these coordinates are zero by construction of the frame and are left out of the statistics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichungen dieser Koordinaten sind durch die Bildung des Systems null und bleiben in der Statistik unberücksichtigt.</translation>
     </message>
     <message>
         <source>first point x, y, z; second y, z; third z</source>
-        <translation type="unfinished"></translation>
+        <translation>erster Punkt x, y, z; zweiter y, z; dritter z</translation>
     </message>
     <message>
         <source>as the points&apos; column &apos;defines&apos; says</source>
-        <translation type="unfinished"></translation>
+        <translation>wie in der Spalte &apos;definiert&apos; der Punkte</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>Systematic error of indication</source>
-        <translation type="unfinished"></translation>
+        <translation>Systematische Anzeigeabweichung</translation>
     </message>
     <message>
         <source>What becomes of the mean error b. The paper leaves it uncorrected and counts |b| as a standard uncertainty; JCGM 100 3.2.4 asks for a correction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was aus der mittleren Abweichung b wird. Die Veröffentlichung lässt sie unkorrigiert und zählt |b| als Standardunsicherheit; JCGM 100 3.2.4 verlangt eine Korrektion.</translation>
     </message>
     <message>
         <source>counts as a standard uncertainty (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>zählt als Standardunsicherheit (Veröffentlichung)</translation>
     </message>
     <message>
         <source>ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>vernachlässigt</translation>
     </message>
     <message>
         <source>corrected, the uncertainty of the correction remains</source>
-        <translation type="unfinished"></translation>
+        <translation>korrigiert, die Unsicherheit der Korrektion bleibt</translation>
     </message>
     <message>
         <source>Systematic parts are common to all points</source>
-        <translation type="unfinished"></translation>
+        <translation>Systematische Anteile allen Punkten gemeinsam</translation>
     </message>
     <message>
         <source>Calibration, temperature and bias are drawn once for all points instead of independently for each, as the paper does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung, Temperatur und systematische Abweichung werden einmal für alle Punkte gezogen statt unabhängig für jeden, wie es die Veröffentlichung tut.</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Standard uncertainty of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Kalibrierung</translation>
     </message>
     <message>
         <source>Largest standard uncertainty of the calibrated values, from the certificate (U divided by its k).</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Standardunsicherheit der kalibrierten Werte, aus dem Kalibrierschein (U geteilt durch sein k).</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>Coefficient of thermal expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>Wärmeausdehnungskoeffizient</translation>
     </message>
     <message>
         <source>Linear expansion of the artefact&apos;s material; aluminium has about 23e-6 1/K.</source>
-        <translation type="unfinished"></translation>
+        <translation>Längenausdehnung des Werkstoffs des Prüfkörpers; Aluminium hat etwa 23e-6 1/K.</translation>
     </message>
     <message>
         <source>Temperature of the artefact</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur des Prüfkörpers</translation>
     </message>
     <message>
         <source>Whether indications are corrected to 20 °C with a measured temperature. If not, the largest deviation from 20 °C is a component of uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob Anzeigen mit einer gemessenen Temperatur auf 20 °C korrigiert werden. Wenn nicht, ist die größte Abweichung von 20 °C eine Unsicherheitskomponente.</translation>
     </message>
     <message>
         <source>not corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht korrigiert</translation>
     </message>
     <message>
         <source>corrected to 20 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>auf 20 °C korrigiert</translation>
     </message>
     <message>
         <source>Largest deviation from 20 °C, or U of the temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Abweichung von 20 °C oder U der Temperatur</translation>
     </message>
     <message>
         <source>ΔT of Eqs 3 and 6: without correction the largest absolute deviation from 20 °C, with correction the expanded uncertainty of the measured temperature. Half-width of a rectangular distribution.</source>
-        <translation type="unfinished"></translation>
+        <translation>ΔT der Gln. 3 und 6: ohne Korrektion die größte absolute Abweichung von 20 °C, mit Korrektion die erweiterte Unsicherheit der gemessenen Temperatur. Halbbreite einer Rechteckverteilung.</translation>
     </message>
     <message>
         <source>Measured temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Temperatur</translation>
     </message>
     <message>
         <source>Temperature of the artefact during the measurement; indications are divided by 1 + α (T − 20 °C).</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur des Prüfkörpers während der Messung; Anzeigen werden durch 1 + α (T − 20 °C) geteilt.</translation>
     </message>
     <message>
         <source>Length for the thermal expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge für die Wärmeausdehnung</translation>
     </message>
     <message>
         <source>L_max of Eq 3. The paper&apos;s figures result with the largest distance between two points; its text says the largest value of the coordinate, which gives 0 for a flat artefact&apos;s z.</source>
-        <translation type="unfinished"></translation>
+        <translation>L_max der Gl. 3. Die Zahlen der Veröffentlichung ergeben sich mit dem größten Abstand zweier Punkte; ihr Text nennt den größten Wert der Koordinate, der für z eines flachen Prüfkörpers 0 ergibt.</translation>
     </message>
     <message>
         <source>largest distance between two points</source>
-        <translation type="unfinished"></translation>
+        <translation>größter Abstand zweier Punkte</translation>
     </message>
     <message>
         <source>largest value of the coordinate (text of Eq 3)</source>
-        <translation type="unfinished"></translation>
+        <translation>größter Wert der Koordinate (Text zu Gl. 3)</translation>
     </message>
     <message>
         <source>Length standard</source>
-        <translation type="unfinished"></translation>
+        <translation>Längennormal</translation>
     </message>
     <message>
         <source>Calibrated length</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierte Länge</translation>
     </message>
     <message>
         <source>Distance between the two nests, from the certificate. It should be like the largest distance between the points of both frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zwischen den beiden Aufnahmen, aus dem Kalibrierschein. Er sollte etwa dem größten Abstand zwischen den Punkten beider Systeme entsprechen.</translation>
     </message>
     <message>
         <source>Repeated measurements of the artefact, or the components of uncertainty as a report prints them (Table 2 of the paper).</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholte Messungen des Prüfkörpers oder die Unsicherheitskomponenten, wie ein Bericht sie angibt (Tabelle 2 der Veröffentlichung).</translation>
     </message>
     <message>
         <source>Measured lengths: one row for each position and run, typed or from a CSV file. The paper proposes at least 14 positions of three runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Längen: eine Zeile je Position und Lauf, eingegeben oder aus einer CSV-Datei. Die Veröffentlichung schlägt mindestens 14 Positionen mit drei Läufen vor.</translation>
     </message>
     <message>
         <source>position</source>
-        <translation type="unfinished"></translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Where the standard stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Normal stand.</translation>
     </message>
     <message>
         <source>Indicated length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezeigte Länge.</translation>
     </message>
     <message>
         <source>One row, as Table 2 of the paper prints it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile, wie Tabelle 2 der Veröffentlichung sie angibt.</translation>
     </message>
     <message>
         <source>Uncertainty of a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit einer Koordinate</translation>
     </message>
     <message>
         <source>A length is the difference of two points, so u of a length is √2 times u of a coordinate. The paper uses the length&apos;s figure unchanged, which is cautious.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Länge ist die Differenz zweier Punkte, daher ist u einer Länge √2-mal u einer Koordinate. Die Veröffentlichung verwendet die Zahl der Länge unverändert, was vorsichtig ist.</translation>
     </message>
     <message>
         <source>that of the length (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>die der Länge (Veröffentlichung)</translation>
     </message>
     <message>
         <source>that of the length divided by √2</source>
-        <translation type="unfinished"></translation>
+        <translation>die der Länge geteilt durch √2</translation>
     </message>
     <message>
         <source>Tracker, total station, camera or distance meter</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracker, Totalstation, Kamera oder Distanzmesser</translation>
     </message>
     <message>
         <source>Station</source>
-        <translation type="unfinished"></translation>
+        <translation>Standpunkt</translation>
     </message>
     <message>
         <source>Where the instrument stands in the world frame: the point where its axes meet. x is the zero of the azimuth (the optical axis of a camera), z the vertical axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Messgerät im Weltsystem steht: der Punkt, in dem sich seine Achsen treffen. x ist der Nullpunkt des Azimuts (die optische Achse einer Kamera), z die Stehachse.</translation>
     </message>
     <message>
         <source>The angles are</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Winkel sind</translation>
     </message>
     <message>
         <source>How the three angles of the station turn its axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die drei Winkel des Standpunktes seine Achsen drehen.</translation>
     </message>
     <message>
         <source>α, β, γ: R = Rz(γ) Ry(β) Rx(α)</source>
-        <translation type="unfinished"></translation>
+        <translation>α, β, γ: R = Rz(γ) Ry(β) Rx(α)</translation>
     </message>
     <message>
         <source>ω, φ, κ: R = Rx(ω) Ry(φ) Rz(κ), photogrammetric</source>
-        <translation type="unfinished"></translation>
+        <translation>ω, φ, κ: R = Rx(ω) Ry(φ) Rz(κ), photogrammetrisch</translation>
     </message>
     <message>
         <source>What the instrument reads, and how it is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Messgerät abliest und wie es gezeichnet wird.</translation>
     </message>
     <message>
         <source>total station: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Totalstation: Distanz und zwei Winkel</translation>
     </message>
     <message>
         <source>laser tracker: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasertracker: Distanz und zwei Winkel</translation>
     </message>
     <message>
         <source>laser scanner: distance and two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Laserscanner: Distanz und zwei Winkel</translation>
     </message>
     <message>
         <source>camera: two angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera: zwei Winkel</translation>
     </message>
     <message>
         <source>distance meter: distance only</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanzmesser: nur Distanz</translation>
     </message>
     <message>
         <source>other: chosen readings</source>
-        <translation type="unfinished"></translation>
+        <translation>anderes: gewählte Ablesungen</translation>
     </message>
     <message>
         <source>Reads the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest die Distanz ab</translation>
     </message>
     <message>
         <source>Whether the sensor reads a distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob der Sensor eine Distanz abliest.</translation>
     </message>
     <message>
         <source>Reads the azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest das Azimut ab</translation>
     </message>
     <message>
         <source>Whether the sensor reads a horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob der Sensor einen Horizontalwinkel abliest.</translation>
     </message>
     <message>
         <source>Reads the elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest den Höhenwinkel ab</translation>
     </message>
     <message>
         <source>Whether the sensor reads a vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob der Sensor einen Vertikalwinkel abliest.</translation>
     </message>
     <message>
         <source>Specification</source>
-        <translation type="unfinished"></translation>
+        <translation>Spezifikation</translation>
     </message>
     <message>
         <source>Distance: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanz: konstanter Anteil a</translation>
     </message>
     <message>
         <source>Part of the distance&apos;s figure that does not depend on the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Zahl für die Distanz, der nicht von der Distanz abhängt.</translation>
     </message>
     <message>
         <source>Distance: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanz: Anteil b je Länge</translation>
     </message>
     <message>
         <source>Part of the distance&apos;s figure in proportion to the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Zahl für die Distanz, der zur Distanz proportional ist.</translation>
     </message>
     <message>
         <source>Azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimut</translation>
     </message>
     <message>
         <source>Figure for the horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl für den Horizontalwinkel.</translation>
     </message>
     <message>
         <source>Elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhenwinkel</translation>
     </message>
     <message>
         <source>Figure for the vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl für den Vertikalwinkel.</translation>
     </message>
     <message>
         <source>Angles: constant part across</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel: konstanter Anteil quer</translation>
     </message>
     <message>
         <source>Part of both angles&apos; figures that is a length across the line of sight, as trackers state it (15 µm + 6 µm/m); an angle&apos;s figure is this over the distance plus its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Zahlen beider Winkel, der eine Länge quer zur Ziellinie ist, wie Tracker ihn angeben (15 µm + 6 µm/m); die Zahl eines Winkels ist dieser Anteil geteilt durch die Distanz plus sein eigener.</translation>
     </message>
     <message>
         <source>The figures are</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahlen sind</translation>
     </message>
     <message>
         <source>What the data sheet states: a standard uncertainty, an expanded one, or a limit that is not exceeded (maximum permissible error).</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Datenblatt angibt: eine Standardunsicherheit, eine erweiterte Unsicherheit oder eine Grenze, die nicht überschritten wird (Fehlergrenze).</translation>
     </message>
     <message>
         <source>standard uncertainty (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit (normal)</translation>
     </message>
     <message>
         <source>expanded uncertainty, k = 2 (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>erweiterte Unsicherheit, k = 2 (normal)</translation>
     </message>
     <message>
         <source>limit (MPE), rectangular: divided by √3</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze (MPE), rechteckig: geteilt durch √3</translation>
     </message>
     <message>
         <source>limit (MPE), triangular: divided by √6</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze (MPE), dreieckig: geteilt durch √6</translation>
     </message>
     <message>
         <source>limit (MPE), arc sine: divided by √2</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze (MPE), Arkussinus: geteilt durch √2</translation>
     </message>
     <message>
         <source>Range and field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Reichweite und Sichtfeld</translation>
     </message>
     <message>
         <source>Shortest distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Kürzeste Distanz</translation>
     </message>
     <message>
         <source>Targets nearer than this are not measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielpunkte, die näher liegen, werden nicht gemessen.</translation>
     </message>
     <message>
         <source>Longest distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Längste Distanz</translation>
     </message>
     <message>
         <source>Targets farther than this are not measured; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielpunkte, die weiter entfernt liegen, werden nicht gemessen; leer: keine Grenze.</translation>
     </message>
     <message>
         <source>Horizontal field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontales Sichtfeld</translation>
     </message>
     <message>
         <source>Full angle, half of it to either side of the sensor&apos;s x-axis; empty: all round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Voller Winkel, je zur Hälfte auf beiden Seiten der x-Achse des Sensors; leer: rundum.</translation>
     </message>
     <message>
         <source>Vertical field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertikales Sichtfeld</translation>
     </message>
     <message>
         <source>Full angle, half of it above the sensor&apos;s xy-plane and half below; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Voller Winkel, je zur Hälfte über und unter der xy-Ebene des Sensors; leer: keine Grenze.</translation>
     </message>
     <message>
         <source>Shared by all readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Allen Ablesungen gemeinsam</translation>
     </message>
     <message>
         <source>Scale of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab der Distanzen</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale, which all distances share: wavelength, refractive index, temperature of a scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit des Maßstabs, den alle Distanzen gemeinsam haben: Wellenlänge, Brechzahl, Temperatur eines Maßstabs.</translation>
     </message>
     <message>
         <source>Zero offset of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktabweichung der Distanzen</translation>
     </message>
     <message>
         <source>Standard uncertainty of the constant offset of all distances: home position, reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der konstanten Abweichung aller Distanzen: Home-Position, Reflektor.</translation>
     </message>
     <message>
         <source>Index of the elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Index des Höhenwinkels</translation>
     </message>
     <message>
         <source>Standard uncertainty of the zero of the vertical circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit des Nullpunkts des Vertikalkreises.</translation>
     </message>
     <message>
         <source>Collimation</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielachsenabweichung</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle between beam and tilting axis off square: the azimuth changes by it over the cosine of the elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Abweichung vom rechten Winkel zwischen Strahl und Kippachse: Das Azimut ändert sich um sie geteilt durch den Kosinus des Höhenwinkels.</translation>
     </message>
     <message>
         <source>Squareness of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechtwinkligkeit der Achsen</translation>
     </message>
     <message>
         <source>Standard uncertainty of the angle between the two axes off square: the azimuth changes by it times the tangent of the elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Abweichung vom rechten Winkel zwischen den beiden Achsen: Das Azimut ändert sich um sie mal dem Tangens des Höhenwinkels.</translation>
     </message>
     <message>
         <source>Offset of the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatz des Strahls</translation>
     </message>
     <message>
         <source>Standard uncertainty of the distance by which the beam misses the vertical axis sideways: the azimuth changes by it over the horizontal distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit des Abstands, um den der Strahl die Stehachse seitlich verfehlt: Das Azimut ändert sich um ihn geteilt durch die Horizontaldistanz.</translation>
     </message>
     <message>
         <source>Coefficient of refraction</source>
-        <translation type="unfinished"></translation>
+        <translation>Refraktionskoeffizient</translation>
     </message>
     <message>
         <source>Standard uncertainty of k: the elevation changes by k L/(2 × 6371 km) over a distance L.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von k: Der Höhenwinkel ändert sich über eine Distanz L um k L/(2 × 6371 km).</translation>
     </message>
     <message>
         <source>The distribution of what all readings share; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verteilung dessen, was alle Ablesungen gemeinsam haben; angegeben ist ihre Standardunsicherheit, gleich welcher Form.</translation>
     </message>
     <message>
         <source>Uncertainty of the station</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit des Standpunktes</translation>
     </message>
     <message>
         <source>position x</source>
-        <translation type="unfinished"></translation>
+        <translation>Position x</translation>
     </message>
     <message>
         <source>Standard uncertainty of this coordinate of the station, shared by everything measured from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dieser Koordinate des Standpunktes, allem gemeinsam, was von ihm aus gemessen wird.</translation>
     </message>
     <message>
         <source>position y</source>
-        <translation type="unfinished"></translation>
+        <translation>Position y</translation>
     </message>
     <message>
         <source>position z</source>
-        <translation type="unfinished"></translation>
+        <translation>Position z</translation>
     </message>
     <message>
         <source>rotation about x</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um x</translation>
     </message>
     <message>
         <source>rotation about y</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um y</translation>
     </message>
     <message>
         <source>rotation about z</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um z</translation>
     </message>
     <message>
         <source>The distribution of the coordinates of the station; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verteilung der Koordinaten des Standpunktes; angegeben ist ihre Standardunsicherheit, gleich welcher Form.</translation>
     </message>
     <message>
         <source>Correlation of the station&apos;s coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation der Standpunktkoordinaten</translation>
     </message>
     <message>
         <source>Correlation coefficients from the adjustment that located the station; pairs left out are uncorrelated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizienten aus der Ausgleichung, die den Standpunkt bestimmt hat; weggelassene Paare sind unkorreliert.</translation>
     </message>
     <message>
         <source>first</source>
-        <translation type="unfinished"></translation>
+        <translation>erste</translation>
     </message>
     <message>
         <source>A coordinate of the station.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Koordinate des Standpunktes.</translation>
     </message>
     <message>
         <source>second</source>
-        <translation type="unfinished"></translation>
+        <translation>zweite</translation>
     </message>
     <message>
         <source>Correlation coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizient.</translation>
     </message>
     <message>
         <source>Network of sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz aus Sensoren</translation>
     </message>
     <message>
         <source>What the weights of the readings account for. With the stations, all points of one analysis are estimated together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Gewichte der Ablesungen berücksichtigen. Mit den Standpunkten werden alle Punkte einer Analyse gemeinsam geschätzt.</translation>
     </message>
     <message>
         <source>readings and stations, all points at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen und Standpunkte, alle Punkte zugleich</translation>
     </message>
     <message>
         <source>readings alone, each point by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>nur Ablesungen, jeder Punkt für sich</translation>
     </message>
     <message>
         <source>Specification of a measured point</source>
-        <translation type="unfinished"></translation>
+        <translation>Spezifikation eines gemessenen Punktes</translation>
     </message>
     <message>
         <source>Figure of the data sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl des Datenblatts</translation>
     </message>
     <message>
         <source>The uncertainty or limit that the manufacturer states, the same for x, y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Unsicherheit oder Grenze, die der Hersteller angibt, gleich für x, y und z.</translation>
     </message>
     <message>
         <source>The figure applies to</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl gilt für</translation>
     </message>
     <message>
         <source>A coordinate of a point, or a length between two points; a length is the difference of two points, so a coordinate has 1/√2 of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Koordinate eines Punktes oder eine Länge zwischen zwei Punkten; eine Länge ist die Differenz zweier Punkte, daher hat eine Koordinate davon 1/√2.</translation>
     </message>
     <message>
         <source>a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinate</translation>
     </message>
     <message>
         <source>a length between two points</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Länge zwischen zwei Punkten</translation>
     </message>
     <message>
         <source>Telescopic ballbars (multilateration)</source>
-        <translation type="unfinished"></translation>
+        <translation>Teleskopische Kugelstäbe (Multilateration)</translation>
     </message>
     <message>
         <source>Supports</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflager</translation>
     </message>
     <message>
         <source>Support 1 to support 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflager 1 bis Auflager 2</translation>
     </message>
     <message>
         <source>Measured length between supports 1 and 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Länge zwischen den Auflagern 1 und 2.</translation>
     </message>
     <message>
         <source>Support 1 to support 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflager 1 bis Auflager 3</translation>
     </message>
     <message>
         <source>Measured length between supports 1 and 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Länge zwischen den Auflagern 1 und 3.</translation>
     </message>
     <message>
         <source>Support 2 to support 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflager 2 bis Auflager 3</translation>
     </message>
     <message>
         <source>Measured length between supports 2 and 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Länge zwischen den Auflagern 2 und 3.</translation>
     </message>
     <message>
         <source>Further supports</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Auflager</translation>
     </message>
     <message>
         <source>Supports 4, 5 ...: their lengths to the first three, and their height above the plane of these. More than three lengths are adjusted by least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflager 4, 5 ...: ihre Längen zu den ersten drei und ihre Höhe über deren Ebene. Mehr als drei Längen werden nach kleinsten Quadraten ausgeglichen.</translation>
     </message>
     <message>
         <source>Length to this support.</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge zu diesem Auflager.</translation>
     </message>
     <message>
         <source>Height above the first three supports.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe über den ersten drei Auflagern.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the height.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Höhe.</translation>
     </message>
     <message>
         <source>The ball is</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kugel ist</translation>
     </message>
     <message>
         <source>Three lengths meet in two points, mirror images in the plane of the supports: on which side of it the ball is (sign of the root of Eq 3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Längen treffen sich in zwei Punkten, Spiegelbildern an der Ebene der Auflager: auf welcher Seite davon die Kugel ist (Vorzeichen der Wurzel in Gl. 3).</translation>
     </message>
     <message>
         <source>on the side of +z</source>
-        <translation type="unfinished"></translation>
+        <translation>auf der Seite von +z</translation>
     </message>
     <message>
         <source>on the side of −z</source>
-        <translation type="unfinished"></translation>
+        <translation>auf der Seite von −z</translation>
     </message>
     <message>
         <source>Placement</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellung</translation>
     </message>
     <message>
         <source>Place in the robot&apos;s frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort im Robotersystem</translation>
     </message>
     <message>
         <source>Where the instrument&apos;s frame is in the robot&apos;s: origin in support 1, x towards support 2, z normal to the plane of the first three supports, on the left of the way 1-2-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das System des Messgeräts in dem des Roboters ist: Ursprung im Auflager 1, x zum Auflager 2 hin, z normal zur Ebene der ersten drei Auflager, links vom Weg 1-2-3.</translation>
     </message>
     <message>
         <source>Uncertainty of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit einer Länge</translation>
     </message>
     <message>
         <source>To the ball: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Kugel: konstanter Anteil a</translation>
     </message>
     <message>
         <source>Figure for one reading of a bar to the ball, the part that does not depend on the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl für eine Ablesung eines Stabs zur Kugel, der Anteil, der nicht von der Länge abhängt.</translation>
     </message>
     <message>
         <source>To the ball: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Kugel: Anteil b je Länge</translation>
     </message>
     <message>
         <source>Figure for one reading of a bar to the ball, the part in proportion to the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl für eine Ablesung eines Stabs zur Kugel, der zur Länge proportionale Anteil.</translation>
     </message>
     <message>
         <source>Between supports: constant part a</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen Auflagern: konstanter Anteil a</translation>
     </message>
     <message>
         <source>Figure for a length between two supports, which one measurement gives for all points: the part that does not depend on the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl für eine Länge zwischen zwei Auflagern, die eine Messung für alle Punkte liefert: der Anteil, der nicht von der Länge abhängt.</translation>
     </message>
     <message>
         <source>Between supports: part b per length</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen Auflagern: Anteil b je Länge</translation>
     </message>
     <message>
         <source>Figure for a length between two supports, the part in proportion to the length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl für eine Länge zwischen zwei Auflagern, der zur Länge proportionale Anteil.</translation>
     </message>
     <message>
         <source>Shared by all lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Allen Längen gemeinsam</translation>
     </message>
     <message>
         <source>Scale of all lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab aller Längen</translation>
     </message>
     <message>
         <source>Standard uncertainty of the scale that all lengths share: wavelength, refractive index.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit des Maßstabs, den alle Längen gemeinsam haben: Wellenlänge, Brechzahl.</translation>
     </message>
     <message>
         <source>Constant of each bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Konstante jedes Stabs</translation>
     </message>
     <message>
         <source>Standard uncertainty of the constant of a bar, the same in all its readings to the ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Konstante eines Stabs, dieselbe in allen seinen Ablesungen zur Kugel.</translation>
     </message>
     <message>
         <source>The distribution of scale and constants; what is stated is its standard uncertainty, whatever the shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verteilung von Maßstab und Konstanten; angegeben ist ihre Standardunsicherheit, gleich welcher Form.</translation>
     </message>
     <message>
         <source>Robot: repeatability of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter: Wiederholpräzision einer Pose</translation>
     </message>
     <message>
         <source>Positioning</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionierung</translation>
     </message>
     <message>
         <source>The robot&apos;s figure for the scatter of a position that it is sent to again and again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl des Roboters für die Streuung einer Position, die er immer wieder anfährt.</translation>
     </message>
     <message>
         <source>The figure is</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl ist</translation>
     </message>
     <message>
         <source>A largest distance from the mean position, or RP of ISO 9283: the mean distance plus three times its standard deviation. A normal law has no largest distance, so its figure is always RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein größter Abstand von der mittleren Position oder RP nach ISO 9283: der mittlere Abstand plus das Dreifache seiner Standardabweichung. Eine Normalverteilung hat keinen größten Abstand, ihre Zahl ist daher immer RP.</translation>
     </message>
     <message>
         <source>the largest distance r</source>
-        <translation type="unfinished"></translation>
+        <translation>der größte Abstand r</translation>
     </message>
     <message>
         <source>RP of ISO 9283: mean + 3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>RP nach ISO 9283: Mittelwert + 3 s</translation>
     </message>
     <message>
         <source>Deviation of a position</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichung einer Position</translation>
     </message>
     <message>
         <source>How the distance from the mean position is distributed; all directions are equally probable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie der Abstand von der mittleren Position verteilt ist; alle Richtungen sind gleich wahrscheinlich.</translation>
     </message>
     <message>
         <source>rectangular in [0, r] in a random direction</source>
-        <translation type="unfinished"></translation>
+        <translation>rechteckig in [0, r] in zufälliger Richtung</translation>
     </message>
     <message>
         <source>anywhere in a ball of radius r</source>
-        <translation type="unfinished"></translation>
+        <translation>irgendwo in einer Kugel mit Radius r</translation>
     </message>
     <message>
         <source>always r, in a random direction</source>
-        <translation type="unfinished"></translation>
+        <translation>immer r, in zufälliger Richtung</translation>
     </message>
     <message>
         <source>normal along each axis</source>
-        <translation type="unfinished"></translation>
+        <translation>normal entlang jeder Achse</translation>
     </message>
     <message>
         <source>Orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierung</translation>
     </message>
     <message>
         <source>Figure for the scatter of the orientation about each axis of the flange; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl für die Streuung der Orientierung um jede Achse des Flansches; 0: keine.</translation>
     </message>
     <message>
         <source>The angle is</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Winkel ist</translation>
     </message>
     <message>
         <source>A standard uncertainty, RP of ISO 9283 for an angle (three times its standard deviation), or a limit that is not exceeded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Standardunsicherheit, RP nach ISO 9283 für einen Winkel (das Dreifache seiner Standardabweichung) oder eine Grenze, die nicht überschritten wird.</translation>
     </message>
     <message>
         <source>RP of ISO 9283: ± 3 s (normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>RP nach ISO 9283: ± 3 s (normal)</translation>
     </message>
     <message>
         <source>limit, rectangular: divided by √3</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze, rechteckig: geteilt durch √3</translation>
     </message>
     <message>
         <source>Serial robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Serieller Roboter</translation>
     </message>
     <message>
         <source>Geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>Geometrie</translation>
     </message>
     <message>
         <source>Convention</source>
-        <translation type="unfinished"></translation>
+        <translation>Konvention</translation>
     </message>
     <message>
         <source>How the parameters of a row lead from one joint&apos;s frame to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Parameter einer Zeile vom System eines Gelenks zum nächsten führen.</translation>
     </message>
     <message>
         <source>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta for parallel joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha) Ry(beta): beta für parallele Gelenke</translation>
     </message>
     <message>
         <source>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit-Hartenberg</translation>
     </message>
     <message>
         <source>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; row i holds alpha and a before joint i</source>
-        <translation type="unfinished"></translation>
+        <translation>Rx(alpha) Tx(a) Rz(theta) Tz(d): Craig; Zeile i enthält alpha und a vor Gelenk i</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenke</translation>
     </message>
     <message>
         <source>One row for each joint from the base to the tool, in the chosen convention.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile je Gelenk von der Basis zum Werkzeug, in der gewählten Konvention.</translation>
     </message>
     <message>
         <source>Joint angle where the reading is the zero reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenkwinkel, wo die Ablesung die Nullablesung ist.</translation>
     </message>
     <message>
         <source>Offset along the joint&apos;s axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatz entlang der Achse des Gelenks.</translation>
     </message>
     <message>
         <source>Length of the common perpendicular.</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge der gemeinsamen Normale.</translation>
     </message>
     <message>
         <source>Twist about x between two axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdrehung um x zwischen zwei Achsen.</translation>
     </message>
     <message>
         <source>Twist about y, of a joint whose axis is parallel to the next: d is then 0 by definition. Empty: the axes are not parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdrehung um y eines Gelenks, dessen Achse zur nächsten parallel ist: d ist dann definitionsgemäß 0. Leer: Die Achsen sind nicht parallel.</translation>
     </message>
     <message>
         <source>Reading of the joint at which theta holds; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung des Gelenks, bei der theta gilt; leer: 0.</translation>
     </message>
     <message>
         <source>direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Whether the joint angle grows or falls with the reading; empty: grows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob der Gelenkwinkel mit der Ablesung wächst oder fällt; leer: wächst.</translation>
     </message>
     <message>
         <source>with the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>mit der Ablesung</translation>
     </message>
     <message>
         <source>against the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>gegen die Ablesung</translation>
     </message>
     <message>
         <source>Lowest reading; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Ablesung; leer: keine Grenze.</translation>
     </message>
     <message>
         <source>Highest reading; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Ablesung; leer: keine Grenze.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a reading by the joint&apos;s encoder, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit einer Ablesung durch den Drehgeber des Gelenks, in jeder Pose neu gezogen.</translation>
     </message>
     <message>
         <source>Standard uncertainty by which the joint comes back to a reading, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit, mit der das Gelenk zu einer Ablesung zurückkehrt, in jeder Pose neu gezogen.</translation>
     </message>
     <message>
         <source>type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>A joint that turns has readings q, which add to theta; one that slides has readings s, which add to d. Empty: it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gelenk, das dreht, hat Ablesungen q, die zu theta addiert werden; eines, das schiebt, hat Ablesungen s, die zu d addiert werden. Leer: Es dreht.</translation>
     </message>
     <message>
         <source>turns about its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>dreht um seine Achse</translation>
     </message>
     <message>
         <source>slides along its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>schiebt entlang seiner Achse</translation>
     </message>
     <message>
         <source>Reading of a sliding joint at which d holds; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesung eines Schubgelenks, bei der d gilt; leer: 0.</translation>
     </message>
     <message>
         <source>Lowest reading of a sliding joint; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Ablesung eines Schubgelenks; leer: keine Grenze.</translation>
     </message>
     <message>
         <source>Highest reading of a sliding joint; empty: no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Ablesung eines Schubgelenks; leer: keine Grenze.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a reading of a sliding joint by its scale, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit einer Ablesung eines Schubgelenks durch seinen Maßstab, in jeder Pose neu gezogen.</translation>
     </message>
     <message>
         <source>Standard uncertainty by which a sliding joint comes back to a reading, drawn anew at each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit, mit der ein Schubgelenk zu einer Ablesung zurückkehrt, in jeder Pose neu gezogen.</translation>
     </message>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
     <message>
         <source>Where frame 0 of the robot stands in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das System 0 des Roboters in der Welt steht.</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug</translation>
     </message>
     <message>
         <source>Where the tool is in the frame of the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Werkzeug im System des letzten Glieds ist.</translation>
     </message>
     <message>
         <source>Standard uncertainties of the parameters by source. A row for a joint and a source; components of one parameter combine in quadrature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheiten der Parameter nach Quelle. Eine Zeile je Gelenk und Quelle; Komponenten eines Parameters werden quadratisch addiert.</translation>
     </message>
     <message>
         <source>Where the figures come from: repeatability, sampling, range, certificate ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Woher die Zahlen stammen: Wiederholpräzision, Stichprobe, Bereich, Kalibrierschein ...</translation>
     </message>
     <message>
         <source>Number of the joint; empty: all joints, each with a deviation of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer des Gelenks; leer: alle Gelenke, jedes mit eigener Abweichung.</translation>
     </message>
     <message>
         <source>Standard uncertainty of theta from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von theta aus dieser Quelle; leer: keine.</translation>
     </message>
     <message>
         <source>Standard uncertainty of d from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von d aus dieser Quelle; leer: keine.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von a aus dieser Quelle; leer: keine.</translation>
     </message>
     <message>
         <source>Standard uncertainty of alpha from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von alpha aus dieser Quelle; leer: keine.</translation>
     </message>
     <message>
         <source>Standard uncertainty of beta from this source; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von beta aus dieser Quelle; leer: keine.</translation>
     </message>
     <message>
         <source>Degrees of freedom of the figures; empty: infinitely many.</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade der Zahlen; leer: unendlich viele.</translation>
     </message>
     <message>
         <source>Form of the distribution with this standard uncertainty; empty: normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Form der Verteilung mit dieser Standardunsicherheit; leer: normal.</translation>
     </message>
     <message>
         <source>Correlation coefficients from the identification; pairs left out are uncorrelated. A correlated parameter has one component.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizienten aus der Identifikation; weggelassene Paare sind unkorreliert. Ein korrelierter Parameter hat eine Komponente.</translation>
     </message>
     <message>
         <source>Tool, position</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug, Position</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the tool in the frame of the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit jeder Koordinate des Werkzeugs im System des letzten Glieds.</translation>
     </message>
     <message>
         <source>Tool, orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug, Orientierung</translation>
     </message>
     <message>
         <source>Standard uncertainty of each rotation of the tool about its own axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit jeder Drehung des Werkzeugs um seine eigenen Achsen.</translation>
     </message>
     <message>
         <source>Robot identified by joint trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter, identifiziert aus Gelenkbahnen</translation>
     </message>
     <message>
         <source>Robot identified from measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter, identifiziert aus gemessenen Posen</translation>
     </message>
     <message>
         <source>Force/moment calibration machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft-/Momenten-Kalibriermaschine</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein</translation>
     </message>
     <message>
         <source>Uncertainty of its loads</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit ihrer Lasten</translation>
     </message>
     <message>
         <source>One row for each axis that the machine loads: the relative expanded uncertainty of its certificate and the coverage factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile je Achse, die die Maschine belastet: die relative erweiterte Unsicherheit ihres Kalibrierscheins und der Erweiterungsfaktor.</translation>
     </message>
     <message>
         <source>Force or moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft oder Moment.</translation>
     </message>
     <message>
         <source>Relative expanded uncertainty of the load: a ratio, not %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative erweiterte Unsicherheit der Last: ein Verhältnis, nicht %.</translation>
     </message>
     <message>
         <source>Coverage factor; empty: 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor; leer: 2.</translation>
     </message>
     <message>
         <source>Multi-axis force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehrachsiger Kraft-/Momentensensor</translation>
     </message>
     <message>
         <source>Channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanäle</translation>
     </message>
     <message>
         <source>The forces and moments that the sensor measures, with their rated loads.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kräfte und Momente, die der Sensor misst, mit ihren Nennlasten.</translation>
     </message>
     <message>
         <source>Force or moment that the channel measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft oder Moment, das der Kanal misst.</translation>
     </message>
     <message>
         <source>rated force</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkraft</translation>
     </message>
     <message>
         <source>Rated load of Fx, Fy or Fz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennlast von Fx, Fy oder Fz.</translation>
     </message>
     <message>
         <source>rated moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennmoment</translation>
     </message>
     <message>
         <source>Rated load of Mx, My or Mz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennlast von Mx, My oder Mz.</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort</translation>
     </message>
     <message>
         <source>Where the sensor&apos;s axes are; loads are along and about them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Achsen des Sensors sind; Lasten wirken entlang dieser Achsen und um sie.</translation>
     </message>
     <message>
         <source>Diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser</translation>
     </message>
     <message>
         <source>Of its housing, for the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seines Gehäuses, für das Bild.</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzeigegerät</translation>
     </message>
     <message>
         <source>Resolution of the indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung des Anzeigegeräts</translation>
     </message>
     <message>
         <source>Smallest step of the indicated value, r of Eq 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Schritt des angezeigten Wertes, r der Gl. 6.</translation>
     </message>
     <message>
         <source>Range of the indicator</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich des Anzeigegeräts</translation>
     </message>
     <message>
         <source>Largest value that it can indicate; a reading there is refused as saturated. Empty: only readings that stand still while the load rises are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Wert, den es anzeigen kann; eine Ablesung dort wird als übersteuert abgelehnt. Leer: Nur Ablesungen, die bei steigender Last stehen bleiben, werden abgelehnt.</translation>
     </message>
     <message>
         <source>Calibration machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibriermaschine</translation>
     </message>
     <message>
         <source>What loaded the sensor; its relative uncertainty enters by Eq 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was den Sensor belastet hat; ihre relative Unsicherheit geht durch Gl. 5 ein.</translation>
     </message>
     <message>
         <source>Raw readings, from which everything follows, or what an evaluation states.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rohe Ablesungen, aus denen alles folgt, oder was eine Auswertung angibt.</translation>
     </message>
     <message>
         <source>raw readings</source>
-        <translation type="unfinished"></translation>
+        <translation>rohe Ablesungen</translation>
     </message>
     <message>
         <source>summary tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersichtstabellen</translation>
     </message>
     <message>
         <source>Indicated values of all channels at each step, the unloaded value not subtracted; typed or from a CSV file, whose columns may have other names.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezeigte Werte aller Kanäle bei jeder Stufe, der unbelastete Wert nicht abgezogen; eingegeben oder aus einer CSV-Datei, deren Spalten andere Namen haben dürfen.</translation>
     </message>
     <message>
         <source>Axis on which the machine&apos;s load acts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse, auf die die Last der Maschine wirkt.</translation>
     </message>
     <message>
         <source>Preloading or calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorbelastung oder Kalibrierung.</translation>
     </message>
     <message>
         <source>preload</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorbelastung</translation>
     </message>
     <message>
         <source>calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>phase</source>
-        <translation type="unfinished"></translation>
+        <translation>Phase</translation>
     </message>
     <message>
         <source>Unloaded before, preload, increasing or decreasing load, unloaded after.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbelastet vorher, Vorbelastung, steigende oder fallende Last, unbelastet nachher.</translation>
     </message>
     <message>
         <source>zero before</source>
-        <translation type="unfinished"></translation>
+        <translation>Null vorher</translation>
     </message>
     <message>
         <source>load</source>
-        <translation type="unfinished"></translation>
+        <translation>Last</translation>
     </message>
     <message>
         <source>increasing</source>
-        <translation type="unfinished"></translation>
+        <translation>steigend</translation>
     </message>
     <message>
         <source>decreasing</source>
-        <translation type="unfinished"></translation>
+        <translation>fallend</translation>
     </message>
     <message>
         <source>zero after</source>
-        <translation type="unfinished"></translation>
+        <translation>Null nachher</translation>
     </message>
     <message>
         <source>step</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>Number of the step: 0 without load, the same number for increasing and decreasing load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer der Stufe: 0 ohne Last, dieselbe Nummer für steigende und fallende Last.</translation>
     </message>
     <message>
         <source>Load in the unit of the next column.</source>
-        <translation type="unfinished"></translation>
+        <translation>Last in der Einheit der nächsten Spalte.</translation>
     </message>
     <message>
         <source>load unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasteinheit</translation>
     </message>
     <message>
         <source>N, kN, Nm ...; empty: N for forces and N·m for moments.</source>
-        <translation type="unfinished"></translation>
+        <translation>N, kN, Nm ...; leer: N für Kräfte und N·m für Momente.</translation>
     </message>
     <message>
         <source>Time of the reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit der Ablesung.</translation>
     </message>
     <message>
         <source>Indicated value of this channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezeigter Wert dieses Kanals.</translation>
     </message>
     <message>
         <source>Summary</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusammenfassung</translation>
     </message>
     <message>
         <source>What an evaluation states of each channel, like Tables 1 and 3 of the paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was eine Auswertung für jeden Kanal angibt, wie die Tabellen 1 und 3 der Veröffentlichung.</translation>
     </message>
     <message>
         <source>Channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal.</translation>
     </message>
     <message>
         <source>rated output</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennkennwert</translation>
     </message>
     <message>
         <source>Mean net reading at the rated load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Nettoablesung bei der Nennlast.</translation>
     </message>
     <message>
         <source>non-zero error</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktabweichung</translation>
     </message>
     <message>
         <source>Non-zero error: change of the unloaded reading over a series.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktabweichung: Änderung der unbelasteten Ablesung über eine Reihe.</translation>
     </message>
     <message>
         <source>Type A standard uncertainty of the mean, the largest of all steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit des Mittelwertes vom Typ A, die größte aller Stufen.</translation>
     </message>
     <message>
         <source>hysteresis</source>
-        <translation type="unfinished"></translation>
+        <translation>Hysterese</translation>
     </message>
     <message>
         <source>Largest difference between increasing and decreasing load.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Differenz zwischen steigender und fallender Last.</translation>
     </message>
     <message>
         <source>Type B standard uncertainty as stated; empty: from the machine, the resolution and the non-zero error (Eq 8).</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit vom Typ B wie angegeben; leer: aus der Maschine, der Auflösung und der Nullpunktabweichung (Gl. 8).</translation>
     </message>
     <message>
         <source>Interference</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersprechen</translation>
     </message>
     <message>
         <source>Outputs at rated loads on other axes, like Table 2 of the paper; which index is the load is chosen below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgaben bei Nennlasten auf anderen Achsen, wie Tabelle 2 der Veröffentlichung; welcher Index die Last ist, wird unten gewählt.</translation>
     </message>
     <message>
         <source>Row of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile der Tabelle.</translation>
     </message>
     <message>
         <source>Column of the table; empty on the diagonal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte der Tabelle; auf der Diagonale leer.</translation>
     </message>
     <message>
         <source>Interference has signs</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersprechen hat Vorzeichen</translation>
     </message>
     <message>
         <source>Whether the signs are printed. Without them interference cannot be compensated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Vorzeichen angegeben sind. Ohne sie kann das Übersprechen nicht kompensiert werden.</translation>
     </message>
     <message>
         <source>Calibration plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierplan</translation>
     </message>
     <message>
         <source>Preloads</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorbelastungen</translation>
     </message>
     <message>
         <source>How often each axis is loaded to its rated load before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie oft jede Achse zuvor bis zu ihrer Nennlast belastet wird.</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe</translation>
     </message>
     <message>
         <source>Calibration series of each axis: n of Eqs 2 to 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierreihen jeder Achse: n der Gln. 2 bis 4.</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufen</translation>
     </message>
     <message>
         <source>Loads of a series up to the rated load; the paper asks for five or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasten einer Reihe bis zur Nennlast; die Veröffentlichung verlangt fünf oder mehr.</translation>
     </message>
     <message>
         <source>Decreasing loads too</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch fallende Lasten</translation>
     </message>
     <message>
         <source>Whether each series goes down again; hysteresis needs it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob jede Reihe wieder hinuntergeht; die Hysterese braucht es.</translation>
     </message>
     <message>
         <source>Without load before a series</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Last vor einer Reihe</translation>
     </message>
     <message>
         <source>Before each series, Fig. 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor jeder Reihe, Bild 2.</translation>
     </message>
     <message>
         <source>At each load</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei jeder Last</translation>
     </message>
     <message>
         <source>Before a reading is taken, Fig. 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bevor eine Ablesung genommen wird, Bild 2.</translation>
     </message>
     <message>
         <source>Evaluation by the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung nach der Veröffentlichung</translation>
     </message>
     <message>
         <source>Coverage factor k of Eq 12</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor k der Gl. 12</translation>
     </message>
     <message>
         <source>The paper takes 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Veröffentlichung nimmt 2.</translation>
     </message>
     <message>
         <source>A row of the interference table is</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile der Übersprechtabelle ist</translation>
     </message>
     <message>
         <source>Section 2.5 says e_12 is the output of Fy under Fx (row = load), but divides by the rated output of the row and calls the row&apos;s largest the error of that sensor. Raw readings leave no doubt; for a printed table the choice changes U.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschnitt 2.5 nennt e_12 die Ausgabe von Fy unter Fx (Zeile = Last), teilt aber durch den Nennkennwert der Zeile und nennt das Größte der Zeile die Abweichung dieses Sensors. Rohe Ablesungen lassen keinen Zweifel; bei einer gedruckten Tabelle ändert die Wahl U.</translation>
     </message>
     <message>
         <source>a sensor: its outputs under the other loads</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Sensor: seine Ausgaben unter den anderen Lasten</translation>
     </message>
     <message>
         <source>a load: the outputs of the other sensors under it</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Last: die Ausgaben der anderen Sensoren unter ihr</translation>
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>Stated values</source>
-        <translation type="unfinished"></translation>
+        <translation>Angegebene Werte</translation>
     </message>
     <message>
         <source>Values that a certificate or a paper prints, to be compared with those computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte, die ein Kalibrierschein oder eine Veröffentlichung angibt, zum Vergleich mit den berechneten.</translation>
     </message>
     <message>
         <source>As printed, in mV/V; empty: not compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gedruckt, in mV/V; leer: nicht verglichen.</translation>
     </message>
     <message>
         <source>interference</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersprechen</translation>
     </message>
     <message>
         <source>U, relative</source>
-        <translation type="unfinished"></translation>
+        <translation>U, relativ</translation>
     </message>
     <message>
         <source>Relative expanded uncertainty of Eq 12b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative erweiterte Unsicherheit der Gl. 12b.</translation>
     </message>
     <message>
         <source>U, as a load</source>
-        <translation type="unfinished"></translation>
+        <translation>U, als Last</translation>
     </message>
     <message>
         <source>Expanded uncertainty of Eq 12c in N or N·m, a number without unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterte Unsicherheit der Gl. 12c in N oder N·m, eine Zahl ohne Einheit.</translation>
     </message>
     <message>
         <source>Stated interference in %</source>
-        <translation type="unfinished"></translation>
+        <translation>Angegebenes Übersprechen in %</translation>
     </message>
     <message>
         <source>Table 4 of the paper: interference by the rated output of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle 4 der Veröffentlichung: Übersprechen geteilt durch den Nennkennwert der Zeile.</translation>
     </message>
     <message>
         <source>largest</source>
-        <translation type="unfinished"></translation>
+        <translation>größtes</translation>
     </message>
     <message>
         <source>Largest of the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größtes der Zeile.</translation>
     </message>
     <message>
         <source>Typed measurement equation</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegebene Messgleichung</translation>
     </message>
     <message>
         <source>The uncertainty of a quantity computed from others by an equation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Unsicherheit einer Größe, die aus anderen durch eine Gleichung berechnet wird.</translation>
     </message>
     <message>
         <source>Gauge block by comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Endmaß im Vergleich</translation>
     </message>
     <message>
         <source>The length of a gauge block compared with a standard of the same length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Länge eines Endmaßes, verglichen mit einem Normal derselben Länge.</translation>
     </message>
     <message>
         <source>Two quantities from the same readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Größen aus denselben Ablesungen</translation>
     </message>
     <message>
         <source>Resistance and reactance from simultaneous readings, with their correlation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wirk- und Blindwiderstand aus gleichzeitigen Ablesungen, mit ihrer Korrelation.</translation>
     </message>
     <message>
         <source>Calibration line of a thermometer</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibriergerade eines Thermometers</translation>
     </message>
     <message>
         <source>The correction at any reading, from a line through calibration points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Korrektion bei jeder Ablesung, aus einer Geraden durch Kalibrierpunkte.</translation>
     </message>
     <message>
         <source>Observations on several days</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen an mehreren Tagen</translation>
     </message>
     <message>
         <source>The mean of readings in groups, and whether the groups differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Mittelwert von Ablesungen in Gruppen und ob sich die Gruppen unterscheiden.</translation>
     </message>
     <message>
         <source>Pose of a platform from a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose einer Plattform mit einem Tracker</translation>
     </message>
     <message>
         <source>Where a robot&apos;s flange or platform is, from nests measured by a laser tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo Flansch oder Plattform eines Roboters ist, aus Aufnahmen, die ein Lasertracker misst.</translation>
     </message>
     <message>
         <source>Pose from two instruments together</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose aus zwei Messgeräten gemeinsam</translation>
     </message>
     <message>
         <source>The same pose measured by a tracker and a total station as one network.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieselbe Pose, gemessen von einem Tracker und einer Totalstation als einem Netz.</translation>
     </message>
     <message>
         <source>Pose from calibrated artefacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose aus kalibrierten Prüfkörpern</translation>
     </message>
     <message>
         <source>A pose whose point uncertainties come from measurements of artefacts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Pose, deren Punktunsicherheiten aus Messungen von Prüfkörpern stammen.</translation>
     </message>
     <message>
         <source>Points by cameras and a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte mit Kameras und einem Tracker</translation>
     </message>
     <message>
         <source>Coordinates of targets that several instruments measure together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten von Zielpunkten, die mehrere Messgeräte gemeinsam messen.</translation>
     </message>
     <message>
         <source>Where do I put the station?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wohin stelle ich den Standpunkt?</translation>
     </message>
     <message>
         <source>The place of an instrument that makes the uncertainties smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ort eines Messgeräts, der die Unsicherheiten am kleinsten macht.</translation>
     </message>
     <message>
         <source>Tool by ballbars</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug mit Kugelstäben</translation>
     </message>
     <message>
         <source>A robot&apos;s tool centre point from rotations measured by telescopic ballbars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Werkzeugmittelpunkt eines Roboters aus Drehungen, gemessen mit teleskopischen Kugelstäben.</translation>
     </message>
     <message>
         <source>Which points do I measure?</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Punkte messe ich?</translation>
     </message>
     <message>
         <source>The dozen of a plan of points that makes the uncertainty smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Dutzend aus einem Plan von Punkten, das die Unsicherheit am kleinsten macht.</translation>
     </message>
     <message>
         <source>Tool position of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugposition eines Roboters</translation>
     </message>
     <message>
         <source>Where the tool is, from joint readings and Denavit-Hartenberg parameters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Werkzeug ist, aus Gelenkablesungen und Denavit-Hartenberg-Parametern.</translation>
     </message>
     <message>
         <source>Parameters of an arm from circles that its joints describe one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter eines Arms aus Kreisen, die seine Gelenke einzeln beschreiben.</translation>
     </message>
     <message>
         <source>Parameters of an arm from measured places of its flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter eines Arms aus gemessenen Orten seines Flansches.</translation>
     </message>
     <message>
         <source>Calibration of a force/moment sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung eines Kraft-/Momentensensors</translation>
     </message>
     <message>
         <source>Errors and uncertainty of the channels of a multi-axis sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichungen und Unsicherheit der Kanäle eines mehrachsigen Sensors.</translation>
     </message>
     <message>
         <source>Forces and moments from readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Kräfte und Momente aus Ablesungen</translation>
     </message>
     <message>
         <source>Loads from the readings of a multi-axis sensor by its calibration matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasten aus den Ablesungen eines mehrachsigen Sensors durch seine Kalibriermatrix.</translation>
     </message>
     <message>
         <source>Law of propagation alone (JCGM 100), with a fixed number of trials (JCGM 101), or with as many as the tolerance needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Fortpflanzungsgesetz (JCGM 100), mit fester Anzahl von Versuchen (JCGM 101) oder mit so vielen, wie die Toleranz braucht.</translation>
     </message>
     <message>
         <source>Law of propagation only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Fortpflanzungsgesetz</translation>
     </message>
     <message>
         <source>Monte Carlo, fixed number of trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo, feste Anzahl von Versuchen</translation>
     </message>
     <message>
         <source>Monte Carlo, adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo, adaptiv</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche</translation>
     </message>
     <message>
         <source>Of the method monte-carlo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Methode monte-carlo.</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Startzahl</translation>
     </message>
     <message>
         <source>0 to 18446744073709551615, as text.</source>
-        <translation type="unfinished"></translation>
+        <translation>0 bis 18446744073709551615, als Text.</translation>
     </message>
     <message>
         <source>Variance reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianzreduktion</translation>
     </message>
     <message>
         <source>Makes each trial tell more; the gain is measured and stated with the result. Plain trials are those of JCGM 101.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt jeden Versuch mehr aussagen; der Gewinn wird gemessen und mit dem Ergebnis angegeben. Einfache Versuche sind die nach JCGM 101.</translation>
     </message>
     <message>
         <source>None: plain trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine: einfache Versuche</translation>
     </message>
     <message>
         <source>Control variate: the linear part</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrollvariate: der lineare Anteil</translation>
     </message>
     <message>
         <source>Sobol points, scrambled</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobol-Punkte, verwürfelt</translation>
     </message>
     <message>
         <source>Coverage probability</source>
-        <translation type="unfinished"></translation>
+        <translation>Überdeckungswahrscheinlichkeit</translation>
     </message>
     <message>
         <source>Of the expanded uncertainty, of intervals and regions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der erweiterten Unsicherheit, der Intervalle und Bereiche.</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor</translation>
     </message>
     <message>
         <source>A fixed k for U = k u; absent: U by the effective degrees of freedom (law of propagation), or half of the coverage interval (Monte Carlo).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein festes k für U = k u; fehlt es: U aus den effektiven Freiheitsgraden (Fortpflanzungsgesetz) oder die Hälfte des Überdeckungsintervalls (Monte Carlo).</translation>
     </message>
     <message>
         <source>Second-order terms</source>
-        <translation type="unfinished"></translation>
+        <translation>Glieder zweiter Ordnung</translation>
     </message>
     <message>
         <source>Terms of second order of the law of propagation (JCGM 100 5.1.2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Glieder zweiter Ordnung des Fortpflanzungsgesetzes (JCGM 100 5.1.2).</translation>
     </message>
     <message>
         <source>Trials one at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche einzeln</translation>
     </message>
     <message>
         <source>Of Monte Carlo with all components but one kept constant, for each component; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Monte Carlo mit allen Komponenten bis auf eine konstant, für jede Komponente; 0: keine.</translation>
     </message>
     <message>
         <source>Trials by contributor</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche je Beitragendem</translation>
     </message>
     <message>
         <source>Of Monte Carlo without each contributor, and of it alone; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Monte Carlo ohne jeden Beitragenden und mit ihm allein; 0: keine.</translation>
     </message>
     <message>
         <source>Trials for Sobol indices</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche für Sobol-Indizes</translation>
     </message>
     <message>
         <source>Pairs of trials for Sobol indices; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuchspaare für Sobol-Indizes; 0: keine.</translation>
     </message>
     <message>
         <source>Significant digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Signifikante Stellen</translation>
     </message>
     <message>
         <source>Of u, for the numerical tolerance of adaptive runs and of the validation (JCGM 101 7.9.2, 8).</source>
-        <translation type="unfinished"></translation>
+        <translation>Von u, für die numerische Toleranz adaptiver Läufe und der Validierung (JCGM 101 7.9.2, 8).</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>A quantity applies to the outputs of its dimension; a number to every output in its SI unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Größe gilt für die Ausgangsgrößen ihrer Dimension; eine Zahl für jede Ausgangsgröße in ihrer SI-Einheit.</translation>
     </message>
     <message>
         <source>Least number of batches</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Anzahl von Blöcken</translation>
     </message>
     <message>
         <source>Of an adaptive run, before it may stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines adaptiven Laufs, bevor er anhalten darf.</translation>
     </message>
     <message>
         <source>Most trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstzahl der Versuche</translation>
     </message>
     <message>
         <source>At which an adaptive run stops in any case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei der ein adaptiver Lauf auf jeden Fall anhält.</translation>
     </message>
     <message>
         <source>Certificate and laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein und Laboratorium</translation>
     </message>
     <message>
         <source>Certificate number</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer des Kalibrierscheins</translation>
     </message>
     <message>
         <source>Unique; it stands on every page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eindeutig; sie steht auf jeder Seite.</translation>
     </message>
     <message>
         <source>Laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>Laboratorium</translation>
     </message>
     <message>
         <source>That issues the certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das den Kalibrierschein ausstellt.</translation>
     </message>
     <message>
         <source>Address of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschrift des Laboratoriums</translation>
     </message>
     <message>
         <source>Street, town, country.</source>
-        <translation type="unfinished"></translation>
+        <translation>Straße, Ort, Land.</translation>
     </message>
     <message>
         <source>Country of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>Land des Laboratoriums</translation>
     </message>
     <message>
         <source>Two capital letters (ISO 3166-1): DE. For a Digital Calibration Certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Großbuchstaben (ISO 3166-1): DE. Für einen Digitalen Kalibrierschein.</translation>
     </message>
     <message>
         <source>Accreditation number</source>
-        <translation type="unfinished"></translation>
+        <translation>Akkreditierungsnummer</translation>
     </message>
     <message>
         <source>Absent: not accredited for this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlt: hierfür nicht akkreditiert.</translation>
     </message>
     <message>
         <source>Place of calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort der Kalibrierung</translation>
     </message>
     <message>
         <source>Where it was done if not in the laboratory: at the customer, in the field.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo sie stattfand, wenn nicht im Laboratorium: beim Kunden, vor Ort.</translation>
     </message>
     <message>
         <source>Customer</source>
-        <translation type="unfinished"></translation>
+        <translation>Kunde</translation>
     </message>
     <message>
         <source>For whom it was done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für wen sie durchgeführt wurde.</translation>
     </message>
     <message>
         <source>Address of the customer</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschrift des Kunden</translation>
     </message>
     <message>
         <source>Item</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegenstand</translation>
     </message>
     <message>
         <source>What was calibrated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was kalibriert wurde.</translation>
     </message>
     <message>
         <source>Manufacturer</source>
-        <translation type="unfinished"></translation>
+        <translation>Hersteller</translation>
     </message>
     <message>
         <source>Of the item.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Gegenstands.</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>The manufacturer&apos;s name for it: model, size, class.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bezeichnung des Herstellers: Modell, Größe, Klasse.</translation>
     </message>
     <message>
         <source>Serial number</source>
-        <translation type="unfinished"></translation>
+        <translation>Seriennummer</translation>
     </message>
     <message>
         <source>By which the item is recognised, unless it has an identification.</source>
-        <translation type="unfinished"></translation>
+        <translation>An der der Gegenstand erkannt wird, wenn er keine Kennzeichnung hat.</translation>
     </message>
     <message>
         <source>Identification</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzeichnung</translation>
     </message>
     <message>
         <source>The customer&apos;s mark, an inventory number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Zeichen des Kunden, eine Inventarnummer.</translation>
     </message>
     <message>
         <source>Condition of the item</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Gegenstands</translation>
     </message>
     <message>
         <source>As it was received, where that matters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie er einging, wo das von Belang ist.</translation>
     </message>
     <message>
         <source>Dates</source>
-        <translation type="unfinished"></translation>
+        <translation>Daten</translation>
     </message>
     <message>
         <source>Received</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegangen</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-17.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 8601: 2026-04-17.</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibriert</translation>
     </message>
     <message>
         <source>A date, or two of an interval: 2026-04-17/2026-04-18.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Datum oder zwei eines Zeitraums: 2026-04-17/2026-04-18.</translation>
     </message>
     <message>
         <source>Issued</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgestellt</translation>
     </message>
     <message>
         <source>ISO 8601: 2026-04-20.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 8601: 2026-04-20.</translation>
     </message>
     <message>
         <source>Procedure by which it was calibrated, with its edition.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren, nach dem kalibriert wurde, mit seiner Ausgabe.</translation>
     </message>
     <message>
         <source>Deviations from the method</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichungen von der Methode</translation>
     </message>
     <message>
         <source>Additions, exclusions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergänzungen, Ausschlüsse.</translation>
     </message>
     <message>
         <source>Environmental conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>Umgebungsbedingungen</translation>
     </message>
     <message>
         <source>Those that influence the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die, die die Ergebnisse beeinflussen.</translation>
     </message>
     <message>
         <source>Metrological traceability</source>
-        <translation type="unfinished"></translation>
+        <translation>Metrologische Rückführbarkeit</translation>
     </message>
     <message>
         <source>To which references, by which certificates the results are traceable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf welche Referenzen und durch welche Kalibrierscheine die Ergebnisse rückführbar sind.</translation>
     </message>
     <message>
         <source>Adjustment or repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Justierung oder Reparatur</translation>
     </message>
     <message>
         <source>Results before and after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse davor und danach.</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Bemerkungen</translation>
     </message>
     <message>
         <source>Opinions and interpretations are marked as such (7.8.7).</source>
-        <translation type="unfinished"></translation>
+        <translation>Meinungen und Interpretationen sind als solche gekennzeichnet (7.8.7).</translation>
     </message>
     <message>
         <source>Authorisation</source>
-        <translation type="unfinished"></translation>
+        <translation>Freigabe</translation>
     </message>
     <message>
         <source>Authorised by</source>
-        <translation type="unfinished"></translation>
+        <translation>Freigegeben von</translation>
     </message>
     <message>
         <source>The person who authorises the certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Person, die den Kalibrierschein freigibt.</translation>
     </message>
     <message>
         <source>Function</source>
-        <translation type="unfinished"></translation>
+        <translation>Funktion</translation>
     </message>
     <message>
         <source>Of that person in the laboratory.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Person im Laboratorium.</translation>
     </message>
     <message>
         <source>Measurement model</source>
-        <translation type="unfinished"></translation>
+        <translation>Messmodell</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufbau</translation>
     </message>
     <message>
         <source>Input quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingangsgrößen</translation>
     </message>
     <message>
         <source>Artefacts and instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfkörper und Messgeräte</translation>
     </message>
     <message>
         <source>Uncertainty budgets</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheitsbudgets</translation>
     </message>
     <message>
         <source>Sobol indices and contributors</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobol-Indizes und Beitragende</translation>
     </message>
     <message>
         <source>Evaluation of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung des Aufbaus</translation>
     </message>
     <message>
         <source>Law of propagation beside Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortpflanzungsgesetz neben Monte Carlo</translation>
     </message>
     <message>
         <source>Joint coverage regions</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemeinsame Überdeckungsbereiche</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilungen</translation>
     </message>
     <message>
         <source>Set-up in space</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufbau im Raum</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien</translation>
     </message>
     <message>
         <source>Designs</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>Provenance</source>
-        <translation type="unfinished"></translation>
+        <translation>Herkunftsnachweis</translation>
     </message>
     <message>
         <source>mean value</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelwert</translation>
     </message>
     <message>
         <source>standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung</translation>
     </message>
     <message>
         <source>scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Skala</translation>
     </message>
     <message>
         <source>degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade</translation>
     </message>
     <message>
         <source>lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>untere Grenze</translation>
     </message>
     <message>
         <source>upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>obere Grenze</translation>
     </message>
     <message>
         <source>curvilinear trapezoid</source>
-        <translation type="unfinished"></translation>
+        <translation>krummliniges Trapez</translation>
     </message>
     <message>
         <source>inexactness of the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungenauigkeit der Grenzen</translation>
     </message>
     <message>
         <source>ratio of top to base</source>
-        <translation type="unfinished"></translation>
+        <translation>Verhältnis oben zu unten</translation>
     </message>
     <message>
         <source>shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form</translation>
     </message>
     <message>
         <source>truncated normal</source>
-        <translation type="unfinished"></translation>
+        <translation>gestutzt normal</translation>
     </message>
     <message>
         <source>lognormal</source>
-        <translation type="unfinished"></translation>
+        <translation>lognormal</translation>
     </message>
     <message>
         <source>mean value of the logarithm of the number in SI</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelwert des Logarithmus der Zahl in SI</translation>
     </message>
     <message>
         <source>standard deviation of the logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung des Logarithmus</translation>
     </message>
     <message>
         <source>parameter alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter alpha</translation>
     </message>
     <message>
         <source>parameter beta</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter beta</translation>
     </message>
     <message>
         <source>discrete</source>
-        <translation type="unfinished"></translation>
+        <translation>diskret</translation>
     </message>
     <message>
         <source>SpatialAnalyzer points (ASCII)</source>
-        <translation type="unfinished"></translation>
+        <translation>SpatialAnalyzer-Punkte (ASCII)</translation>
     </message>
     <message>
         <source>Table of points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkttabelle</translation>
     </message>
     <message>
         <source>Digital Calibration Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Digitaler Kalibrierschein</translation>
     </message>
     <message>
         <source>Leica GSI-8 and GSI-16</source>
-        <translation type="unfinished"></translation>
+        <translation>Leica GSI-8 und GSI-16</translation>
     </message>
     <message>
         <source>GNU Gama network</source>
-        <translation type="unfinished"></translation>
+        <translation>GNU-Gama-Netz</translation>
     </message>
     <message>
         <source>Comp3D coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D-Koordinaten</translation>
     </message>
     <message>
         <source>Comp3D observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D-Beobachtungen</translation>
     </message>
     <message>
         <source>Uncertainty budget in Excel</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheitsbudget in Excel</translation>
     </message>
     <message>
         <source>GUM Workbench</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM Workbench</translation>
     </message>
     <message>
         <source>Suncal project</source>
-        <translation type="unfinished"></translation>
+        <translation>Suncal-Projekt</translation>
     </message>
     <message>
         <source>OptiTrack Motive tracking data</source>
-        <translation type="unfinished"></translation>
+        <translation>Trackingdaten von OptiTrack Motive</translation>
     </message>
     <message>
         <source>Kinematic calibration of a UR robot (ROS)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kinematische Kalibrierung eines UR-Roboters (ROS)</translation>
     </message>
     <message>
         <source>Point list with Ux Uy Uz (SpatialAnalyzer ASCII)</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktliste mit Ux Uy Uz (SpatialAnalyzer ASCII)</translation>
     </message>
     <message>
         <source>Digital Calibration Certificate 3.2.1</source>
-        <translation type="unfinished"></translation>
+        <translation>Digitaler Kalibrierschein 3.2.1</translation>
     </message>
     <message>
         <source>Excel workbook</source>
-        <translation type="unfinished"></translation>
+        <translation>Excel-Arbeitsmappe</translation>
     </message>
     <message>
         <source>Robot description (URDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboterbeschreibung (URDF)</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>The pose, point or target the quantity belongs to</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Pose, der Punkt oder der Zielpunkt, zu dem die Größe gehört</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgröße</translation>
     </message>
     <message>
         <source>Estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert</translation>
     </message>
     <message>
         <source>Best value of the output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Bester Wert der Ausgangsgröße</translation>
     </message>
     <message>
         <source>Standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit</translation>
     </message>
     <message>
         <source>Coverage factor. U = k u with k of the t distribution for the effective degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor. U = k u mit k der t-Verteilung für die effektiven Freiheitsgrade.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U = k u with k of the t distribution for the effective degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterte Unsicherheit. U = k u mit k der t-Verteilung für die effektiven Freiheitsgrade.</translation>
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>Untere</translation>
     </message>
     <message>
         <source>Limit of the probabilistically symmetric coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze des probabilistisch symmetrischen Überdeckungsintervalls</translation>
     </message>
     <message>
         <source>High</source>
-        <translation type="unfinished"></translation>
+        <translation>Obere</translation>
     </message>
     <message>
         <source>Limit of the shortest coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze des kürzesten Überdeckungsintervalls</translation>
     </message>
     <message>
         <source>Estimate (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert (erste Ordnung)</translation>
     </message>
     <message>
         <source>By the law of propagation of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem Fortpflanzungsgesetz der Unsicherheit</translation>
     </message>
     <message>
         <source>u (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>u (erste Ordnung)</translation>
     </message>
     <message>
         <source>Effective degrees of freedom (JCGM 100 G.4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Effektive Freiheitsgrade (JCGM 100 G.4)</translation>
     </message>
     <message>
         <source>U (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (erste Ordnung)</translation>
     </message>
     <message>
         <source>First order validated</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Ordnung validiert</translation>
     </message>
     <message>
         <source>JCGM 101 clause 8: agrees with Monte Carlo within the tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 101 Abschnitt 8: stimmt innerhalb der Toleranz mit Monte Carlo überein</translation>
     </message>
     <message>
         <source>u (second order)</source>
-        <translation type="unfinished"></translation>
+        <translation>u (zweite Ordnung)</translation>
     </message>
     <message>
         <source>With the second-order terms of JCGM 100 5.1.2; for information</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit den Gliedern zweiter Ordnung nach JCGM 100 5.1.2; zur Information</translation>
     </message>
     <message>
         <source>shift (second order)</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebung (zweite Ordnung)</translation>
     </message>
     <message>
         <source>What the curvature of the equation adds to the estimate; for information, not added</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Krümmung der Gleichung zum Schätzwert beiträgt; zur Information, nicht addiert</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielwert</translation>
     </message>
     <message>
         <source>Target uncertainty that is required</source>
-        <translation type="unfinished"></translation>
+        <translation>Geforderte Zielunsicherheit</translation>
     </message>
     <message>
         <source>U / target</source>
-        <translation type="unfinished"></translation>
+        <translation>U / Zielwert</translation>
     </message>
     <message>
         <source>Expanded uncertainty as a part of its target: above 1 the target is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterte Unsicherheit als Teil ihres Zielwerts: über 1 ist der Zielwert nicht eingehalten</translation>
     </message>
     <message>
         <source>Requirement</source>
-        <translation type="unfinished"></translation>
+        <translation>Anforderung</translation>
     </message>
     <message>
         <source>Whether the target uncertainty is met and the value is accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Zielunsicherheit eingehalten und der Wert angenommen ist</translation>
     </message>
     <message>
         <source>Input quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingangsgröße</translation>
     </message>
     <message>
         <source>Component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheitskomponente</translation>
     </message>
     <message>
         <source>Of the component&apos;s u</source>
-        <translation type="unfinished"></translation>
+        <translation>Von u der Komponente</translation>
     </message>
     <message>
         <source>Standard uncertainty of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Komponente</translation>
     </message>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilung</translation>
     </message>
     <message>
         <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung vom Typ A oder Typ B (JCGM 100 2.3.2, 2.3.3)</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade</translation>
     </message>
     <message>
         <source>Sensitivity coefficient, unit of the output quantity per unit of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensitivitätskoeffizient, Einheit der Ausgangsgröße je Einheit der Komponente</translation>
     </message>
     <message>
         <source>|c|·u</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u</translation>
     </message>
     <message>
         <source>Contribution to the standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Beitrag zur Standardunsicherheit</translation>
     </message>
     <message>
         <source>Share / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil / %</translation>
     </message>
     <message>
         <source>Of the variance, with its part of the covariances</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Varianz, mit seinem Teil der Kovarianzen</translation>
     </message>
     <message>
         <source>u one at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>u einzeln</translation>
     </message>
     <message>
         <source>By Monte Carlo with every other component kept constant</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Monte Carlo, jede andere Komponente konstant gehalten</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Herkunft</translation>
     </message>
     <message>
         <source>Where the figure comes from</source>
-        <translation type="unfinished"></translation>
+        <translation>Woher die Zahl stammt</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>In</translation>
     </message>
     <message>
         <source>Whether both results have the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob beide Ergebnisse die Größe haben</translation>
     </message>
     <message>
         <source>U before</source>
-        <translation type="unfinished"></translation>
+        <translation>U vorher</translation>
     </message>
     <message>
         <source>Expanded uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterte Unsicherheit</translation>
     </message>
     <message>
         <source>U after</source>
-        <translation type="unfinished"></translation>
+        <translation>U nachher</translation>
     </message>
     <message>
         <source>Change of U in %</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung von U in %</translation>
     </message>
     <message>
         <source>Change of the expanded uncertainty, in per cent of that before</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der erweiterten Unsicherheit, in Prozent der vorherigen</translation>
     </message>
     <message>
         <source>Estimate before</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert vorher</translation>
     </message>
     <message>
         <source>Estimate after</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert nachher</translation>
     </message>
     <message>
         <source>Change of estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung des Schätzwerts</translation>
     </message>
     <message>
         <source>Estimate after less estimate before</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert nachher minus Schätzwert vorher</translation>
     </message>
     <message>
         <source>u before</source>
-        <translation type="unfinished"></translation>
+        <translation>u vorher</translation>
     </message>
     <message>
         <source>u after</source>
-        <translation type="unfinished"></translation>
+        <translation>u nachher</translation>
     </message>
     <message>
         <source>k before</source>
-        <translation type="unfinished"></translation>
+        <translation>k vorher</translation>
     </message>
     <message>
         <source>k after</source>
-        <translation type="unfinished"></translation>
+        <translation>k nachher</translation>
     </message>
     <message>
         <source>Changed, the same, new, or gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Geändert, gleich, neu oder entfallen</translation>
     </message>
     <message>
         <source>|c|·u before</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u vorher</translation>
     </message>
     <message>
         <source>|c|·u after</source>
-        <translation type="unfinished"></translation>
+        <translation>|c|·u nachher</translation>
     </message>
     <message>
         <source>Share before / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil vorher / %</translation>
     </message>
     <message>
         <source>Of the variance before</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Varianz vorher</translation>
     </message>
     <message>
         <source>Share after / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil nachher / %</translation>
     </message>
     <message>
         <source>Of the variance after</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Varianz nachher</translation>
     </message>
     <message>
         <source>Change of variance / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Varianz / %</translation>
     </message>
     <message>
         <source>By how much this component changes the variance of the output, in per cent of the whole variance before; the rows add up to the change of the whole</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel diese Komponente die Varianz der Ausgangsgröße ändert, in Prozent der gesamten vorherigen Varianz; die Zeilen summieren sich zur gesamten Änderung</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>eingehalten</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht eingehalten</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>gamma</source>
-        <translation type="unfinished"></translation>
+        <translation>gamma</translation>
     </message>
     <message>
         <source>beta</source>
-        <translation type="unfinished"></translation>
+        <translation>beta</translation>
     </message>
     <message>
         <source>Coverage factor. U = k u with the coverage factor that was fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor. U = k u mit dem Erweiterungsfaktor, der festgelegt wurde.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U = k u with the coverage factor that was fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterte Unsicherheit. U = k u mit dem Erweiterungsfaktor, der festgelegt wurde.</translation>
     </message>
     <message>
         <source>Coverage factor. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor. U ist die halbe Breite des probabilistisch symmetrischen Überdeckungsintervalls, und k = U/u.</translation>
     </message>
     <message>
         <source>Expanded uncertainty. U is half the width of the probabilistically symmetric coverage interval, and k = U/u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterte Unsicherheit. U ist die halbe Breite des probabilistisch symmetrischen Überdeckungsintervalls, und k = U/u.</translation>
     </message>
     <message>
         <source>75 nm: standard uncertainty
@@ -4443,298 +4443,304 @@ rectangular 0.5 (or rect, ±): limits about the value; likewise triangular, arcs
 limits 19.5 to 20.5: they give the value
 resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 nu 18 behind any of them: degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>75 nm: Standardunsicherheit
+2 ppm: Standardunsicherheit, ein Teil des Wertes
+U = 0.3 um, k = 2 (oder p = 95 %): Kalibrierschein
+rectangular 0.5 (oder rect, ±): Grenzen um den Wert; ebenso triangular, arcsine
+limits 19.5 to 20.5: sie liefern den Wert
+resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
+nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Target uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielunsicherheit</translation>
     </message>
     <message>
         <source>The expanded uncertainty U must not exceed this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erweiterte Unsicherheit U darf dies nicht überschreiten.</translation>
     </message>
     <message>
         <source>Lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Untere Grenze</translation>
     </message>
     <message>
         <source>Of the tolerance; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Toleranz; leer: keine.</translation>
     </message>
     <message>
         <source>Upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Obere Grenze</translation>
     </message>
     <message>
         <source>Guard factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Schutzfaktor</translation>
     </message>
     <message>
         <source>Guard bands of this times U inside the tolerance: 1 proves conformity (ISO 14253-1), 0 is simple acceptance, negative values favour the producer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schutzabstände von so vielen U innerhalb der Toleranz: 1 weist Konformität nach (ISO 14253-1), 0 ist einfache Annahme, negative Werte begünstigen den Hersteller.</translation>
     </message>
     <message>
         <source>Prior mean</source>
-        <translation type="unfinished"></translation>
+        <translation>A-priori-Mittelwert</translation>
     </message>
     <message>
         <source>What is known of such quantities before the measurement, as a normal distribution (the production process): for the global risks of JCGM 106.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was man vor der Messung von solchen Größen weiß, als Normalverteilung (Herstellungsprozess): für die globalen Risiken nach JCGM 106.</translation>
     </message>
     <message>
         <source>Prior standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>A-priori-Standardabweichung</translation>
     </message>
     <message>
         <source>Of the production process.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Herstellungsprozesses.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui</name>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hinzufügen</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
         <source>“%1” is not a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Einheit.</translation>
     </message>
     <message>
         <source>a number without unit is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl ohne Einheit wird erwartet.</translation>
     </message>
     <message>
         <source>a unit like %1 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Einheit wie %1 wird erwartet.</translation>
     </message>
     <message>
         <source>The unit %1 does not fit here: </source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einheit %1 passt hier nicht: </translation>
     </message>
     <message>
         <source>“%1” is not a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine ganze Zahl.</translation>
     </message>
     <message>
         <source>“%1” is not one of: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keines von: %2.</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>“%1” is neither yes nor no.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist weder ja noch nein.</translation>
     </message>
     <message>
         <source>The value must be greater than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wert muss größer als %1 sein.</translation>
     </message>
     <message>
         <source>The value must be at least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wert muss mindestens %1 sein.</translation>
     </message>
     <message>
         <source>The value must be at most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wert darf höchstens %1 sein.</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade</translation>
     </message>
     <message>
         <source>Unsaved Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderungen an „%1“ speichern?</translation>
     </message>
     <message>
         <source>Without saving they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Speichern gehen sie verloren.</translation>
     </message>
     <message>
         <source>File Changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei geändert</translation>
     </message>
     <message>
         <source>Another program changed “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Programm hat „%1“ geändert.</translation>
     </message>
     <message>
         <source>Reading it again loses your unsaved changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim erneuten Lesen gehen Ihre nicht gespeicherten Änderungen verloren.</translation>
     </message>
     <message>
         <source>It can be read again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie kann erneut gelesen werden.</translation>
     </message>
     <message>
         <source>Read Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut lesen</translation>
     </message>
     <message>
         <source>Keep Mine</source>
-        <translation type="unfinished"></translation>
+        <translation>Meine behalten</translation>
     </message>
     <message>
         <source>Recover Unsaved Work</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Arbeit wiederherstellen</translation>
     </message>
     <message>
         <source>Covaria did not end properly. Unsaved work was kept:</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria wurde nicht ordnungsgemäß beendet. Nicht gespeicherte Arbeit blieb erhalten:</translation>
     </message>
     <message>
         <source>Open Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt öffnen</translation>
     </message>
     <message>
         <source>Covaria project or report (*.covaria *.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria-Projekt oder -Bericht (*.covaria *.pdf)</translation>
     </message>
     <message>
         <source>About Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Covaria</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Measurement uncertainty of robots and large-scale metrology.&lt;br&gt;Evaluates by JCGM 100, 101 and 102.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;Covaria %1&lt;/h3&gt;&lt;p&gt;Messunsicherheit von Robotern und Großraummetrologie.&lt;br&gt;Wertet nach JCGM 100, 101 und 102 aus.&lt;/p&gt;&lt;p&gt;Qt %2, VTK %3, Eigen %4&lt;/p&gt;</translation>
     </message>
     <message>
         <source>symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>Symbol</translation>
     </message>
     <message>
         <source>As the equations use it; further rows of a symbol add components</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Gleichungen es verwenden; weitere Zeilen eines Symbols fügen Komponenten hinzu</translation>
     </message>
     <message>
         <source>quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>What it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Was es ist</translation>
     </message>
     <message>
         <source>estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert</translation>
     </message>
     <message>
         <source>In the row&apos;s unit: 50.000 838 or 50.000 838 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Einheit der Zeile: 50.000 838 oder 50.000 838 mm</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Of the estimate and of what is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Schätzwerts und des Angegebenen</translation>
     </message>
     <message>
         <source>stated as</source>
-        <translation type="unfinished"></translation>
+        <translation>angegeben als</translation>
     </message>
     <message>
         <source>distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilung</translation>
     </message>
     <message>
         <source>That Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Monte Carlo zieht</translation>
     </message>
     <message>
         <source>type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung vom Typ A oder Typ B (JCGM 100 2.3.2, 2.3.3)</translation>
     </message>
     <message>
         <source>Degrees of freedom; empty: infinite, or those of the observations</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade; leer: unendlich oder die der Beobachtungen</translation>
     </message>
     <message>
         <source>Standard uncertainty, in the row&apos;s unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit, in der Einheit der Zeile</translation>
     </message>
     <message>
         <source>Sensitivity coefficient, unit of the result per unit of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensitivitätskoeffizient, Einheit des Ergebnisses je Einheit der Zeile</translation>
     </message>
     <message>
         <source>Contribution to the standard uncertainty of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Beitrag zur Standardunsicherheit des Ergebnisses</translation>
     </message>
     <message>
         <source>index / %</source>
-        <translation type="unfinished"></translation>
+        <translation>Index / %</translation>
     </message>
     <message>
         <source>Share of the variance, with its part of the covariances</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil an der Varianz, mit seinem Teil der Kovarianzen</translation>
     </message>
     <message>
         <source>source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <source>Where the figure comes from</source>
-        <translation type="unfinished"></translation>
+        <translation>Woher die Zahl stammt</translation>
     </message>
     <message>
         <source>Standard uncertainty of the position in space: square root of the sum of the variances of its three coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Position im Raum: Quadratwurzel aus der Summe der Varianzen ihrer drei Koordinaten</translation>
     </message>
     <message>
         <source>, worth %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, so viel wie %1</translation>
     </message>
     <message>
         <source>Preview by the law of propagation, without Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau nach dem Fortpflanzungsgesetz, ohne Monte Carlo</translation>
     </message>
     <message>
         <source>Preview with %1 trials, before the adaptive procedure</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau mit %1 Versuchen, vor dem adaptiven Verfahren</translation>
     </message>
     <message>
         <source>Preview with %1 of %2 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau mit %1 von %2 Versuchen</translation>
     </message>
     <message>
         <source>Law of propagation of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortpflanzungsgesetz der Unsicherheit</translation>
     </message>
     <message>
         <source>Monte Carlo, %1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo, %1 Versuche</translation>
     </message>
     <message>
         <source>Out of date: of the project as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Veraltet: vom früheren Stand des Projekts</translation>
     </message>
     <message>
         <source>Duplicate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 duplizieren</translation>
     </message>
     <message>
         <source>Expanded uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterte Unsicherheit</translation>
     </message>
     <message>
         <source># Keys
@@ -4750,551 +4756,563 @@ nu 18 behind any of them: degrees of freedom</source>
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
 | F1 | help on the field, cell or entry with the focus |
 </source>
-        <translation type="unfinished"></translation>
+        <translation># Tasten
+
+| Taste | Wirkung |
+|---|---|
+| Strg+N, Strg+O, Strg+S | neu, öffnen, speichern |
+| Strg+Z, Strg+Y | rückgängig, wiederholen |
+| F5, Strg+F5, Esc | diese Analyse rechnen, alle rechnen, anhalten |
+| F2, Strg+D, Entf | gewählten Eintrag umbenennen, verdoppeln, löschen |
+| Pfeiltasten, + und − | Szene drehen und vergrößern |
+| 1, 2, 3, 4, F | isometrisch, oben, vorn, rechts, einpassen |
+| Strg+C, Strg+V | Blöcke von Zellen kopieren und einfügen |
+| F1 | Hilfe zu Feld, Zelle oder Eintrag mit dem Fokus |
+</translation>
     </message>
     <message>
         <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Analyse ist noch nicht vollständig: was noch anzugeben ist, steht unten.</translation>
     </message>
     <message>
         <source>The analysis has problems; they are listed below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Analyse hat Probleme; sie sind unten aufgeführt.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
     <message>
         <source>%1 interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Intervall %1</translation>
     </message>
     <message>
         <source>Interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Intervall</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Coverage interval of the result line</source>
-        <translation type="unfinished"></translation>
+        <translation>Überdeckungsintervall der Ergebniszeile</translation>
     </message>
     <message>
         <source>, low</source>
-        <translation type="unfinished"></translation>
+        <translation>, unten</translation>
     </message>
     <message>
         <source>, high</source>
-        <translation type="unfinished"></translation>
+        <translation>, oben</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Double click: goes to the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick: zur Analyse</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsTab</name>
     <message>
         <source>Filter: analysis, symbol, name, group</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter: Analyse, Symbol, Name, Gruppe</translation>
     </message>
     <message>
         <source>Filter of all results</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter aller Ergebnisse</translation>
     </message>
     <message>
         <source>Not met only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur nicht erfüllte</translation>
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Ergebnisse, deren Zielunsicherheit oder Toleranz nicht eingehalten ist</translation>
     </message>
     <message>
         <source>all-results</source>
-        <translation type="unfinished"></translation>
+        <translation>alle-ergebnisse</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgröße</translation>
     </message>
     <message>
         <source>k</source>
-        <translation type="unfinished"></translation>
+        <translation>k</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>aktuell</translation>
     </message>
     <message>
         <source>%1 of %2 requirements met</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Anforderungen erfüllt</translation>
     </message>
     <message>
         <source>%1 of %2 analyses have no result: press Ctrl+F5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Analysen haben kein Ergebnis: Strg+F5 drücken</translation>
     </message>
     <message>
         <source>; </source>
-        <translation type="unfinished"></translation>
+        <translation>; </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::AssetEvaluation</name>
     <message>
         <source>The asset has problems; they are listed below the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Betriebsmittel hat Probleme; sie sind unter der Szene aufgeführt.</translation>
     </message>
     <message>
         <source>This asset is used as it is specified; nothing is evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Betriebsmittel wird wie spezifiziert verwendet; nichts wird ausgewertet.</translation>
     </message>
     <message>
         <source>Evaluation of the asset</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung des Betriebsmittels</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::BudgetPage</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Correlation coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizient</translation>
     </message>
     <message>
         <source>Select two rows, and type the correlation coefficient of their components</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Zeilen auswählen und den Korrelationskoeffizienten ihrer Komponenten eingeben</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Budget</translation>
     </message>
     <message>
         <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;i&gt;r&lt;/i&gt; zweier Zeilen =</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::BudgetSheetModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veraltet: wird berechnet.</translation>
     </message>
     <message>
         <source>Type a name here to add a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier einen Namen eingeben, um eine Größe hinzuzufügen</translation>
     </message>
     <message>
         <source>%1 is no unit for a quantity in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist keine Einheit für eine Größe in %2.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 gefordert.</translation>
     </message>
     <message>
         <source>Asked for by %1 where it applies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 verlangt, wo es zutrifft.</translation>
     </message>
     <message>
         <source>Next Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes fehlendes</translation>
     </message>
     <message>
         <source>What the certificate lacks</source>
-        <translation type="unfinished"></translation>
+        <translation>Was dem Kalibrierschein fehlt</translation>
     </message>
     <message>
         <source>Goes to the next field that %1 requires and that is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Geht zum nächsten leeren Feld, das %1 fordert</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>Everything that %1 requires beside the results is stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles, was %1 neben den Ergebnissen fordert, ist angegeben.</translation>
     </message>
     <message>
         <source>For File › Export › Certificate. A clause of %1 stands where it requires something; a report needs none of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Datei › Exportieren › Kalibrierschein. Ein Abschnitt von %1 steht, wo er etwas fordert; ein Bericht braucht nichts davon.</translation>
     </message>
     <message>
         <source>%1 of %2 required texts are stated; missing: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 geforderten Texten sind angegeben; es fehlen: %3.</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ChartView</name>
     <message>
         <source>Run the analysis to see this chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse ausführen, um dieses Diagramm zu sehen</translation>
     </message>
     <message>
         <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1-Dateien (*.%2)</translation>
     </message>
     <message>
         <source>Save Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramm speichern</translation>
     </message>
     <message>
         <source>Show All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles zeigen</translation>
     </message>
     <message>
         <source>Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild kopieren</translation>
     </message>
     <message>
         <source>Copy Data</source>
-        <translation type="unfinished"></translation>
+        <translation>Daten kopieren</translation>
     </message>
     <message>
         <source>Save as %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Als %1 speichern …</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ColumnTableModel</name>
     <message>
         <source>Out of date: the project has changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veraltet: Das Projekt hat sich seither geändert.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CompareTab</name>
     <message>
         <source>Keep as Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Vorher behalten</translation>
     </message>
     <message>
         <source>Keeps the present results of this analysis, to compare later ones with</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält die jetzigen Ergebnisse dieser Analyse, um spätere mit ihnen zu vergleichen</translation>
     </message>
     <message>
         <source>Go Back to Kept State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum behaltenen Stand zurück</translation>
     </message>
     <message>
         <source>Makes the project what it was when the results were kept; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht das Projekt zu dem, was es war, als die Ergebnisse behalten wurden; kann rückgängig gemacht werden</translation>
     </message>
     <message>
         <source>Discard Kept State</source>
-        <translation type="unfinished"></translation>
+        <translation>Behaltenen Stand verwerfen</translation>
     </message>
     <message>
         <source>Forgets the kept results; the project stays as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergisst die behaltenen Ergebnisse; das Projekt bleibt, wie es jetzt ist</translation>
     </message>
     <message>
         <source>Go Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgröße</translation>
     </message>
     <message>
         <source>Change of estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung des Schätzwerts</translation>
     </message>
     <message>
         <source>u before</source>
-        <translation type="unfinished"></translation>
+        <translation>u vorher</translation>
     </message>
     <message>
         <source>u after</source>
-        <translation type="unfinished"></translation>
+        <translation>u nachher</translation>
     </message>
     <message>
         <source>k before</source>
-        <translation type="unfinished"></translation>
+        <translation>k vorher</translation>
     </message>
     <message>
         <source>k after</source>
-        <translation type="unfinished"></translation>
+        <translation>k nachher</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>In</translation>
     </message>
     <message>
         <source>budget-changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Budget-Änderungen</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Herkunft</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramm</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilungen</translation>
     </message>
     <message>
         <source>Changes of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen des Budgets</translation>
     </message>
     <message>
         <source>The results are kept: the tab Compare shows them beside those to come.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ergebnisse sind behalten: Die Registerkarte Vergleich zeigt sie neben den kommenden.</translation>
     </message>
     <message>
         <source>Go back to kept state</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum behaltenen Stand zurück</translation>
     </message>
     <message>
         <source>Select an analysis to compare its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Analyse auswählen, um ihre Ergebnisse zu vergleichen.</translation>
     </message>
     <message>
         <source>Run the analysis (F5), then keep its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Analyse ausführen (F5), dann ihre Ergebnisse behalten.</translation>
     </message>
     <message>
         <source>Keep the present results and edit: before and after stand here beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die jetzigen Ergebnisse behalten und bearbeiten: vorher und nachher stehen hier nebeneinander.</translation>
     </message>
     <message>
         <source>Before: %1, kept at %2. </source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher: %1, behalten um %2. </translation>
     </message>
     <message>
         <source>After: no results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachher: keine Ergebnisse.</translation>
     </message>
     <message>
         <source>After: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachher: %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ComponentsEdit</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheitskomponenten</translation>
     </message>
     <message>
         <source>Name of the component</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Komponente</translation>
     </message>
     <message>
         <source>Type of evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Art der Auswertung</translation>
     </message>
     <message>
         <source>Degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Herkunft</translation>
     </message>
     <message>
         <source>Back to the components that the model gives</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu den Komponenten, die das Modell liefert</translation>
     </message>
     <message>
         <source>Type A (from observations)</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ A (aus Beobachtungen)</translation>
     </message>
     <message>
         <source>Type B (other means)</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ B (auf andere Weise)</translation>
     </message>
     <message>
         <source>Degrees of freedom of the standard uncertainty; empty: infinitely many.</source>
-        <translation type="unfinished"></translation>
+        <translation>Freiheitsgrade der Standardunsicherheit; leer: unendlich viele.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>Change component of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponente von %1 ändern</translation>
     </message>
     <message>
         <source>component %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponente %1</translation>
     </message>
     <message>
         <source>Add component to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponente zu %1 hinzufügen</translation>
     </message>
     <message>
         <source>Remove component of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponente von %1 entfernen</translation>
     </message>
     <message>
         <source>Reset components of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponenten von %1 zurücksetzen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationEdit</name>
     <message>
         <source>Add to the matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Matrix hinzufügen</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Correlation coefficients between components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizienten zwischen Unsicherheitskomponenten</translation>
     </message>
     <message>
         <source>Component of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheitskomponente</translation>
     </message>
     <message>
         <source>All components are uncorrelated. Add those that are correlated to the matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Komponenten sind unkorreliert. Korrelierte zur Matrix hinzufügen.</translation>
     </message>
     <message>
         <source>The coefficients are possible together (positive semi-definite). Monte Carlo draws them with a Gaussian copula: exact for normal distributions, nearly so for others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Koeffizienten sind zusammen möglich (positiv semidefinit). Monte Carlo zieht sie mit einer Gauß-Copula: exakt für Normalverteilungen, nahezu exakt für andere.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CorrelationTableModel</name>
     <message>
         <source>Correlation of %1 with %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation von %1 mit %2</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::CsvImportDialog</name>
     <message>
         <source>Import %1 into %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2 importieren</translation>
     </message>
     <message>
         <source>found by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>selbst erkannt</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>Komma</translation>
     </message>
     <message>
         <source>semicolon</source>
-        <translation type="unfinished"></translation>
+        <translation>Semikolon</translation>
     </message>
     <message>
         <source>tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabulator</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren</translation>
     </message>
     <message>
         <source>&amp;Separator of cells</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Trennzeichen der Zellen</translation>
     </message>
     <message>
         <source>Column of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte der Datei</translation>
     </message>
     <message>
         <source>is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gelesen als</translation>
     </message>
     <message>
         <source>Columns of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalten der Datei</translation>
     </message>
     <message>
         <source>Column %1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte %1 wird gelesen als</translation>
     </message>
     <message>
         <source>as it is named</source>
-        <translation type="unfinished"></translation>
+        <translation>wie benannt</translation>
     </message>
     <message>
         <source>unknown: choose</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannt: wählen</translation>
     </message>
     <message>
         <source>not read</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gelesen</translation>
     </message>
     <message>
         <source>The file cannot be imported: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei kann nicht importiert werden: %1.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Zeile(n).</numerusform>
+            <numerusform>%n Zeile(n).</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n more problem(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n weitere(s) Problem(e).</numerusform>
+            <numerusform>%n weitere(s) Problem(e).</numerusform>
         </translation>
     </message>
 </context>
@@ -5302,667 +5320,667 @@ nu 18 behind any of them: degrees of freedom</source>
     <name>covaria::ui::DateEditor</name>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>bis</translation>
     </message>
     <message>
         <source>%1, last day</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, letzter Tag</translation>
     </message>
     <message>
         <source>Choose from a calendar</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einem Kalender wählen</translation>
     </message>
     <message>
         <source>“%1” is no date of the form 2026-04-17.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist kein Datum der Form 2026-04-17.</translation>
     </message>
     <message>
         <source>The first day is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der erste Tag fehlt.</translation>
     </message>
     <message>
         <source>The last day is before the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der letzte Tag liegt vor dem ersten.</translation>
     </message>
     <message>
         <source>the same day</source>
-        <translation type="unfinished"></translation>
+        <translation>derselbe Tag</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DensityPicture</name>
     <message>
         <source>Density of the distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte der Verteilung</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignBoxList</name>
     <message>
         <source>Add Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Quader hinzufügen</translation>
     </message>
     <message>
         <source>To, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis, %1</translation>
     </message>
     <message>
         <source>From, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Von, %1</translation>
     </message>
     <message>
         <source>Name of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Quaders</translation>
     </message>
     <message>
         <source>name, such as pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>Name, etwa Säule</translation>
     </message>
     <message>
         <source>Remove Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Quader entfernen</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
         <source>Reductions with a price, in place of variables and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Reduktionen mit einem Preis, anstelle von Variablen und Zeilen</translation>
     </message>
     <message>
         <source>Add Reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>Reduktion hinzufügen</translation>
     </message>
     <message>
         <source>One more uncertainty that can be made smaller for money</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine weitere Unsicherheit, die sich für Geld verkleinern lässt</translation>
     </message>
     <message>
         <source>Smallest factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Faktor</translation>
     </message>
     <message>
         <source>The smallest factor that can be had, between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der kleinste Faktor, der zu haben ist, zwischen 0 und 1</translation>
     </message>
     <message>
         <source>Price of the first halving</source>
-        <translation type="unfinished"></translation>
+        <translation>Preis der ersten Halbierung</translation>
     </message>
     <message>
         <source>Law of the price</source>
-        <translation type="unfinished"></translation>
+        <translation>Preisgesetz</translation>
     </message>
     <message>
         <source>price (1/f − 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Preis (1/f − 1)</translation>
     </message>
     <message>
         <source>price (1/f² − 1)/3: further readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Preis (1/f² − 1)/3: weitere Ablesungen</translation>
     </message>
     <message>
         <source>price log₂(1/f): every halving the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Preis log₂(1/f): jede Halbierung gleich</translation>
     </message>
     <message>
         <source>Remove Reduction</source>
-        <translation type="unfinished"></translation>
+        <translation>Reduktion entfernen</translation>
     </message>
     <message>
         <source>Reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>Reduziert</translation>
     </message>
     <message>
         <source>Least factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Faktor</translation>
     </message>
     <message>
         <source>First halving</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Halbierung</translation>
     </message>
     <message>
         <source>A factor f costs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Faktor f kostet</translation>
     </message>
     <message>
         <source>choose what is reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen, was reduziert wird</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignTab</name>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf</translation>
     </message>
     <message>
         <source>Design of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf dieser Analyse</translation>
     </message>
     <message>
         <source>Run Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf ausführen</translation>
     </message>
     <message>
         <source>Searches for the best design</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht den besten Entwurf</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Stops the search (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Hält die Suche an (Esc)</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten …</translation>
     </message>
     <message>
         <source>Variables, rows and objective of the design, in the properties of the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Variablen, Zeilen und Ziel des Entwurfs, in den Eigenschaften der Analyse</translation>
     </message>
     <message>
         <source>Take Over This Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Entwurf übernehmen</translation>
     </message>
     <message>
         <source>Puts the values and rows that were found into the project; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt die gefundenen Werte und Zeilen in das Projekt ein; kann rückgängig gemacht werden</translation>
     </message>
     <message>
         <source>Add Design …</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf hinzufügen …</translation>
     </message>
     <message>
         <source>Run the design to see the best that can be done with what it may choose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Entwurf ausführen, um das Beste zu sehen, was mit seiner Auswahl möglich ist.</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: add one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Entwurf findet, wo zu stehen und was zu messen ist: einen hinzufügen.</translation>
     </message>
     <message>
         <source> – out of date</source>
-        <translation type="unfinished"></translation>
+        <translation> – veraltet</translation>
     </message>
     <message>
         <source>%1 of %2 evaluations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Auswertungen</translation>
     </message>
     <message>
         <source>, best so far %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, bisher bester %1</translation>
     </message>
     <message>
         <source>searching …</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gesucht …</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>Not searched yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht gesucht.</translation>
     </message>
     <message>
         <source>Nothing that was tried has a result.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts des Versuchten hat ein Ergebnis.</translation>
     </message>
     <message>
         <source>The cheapest reductions cost %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die billigsten Reduktionen kosten %1</translation>
     </message>
     <message>
         <source>The cheapest rows cost %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die billigsten Zeilen kosten %1</translation>
     </message>
     <message>
         <source>, before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, vorher %1</translation>
     </message>
     <message>
         <source>; &lt;b&gt;the target of U(%1) is not met&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>; &lt;b&gt;der Zielwert von U(%1) ist nicht eingehalten&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Veraltet&lt;/b&gt;: gezeigt für den früheren Stand des Projekts. </translation>
     </message>
     <message>
         <source>Take over design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf übernehmen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DesignsForm</name>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf</translation>
     </message>
     <message>
         <source>Adds a design of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt einen Entwurf dieser Analyse hinzu</translation>
     </message>
     <message>
         <source>Adds a copy of this design</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt eine Kopie dieses Entwurfs hinzu</translation>
     </message>
     <message>
         <source>Deletes this design</source>
-        <translation type="unfinished"></translation>
+        <translation>Löscht diesen Entwurf</translation>
     </message>
     <message>
         <source>Searches for the best design</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht den besten Entwurf</translation>
     </message>
     <message>
         <source>A design finds where to stand and what to measure: the numbers and the rows of the set-up that make the uncertainties smallest. Add one to let Covaria search.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Entwurf findet, wo zu stehen und was zu messen ist: die Zahlen und die Zeilen des Aufbaus, die die Unsicherheiten am kleinsten machen. Einen hinzufügen, damit Covaria sucht.</translation>
     </message>
     <message>
         <source>Add Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Variable hinzufügen</translation>
     </message>
     <message>
         <source>One more number that may be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine weitere Zahl, die gewählt werden darf</translation>
     </message>
     <message>
         <source>Name of the design</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Entwurfs</translation>
     </message>
     <message>
         <source>Objective</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>What is made smallest of the ratios of U to the target uncertainties; without targets to U of the present design</source>
-        <translation type="unfinished"></translation>
+        <translation>Was von den Verhältnissen von U zu den Zielunsicherheiten am kleinsten gemacht wird; ohne Zielwerte zu U des jetzigen Entwurfs</translation>
     </message>
     <message>
         <source>Largest ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Größtes Verhältnis</translation>
     </message>
     <message>
         <source>Mean of the ratios</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelwert der Verhältnisse</translation>
     </message>
     <message>
         <source>Root mean square of the ratios</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadratisches Mittel der Verhältnisse</translation>
     </message>
     <message>
         <source>Cost of the rows, with all targets met</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosten der Zeilen, alle Zielwerte eingehalten</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>Minimiert</translation>
     </message>
     <message>
         <source>Output quantities of the design</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgrößen des Entwurfs</translation>
     </message>
     <message>
         <source>Output quantities looked at; with none ticked, all with a target uncertainty, or all measurands</source>
-        <translation type="unfinished"></translation>
+        <translation>Betrachtete Ausgangsgrößen; ist keine angehakt, alle mit einer Zielunsicherheit oder alle Messgrößen</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all with a target, or all measurands)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgrößen (keine angehakt: alle mit Zielwert oder alle Messgrößen)</translation>
     </message>
     <message>
         <source>Rows to choose from</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen zur Auswahl</translation>
     </message>
     <message>
         <source>Table to choose from</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle zur Auswahl</translation>
     </message>
     <message>
         <source>Rows to keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen zu behalten</translation>
     </message>
     <message>
         <source>File of candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei der Kandidaten</translation>
     </message>
     <message>
         <source>A CSV file beside the project with further rows; may be empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine CSV-Datei neben dem Projekt mit weiteren Zeilen; darf leer sein</translation>
     </message>
     <message>
         <source>Rows that stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen, die bleiben</translation>
     </message>
     <message>
         <source>Ticked rows stay in any case</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehakte Zeilen bleiben auf jeden Fall</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Behalten</translation>
     </message>
     <message>
         <source>Candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Kandidaten</translation>
     </message>
     <message>
         <source>Stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleiben</translation>
     </message>
     <message>
         <source>Prices</source>
-        <translation type="unfinished"></translation>
+        <translation>Preise</translation>
     </message>
     <message>
         <source>Starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Starts</translation>
     </message>
     <message>
         <source>Evaluations at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertungen höchstens</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Startzahl</translation>
     </message>
     <message>
         <source>Least distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Abstand</translation>
     </message>
     <message>
         <source>Between instruments, and of them from all other points</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen Messgeräten und von ihnen zu allen anderen Punkten</translation>
     </message>
     <message>
         <source>Keep out of</source>
-        <translation type="unfinished"></translation>
+        <translation>Fernhalten von</translation>
     </message>
     <message>
         <source>No instrument stands in this box</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Quader steht kein Messgerät</translation>
     </message>
     <message>
         <source>Lines of sight are hidden by</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziellinien verdeckt durch</translation>
     </message>
     <message>
         <source>No line of sight passes this box</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Ziellinie geht durch diesen Quader</translation>
     </message>
     <message>
         <source>Prices of the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Preise der Zeilen</translation>
     </message>
     <message>
         <source>one for all rows, or one for each: 120; 80; 95</source>
-        <translation type="unfinished"></translation>
+        <translation>einer für alle Zeilen oder einer für jede: 120; 80; 95</translation>
     </message>
     <message>
         <source>What the rows cost, separated by semicolons; needed where the cost is to be small</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Zeilen kosten, durch Semikolons getrennt; nötig, wo die Kosten klein sein sollen</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no number; separate prices by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; ist keine Zahl; Preise durch Semikolons trennen</translation>
     </message>
     <message>
         <source>Of the random starts: a whole number from 0 to 18446744073709551615</source>
-        <translation type="unfinished"></translation>
+        <translation>Der zufälligen Starts: eine ganze Zahl von 0 bis 18446744073709551615</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DistributionEdit</name>
     <message>
         <source>Distribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilung</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>Probabilities</source>
-        <translation type="unfinished"></translation>
+        <translation>Wahrscheinlichkeiten</translation>
     </message>
     <message>
         <source>numbers with ; between</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen mit ; dazwischen</translation>
     </message>
     <message>
         <source>“%1” are not all numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ sind nicht alles Zahlen.</translation>
     </message>
     <message>
         <source>There must be as many probabilities as values.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es muss so viele Wahrscheinlichkeiten wie Werte geben.</translation>
     </message>
     <message>
         <source>This distribution has no finite standard uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Verteilung hat keine endliche Standardunsicherheit.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::DockTitle</name>
     <message>
         <source>Float or dock</source>
-        <translation type="unfinished"></translation>
+        <translation>Lösen oder andocken</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::Document</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>%1 (from %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (aus %2)</translation>
     </message>
     <message>
         <source>The project has no file yet: choose a name for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt hat noch keine Datei: einen Namen dafür wählen.</translation>
     </message>
     <message>
         <source> (copy)</source>
-        <translation type="unfinished"></translation>
+        <translation> (Kopie)</translation>
     </message>
     <message>
         <source>Add study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie hinzufügen</translation>
     </message>
     <message>
         <source>Duplicate study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie duplizieren</translation>
     </message>
     <message>
         <source>Delete study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie löschen</translation>
     </message>
     <message>
         <source>Change study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie ändern</translation>
     </message>
     <message>
         <source>Study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie %1</translation>
     </message>
     <message>
         <source>Add design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf hinzufügen</translation>
     </message>
     <message>
         <source>Duplicate design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf duplizieren</translation>
     </message>
     <message>
         <source>Delete design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf löschen</translation>
     </message>
     <message>
         <source>Change design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf ändern</translation>
     </message>
     <message>
         <source>Design %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf %1</translation>
     </message>
     <message>
         <source>the project</source>
-        <translation type="unfinished"></translation>
+        <translation>das Projekt</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 umbenennen</translation>
     </message>
     <message>
         <source>Change notes of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen von %1 ändern</translation>
     </message>
     <message>
         <source>Delete %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 löschen</translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verschieben</translation>
     </message>
     <message>
         <source>Take %1 from an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aus einer Analyse nehmen</translation>
     </message>
     <message>
         <source>Remove the link of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verknüpfung von %1 entfernen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EquationsView</name>
     <message>
         <source>Equations</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleichungen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationTab</name>
     <message>
         <source>Evaluation of the set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung des Aufbaus</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
     <message>
         <source>Tables of the evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen der Auswertung</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramm</translation>
     </message>
     <message>
         <source>Which chart of the evaluation is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Welches Diagramm der Auswertung gezeigt wird</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ExportActions</name>
     <message>
         <source>PDF document (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF-Dokument (*.pdf)</translation>
     </message>
     <message>
         <source>HTML page (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML-Seite (*.html)</translation>
     </message>
     <message>
         <source>Markdown text (*.md)</source>
-        <translation type="unfinished"></translation>
+        <translation>Markdown-Text (*.md)</translation>
     </message>
     <message>
         <source>Report as &amp;PDF …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht als &amp;PDF …</translation>
     </message>
     <message>
         <source>&amp;Certificate as PDF …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kalibrierschein als PDF …</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren</translation>
     </message>
     <message>
         <source>Report as &amp;HTML …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht als &amp;HTML …</translation>
     </message>
     <message>
         <source>Report as &amp;Markdown …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht als &amp;Markdown …</translation>
     </message>
     <message>
         <source>&amp;Results and Tables …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ergebnisse und Tabellen …</translation>
     </message>
     <message>
         <source> …</source>
-        <translation type="unfinished"></translation>
+        <translation> …</translation>
     </message>
     <message>
         <source>No results yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Ergebnisse</translation>
     </message>
     <message>
         <source>No analysis is up to date. Run one first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Analyse ist aktuell. Zuerst eine ausführen (F5).</translation>
     </message>
     <message>
         <source>The export waits until the analyses have run</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Export wartet, bis die Analysen gelaufen sind</translation>
     </message>
     <message>
         <source>, without %1: not up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>, ohne %1: nicht aktuell</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Export Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht exportieren</translation>
     </message>
     <message>
         <source>The certificate does not state what ISO/IEC 17025 requires of it:
@@ -5970,1961 +5988,1969 @@ nu 18 behind any of them: degrees of freedom</source>
 %1
 
 It says “not stated” in these places. They are fields of the project&apos;s page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kalibrierschein gibt nicht an, was ISO/IEC 17025 von ihm fordert:
+
+%1
+
+An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Projekts.</translation>
     </message>
     <message>
         <source>Export Anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem exportieren</translation>
     </message>
     <message>
         <source>Export Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein exportieren</translation>
     </message>
     <message>
         <source>Export Results and Tables into the Folder of</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse und Tabellen exportieren in den Ordner von</translation>
     </message>
     <message>
         <source>Results (results.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse (results.json)</translation>
     </message>
     <message>
         <source>%1: what it must state is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Es fehlt, was er angeben muss</translation>
     </message>
     <message>
         <source>Export %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 exportieren</translation>
     </message>
     <message>
         <source>%1 (*%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (*%2)</translation>
     </message>
     <message>
         <source>A report is being written; wait until it is finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bericht wird geschrieben; bitte warten, bis er fertig ist</translation>
     </message>
     <message>
         <source>Writing %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird geschrieben …</translation>
     </message>
     <message>
         <source>Wrote %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geschrieben</translation>
     </message>
     <message>
         <source>The export failed</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Export ist fehlgeschlagen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FieldEditor</name>
     <message>
         <source>From %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 bis %2.</translation>
     </message>
     <message>
         <source>More than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr als %1.</translation>
     </message>
     <message>
         <source>At least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mindestens %1.</translation>
     </message>
     <message>
         <source>At most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens %1.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
     <message>
         <source>Help on the field</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe zum Feld</translation>
     </message>
     <message>
         <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen dürfen mit einer anderen Einheit eingegeben werden (0.5 um); die Pfeiltasten ändern die letzte Stelle.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
     <message>
         <source>line %1: </source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: </translation>
     </message>
     <message>
         <source>&amp;New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neues Projekt</translation>
     </message>
     <message>
         <source>&amp;Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save &amp;As …</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>No projects yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Projekte</translation>
     </message>
     <message>
         <source>New from &amp;Example</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu aus Beis&amp;piel</translation>
     </message>
     <message>
         <source>Untitled project</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbenanntes Projekt</translation>
     </message>
     <message>
         <source>Opening %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird geöffnet …</translation>
     </message>
     <message>
         <source>%1 was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht geöffnet</translation>
     </message>
     <message>
         <source>The project has errors and was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt hat Fehler und wurde nicht geöffnet</translation>
     </message>
     <message>
         <source>Opened %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geöffnet</translation>
     </message>
     <message>
         <source>The example could not be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Beispiel konnte nicht geöffnet werden</translation>
     </message>
     <message>
         <source>The project was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt wurde nicht gespeichert</translation>
     </message>
     <message>
         <source>Save Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt speichern</translation>
     </message>
     <message>
         <source>Covaria project (*.covaria)</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria-Projekt (*.covaria)</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gespeichert</translation>
     </message>
     <message numerus="yes">
         <source>Saved %1 without %n text(s) that cannot be read: see the problems</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 gespeichert ohne %n Text(e), die nicht lesbar sind: siehe Probleme</numerusform>
+            <numerusform>%1 gespeichert ohne %n Text(e), die nicht lesbar sind: siehe Probleme</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>The work could not be recovered</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Arbeit konnte nicht wiederhergestellt werden</translation>
     </message>
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde von einem anderen Programm entfernt; Speichern schreibt es erneut</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::HelpActions</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Help on What Has the &amp;Focus</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe zum &amp;fokussierten Element</translation>
     </message>
     <message>
         <source>M&amp;odels</source>
-        <translation type="unfinished"></translation>
+        <translation>M&amp;odelle</translation>
     </message>
     <message>
         <source>A&amp;rtefacts, Instruments and Robots</source>
-        <translation type="unfinished"></translation>
+        <translation>P&amp;rüfkörper, Messgeräte und Roboter</translation>
     </message>
     <message>
         <source>&amp;Results and Requirements</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ergebnisse und Anforderungen</translation>
     </message>
     <message>
         <source>What Every &amp;Analysis Has</source>
-        <translation type="unfinished"></translation>
+        <translation>Was jede &amp;Analyse hat</translation>
     </message>
     <message>
         <source>&amp;Glossary</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Glossar</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tasten</translation>
     </message>
     <message>
         <source>&amp;About Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Über Covaria</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ImportActions</name>
     <message>
         <source>&amp;Import File …</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei &amp;importieren …</translation>
     </message>
     <message>
         <source>Add points, budgets, certificates, readings or poses of other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte, Budgets, Kalibrierscheine, Ablesungen oder Posen anderer Programme hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Import Robot (URDF) …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Roboter importieren (URDF) …</translation>
     </message>
     <message>
         <source>Add a serial robot from a robot description in URDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen seriellen Roboter aus einer Roboterbeschreibung in URDF hinzufügen</translation>
     </message>
     <message>
         <source>Import File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei importieren</translation>
     </message>
     <message>
         <source>Files that are read (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lesbare Dateien (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 importieren</translation>
     </message>
     <message>
         <source>Imported %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 importiert</translation>
     </message>
     <message>
         <source>Import Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter importieren</translation>
     </message>
     <message>
         <source>Robot description (*.urdf);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboterbeschreibung (*.urdf);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>The robot was not imported</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Roboter wurde nicht importiert</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ImportDialog</name>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>What the file says contradicts itself: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Angaben der Datei widersprechen sich: %1</translation>
     </message>
     <message>
         <source>&amp;Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Blatt</translation>
     </message>
     <message>
         <source>Columns of the file and what each is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalten der Datei und als was jede gelesen wird</translation>
     </message>
     <message>
         <source>Units that the &amp;file does not state</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten, die die &amp;Datei nicht angibt</translation>
     </message>
     <message>
         <source>&amp;Note the file with its size, time and SHA-256 in what is added</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei mit Größe, Zeit und SHA-256 im Hinzugefügten &amp;vermerken</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 importieren</translation>
     </message>
     <message>
         <source>as the file says, else mm</source>
-        <translation type="unfinished"></translation>
+        <translation>wie in der Datei, sonst mm</translation>
     </message>
     <message>
         <source>What becomes of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Was aus der Datei wird</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren</translation>
     </message>
     <message>
         <source>&amp;Read as</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lesen als</translation>
     </message>
     <message>
         <source>&amp;Unit of lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einheit der Längen</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>What becomes of it, and what is not taken over</source>
-        <translation type="unfinished"></translation>
+        <translation>Was daraus wird und was nicht übernommen wird</translation>
     </message>
     <message>
         <source>no reader recognises it: choose one</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Leser erkennt sie: einen wählen</translation>
     </message>
     <message>
         <source>several readers recognise it: choose one</source>
-        <translation type="unfinished"></translation>
+        <translation>mehrere Leser erkennen sie: einen wählen</translation>
     </message>
     <message>
         <source>%1 (recognised)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (erkannt)</translation>
     </message>
     <message>
         <source>Column %1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte %1 wird gelesen als</translation>
     </message>
     <message>
         <source>unknown: choose</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannt: wählen</translation>
     </message>
     <message>
         <source>as it is named</source>
-        <translation type="unfinished"></translation>
+        <translation>wie benannt</translation>
     </message>
     <message>
         <source>Choose what the file is read as.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen, als was die Datei gelesen wird.</translation>
     </message>
     <message>
         <source>%1 assets and %2 analyses are added, in one step that can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Betriebsmittel und %2 Analysen werden hinzugefügt, in einem Schritt, der rückgängig gemacht werden kann.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Imported from %1, %2 bytes, of %3, SHA-256 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Importiert aus %1, %2 Byte, von %3, SHA-256 %4.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputCorrelationModel</name>
     <message>
         <source>Remove correlations of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationen von %1 entfernen</translation>
     </message>
     <message>
         <source>A correlation coefficient lies between −1 and 1; “%1” does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Korrelationskoeffizient liegt zwischen −1 und 1; „%1“ nicht.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
         <source>Change correlation of %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation von %1 und %2 ändern</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputQuantitiesModel</name>
     <message>
         <source>from %1, linearised: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>aus %1, linearisiert: %2</translation>
     </message>
     <message>
         <source>from %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>aus %1: %2</translation>
     </message>
     <message>
         <source>%1 (%2, %3 %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2, %3 %4)</translation>
     </message>
     <message>
         <source>Evaluated in the other analysis, in every trial: edit it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der anderen Analyse ausgewertet, in jedem Versuch: dort bearbeiten.</translation>
     </message>
     <message>
         <source>Changed: differs from what the model says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geändert: weicht von der Angabe des Modells ab.</translation>
     </message>
     <message>
         <source>Symbol</source>
-        <translation type="unfinished"></translation>
+        <translation>Symbol</translation>
     </message>
     <message>
         <source>Input quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingangsgröße</translation>
     </message>
     <message>
         <source>Estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Components of uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheitskomponenten</translation>
     </message>
     <message>
         <source>Constant</source>
-        <translation type="unfinished"></translation>
+        <translation>Konstante</translation>
     </message>
     <message>
         <source>Change estimate of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert von %1 ändern</translation>
     </message>
     <message>
         <source>Keep %1 constant</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 konstant halten</translation>
     </message>
     <message>
         <source>Let %1 vary</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 variieren lassen</translation>
     </message>
     <message>
         <source>Reset %1 to the model&apos;s values</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf die Werte des Modells zurücksetzen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InputsPage</name>
     <message>
         <source>Find a quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Größe suchen</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponenten</translation>
     </message>
     <message>
         <source>Correlations</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationen</translation>
     </message>
     <message>
         <source>The quantities that the set-up makes. What is changed here replaces what the set-up states.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Größen, die der Aufbau bildet. Was hier geändert wird, ersetzt, was der Aufbau angibt.</translation>
     </message>
     <message>
         <source>Input quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingangsgrößen</translation>
     </message>
     <message>
         <source>Take From an Analysis…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einer Analyse nehmen…</translation>
     </message>
     <message>
         <source>Remove Link</source>
-        <translation type="unfinished"></translation>
+        <translation>Verknüpfung entfernen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplizieren</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausführen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LibraryBrowser</name>
     <message>
         <source>Collections</source>
-        <translation type="unfinished"></translation>
+        <translation>Sammlungen</translation>
     </message>
     <message>
         <source>Templates, examples and assets</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlagen, Beispiele und Betriebsmittel</translation>
     </message>
     <message>
         <source>Library and Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliothek und Beispiele</translation>
     </message>
     <message>
         <source>Search: name, kind, source</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche: Name, Art, Quelle</translation>
     </message>
     <message>
         <source>Search in the library</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Bibliothek suchen</translation>
     </message>
     <message>
         <source>What is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ausgewählt ist</translation>
     </message>
     <message>
         <source>New analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Analyse</translation>
     </message>
     <message>
         <source>Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispiele</translation>
     </message>
     <message>
         <source>GUM and its supplements</source>
-        <translation type="unfinished"></translation>
+        <translation>GUM und seine Supplemente</translation>
     </message>
     <message>
         <source>Everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles</translation>
     </message>
     <message>
         <source>It comes with what it needs and has results at once. Assets of the same kind that the project has already stand in the place of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie kommt mit allem, was sie braucht, und hat sofort Ergebnisse. Betriebsmittel derselben Art, die das Projekt schon hat, treten an die Stelle ihrer eigenen.</translation>
     </message>
     <message>
         <source>Opens as a new project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnet sich als neues Projekt.</translation>
     </message>
     <message>
         <source>Add to the Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Projekt hinzufügen</translation>
     </message>
     <message>
         <source>&lt;p&gt;Nothing here has these words.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;Nichts hier enthält diese Wörter.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Open as a New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Als neues Projekt öffnen</translation>
     </message>
     <message>
         <source>Add This Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Analyse hinzufügen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LibraryMenu</name>
     <message>
         <source>From the &amp;Library</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Bibliothe&amp;k</translation>
     </message>
     <message>
         <source>Not readable: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht lesbar: %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LinesEditor</name>
     <message>
         <source>Add rows for new names</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen für neue Namen</translation>
     </message>
     <message>
         <source>Adds a row to the tables below for every name that has none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt den Tabellen unten für jeden Namen, der noch keine hat, eine Zeile hinzu</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LinkDialog</name>
     <message>
         <source>&amp;Linearised: faster, exact to first order only</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Linearisiert: schneller, nur in erster Ordnung exakt</translation>
     </message>
     <message>
         <source>Take %1 From an Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aus einer Analyse nehmen</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>No other analysis has a result of this dimension.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine andere Analyse hat ein Ergebnis dieser Dimension.</translation>
     </message>
     <message>
         <source>Both analyses are then evaluated together, as one model: the result is not carried over as a number with an uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Analysen werden dann gemeinsam als ein Modell ausgewertet: Das Ergebnis wird nicht als Zahl mit einer Unsicherheit übertragen.</translation>
     </message>
     <message>
         <source>&amp;Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Analyse</translation>
     </message>
     <message>
         <source>&amp;Result</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ergebnis</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ListEditor</name>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>(keine)</translation>
     </message>
     <message>
         <source>%1 (does not exist)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (existiert nicht)</translation>
     </message>
     <message>
         <source>%1
 
 Chosen: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+
+Gewählt: %2</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::LogPane</name>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
     <message>
         <source>Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenschaften</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Probleme</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Analyse hinzufügen oder was sie verwendet</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;Library and Examples …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliothe&amp;k und Beispiele …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>Pre&amp;ferences …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus&amp;führen</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Reset Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Layout zurücksetzen</translation>
     </message>
     <message>
         <source>Start Page</source>
-        <translation type="unfinished"></translation>
+        <translation>Startseite</translation>
     </message>
     <message>
         <source>3D Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Szene</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>veraltet</translation>
     </message>
     <message>
         <source>Problems (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Probleme (%1)</translation>
     </message>
     <message>
         <source>Covaria[*]</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria[*]</translation>
     </message>
     <message>
         <source>%1[*] – Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Covaria</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::NotesPage</name>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>Titel</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>Appear in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Bericht zeigen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::OptionsForm</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>Forecast</source>
-        <translation type="unfinished"></translation>
+        <translation>Prognose</translation>
     </message>
     <message>
         <source>Change evaluation options</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertungsoptionen ändern</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::OutputTicks</name>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation> von %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Results in the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse im Fenster</translation>
     </message>
     <message>
         <source>Where the project does not state them. Reports and files are the project&apos;s alone, with the decimal point everywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Projekt sie nicht angibt. Berichte und Dateien richten sich allein nach dem Projekt, überall mit Dezimalpunkt.</translation>
     </message>
     <message>
         <source>New analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Analysen</translation>
     </message>
     <message>
         <source>Written into analyses that are added; others stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>In hinzugefügte Analysen geschrieben; andere bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>Of tables and charts of results</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Tabellen und Diagrammen der Ergebnisse</translation>
     </message>
     <message>
         <source>As the model gives them</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das Modell sie liefert</translation>
     </message>
     <message>
         <source>Digits of U</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen von U</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation type="unfinished"></translation>
+        <translation>Signifikante Stellen der Unsicherheiten; Schätzwerte werden passend gerundet</translation>
     </message>
     <message>
         <source>1</source>
-        <translation type="unfinished"></translation>
+        <translation>1</translation>
     </message>
     <message>
         <source>2</source>
-        <translation type="unfinished"></translation>
+        <translation>2</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen</translation>
     </message>
     <message>
         <source>Of all tables, charts and fields of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Aller Tabellen, Diagramme und Felder des Fensters</translation>
     </message>
     <message>
         <source>As the language writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Sprache sie schreibt</translation>
     </message>
     <message>
         <source>1234.5 (point)</source>
-        <translation type="unfinished"></translation>
+        <translation>1234.5 (Punkt)</translation>
     </message>
     <message>
         <source>1234,5 (comma)</source>
-        <translation type="unfinished"></translation>
+        <translation>1234,5 (Komma)</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor</translation>
     </message>
     <message>
         <source>Of U = k u, where a new analysis begins with a fixed one</source>
-        <translation type="unfinished"></translation>
+        <translation>Von U = k u, wo eine neue Analyse mit einem festen beginnt</translation>
     </message>
     <message>
         <source>k from the degrees of freedom or the coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>k aus den Freiheitsgraden oder dem Überdeckungsintervall</translation>
     </message>
     <message>
         <source>k = 2</source>
-        <translation type="unfinished"></translation>
+        <translation>k = 2</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche</translation>
     </message>
     <message>
         <source>Of Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Monte Carlo</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Of the window, when Covaria starts again</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Fensters, wenn Covaria neu startet</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>Of the window, its charts and the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Fensters, seiner Diagramme und der Szene</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Font size</source>
-        <translation type="unfinished"></translation>
+        <translation>Schriftgröße</translation>
     </message>
     <message>
         <source>Of the whole window</source>
-        <translation type="unfinished"></translation>
+        <translation>Des ganzen Fensters</translation>
     </message>
     <message>
         <source>as the system</source>
-        <translation type="unfinished"></translation>
+        <translation>wie das System</translation>
     </message>
     <message>
         <source> pt</source>
-        <translation type="unfinished"></translation>
+        <translation> pt</translation>
     </message>
     <message>
         <source>Recovery copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungskopie</translation>
     </message>
     <message>
         <source>How long an edit may stay without a copy that a crash leaves behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange eine Änderung ohne Kopie bleiben darf, die ein Absturz hinterlässt</translation>
     </message>
     <message>
         <source>at most </source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens </translation>
     </message>
     <message>
         <source> s after an edit</source>
-        <translation type="unfinished"></translation>
+        <translation> s nach einer Änderung</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsModel</name>
     <message>
         <source>, row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, Zeile %1</translation>
     </message>
     <message>
         <source>Project: certificate, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt: Kalibrierschein, %1</translation>
     </message>
     <message>
         <source>Project: report</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt: Bericht</translation>
     </message>
     <message>
         <source>evaluation, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung, %1</translation>
     </message>
     <message>
         <source>To give</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzugeben</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>, line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, Zeile %1</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort</translation>
     </message>
     <message>
         <source>Problem</source>
-        <translation type="unfinished"></translation>
+        <translation>Problem</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Probleme</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPage</name>
     <message>
         <source>Number</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer</translation>
     </message>
     <message>
         <source>Of the project or order; in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Projekts oder Auftrags; im Bericht</translation>
     </message>
     <message>
         <source>Author</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiter</translation>
     </message>
     <message>
         <source>Who evaluated; in the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer ausgewertet hat; im Bericht</translation>
     </message>
     <message>
         <source>Results of all analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse aller Analysen</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>Not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht angegeben</translation>
     </message>
     <message>
         <source>Of results in the window, reports, tables and CSV files; where it is not stated, files have the unit of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ergebnisse in Fenster, Berichten, Tabellen und CSV-Dateien; ist nichts angegeben, haben Dateien die Einheit des Modells</translation>
     </message>
     <message>
         <source>Change units of results</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten der Ergebnisse ändern</translation>
     </message>
     <message>
         <source>Digits of U</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen von U</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties in the window and the report; certificates have two</source>
-        <translation type="unfinished"></translation>
+        <translation>Signifikante Stellen der Unsicherheiten in Fenster und Bericht; Kalibrierscheine haben zwei</translation>
     </message>
     <message>
         <source>Change digits of results</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen der Ergebnisse ändern</translation>
     </message>
     <message>
         <source>Coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor</translation>
     </message>
     <message>
         <source>A fixed k for U = k u of all analyses whose options state none; empty: from the degrees of freedom, or the coverage interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein festes k für U = k u aller Analysen, deren Optionen keines nennen; leer: aus den Freiheitsgraden oder dem Überdeckungsintervall</translation>
     </message>
     <message>
         <source>Change coverage factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterungsfaktor ändern</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectPane</name>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt</translation>
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>D&amp;uplizieren</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>U&amp;mbenennen</translation>
     </message>
     <message>
         <source>&amp;Delete …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen …</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hinzufügen</translation>
     </message>
     <message>
         <source>Analysis: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse: %1</translation>
     </message>
     <message>
         <source>&amp;Library and Templates …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliothe&amp;k und Vorlagen …</translation>
     </message>
     <message>
         <source>The analysis was not added: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Analyse wurde nicht hinzugefügt: %1</translation>
     </message>
     <message>
         <source>“%1” is in the project now</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist jetzt im Projekt</translation>
     </message>
     <message>
         <source>Delete “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ löschen?</translation>
     </message>
     <message>
         <source>
 
 It is used by: %1. They will have an error until they use something else.</source>
-        <translation type="unfinished"></translation>
+        <translation>
+
+Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>“%1” is in your library now (Add &gt; From the Library)</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist jetzt in Ihrer Bibliothek (Hinzufügen &gt; Aus der Bibliothek)</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausführen</translation>
     </message>
     <message>
         <source>Keep in My Library</source>
-        <translation type="unfinished"></translation>
+        <translation>In meine Bibliothek aufnehmen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ProjectTreeModel</name>
     <message>
         <source>Artefacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfkörper</translation>
     </message>
     <message>
         <source>Instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgeräte</translation>
     </message>
     <message>
         <source>Robots</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter</translation>
     </message>
     <message>
         <source>Points and frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte und Koordinatensysteme</translation>
     </message>
     <message>
         <source>Analyses</source>
-        <translation type="unfinished"></translation>
+        <translation>Analysen</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished"></translation>
+        <translation>hat Probleme</translation>
     </message>
     <message>
         <source>Untitled project</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbenanntes Projekt</translation>
     </message>
     <message>
         <source>Title, notes, certificate and contents of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Titel, Notizen, Kalibrierschein und Inhalt des Berichts</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished"></translation>
+        <translation>unvollständig</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>running</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>aktuell</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlgeschlagen</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>veraltet</translation>
     </message>
     <message>
         <source>%1 of %2 requirements not met</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Anforderungen nicht erfüllt</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
     <message>
         <source>The project is empty. Add an analysis, or first what it uses, with the plus sign above or a right click in the project tree.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt ist leer. Eine Analyse oder zuerst das, was sie verwendet, mit dem Pluszeichen oben oder einem Rechtsklick im Projektbaum hinzufügen.</translation>
     </message>
     <message>
         <source>Select an entry of the project tree to see its properties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Eintrag des Projektbaums auswählen, um seine Eigenschaften zu sehen.</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenschaften</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufbau</translation>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingaben</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien</translation>
     </message>
     <message>
         <source>Designs</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe</translation>
     </message>
     <message>
         <source>Requirements</source>
-        <translation type="unfinished"></translation>
+        <translation>Anforderungen</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
     <message>
         <source>A value is needed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist ein Wert nötig.</translation>
     </message>
     <message>
         <source>A whole number is needed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist eine ganze Zahl nötig.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
-        <translation type="unfinished"></translation>
+        <translation>(nichts im Projekt passt: zuerst hinzufügen)</translation>
     </message>
     <message>
         <source>(none)</source>
-        <translation type="unfinished"></translation>
+        <translation>(keine)</translation>
     </message>
     <message>
         <source>(choose)</source>
-        <translation type="unfinished"></translation>
+        <translation>(wählen)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReportForm</name>
     <message>
         <source>Analyses, of report and certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Analysen, von Bericht und Kalibrierschein</translation>
     </message>
     <message>
         <source>Chapters of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Kapitel des Berichts</translation>
     </message>
     <message>
         <source>Long tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Lange Tabellen</translation>
     </message>
     <message>
         <source>The report shows what counts most of long tables; the CSV files have them whole. Ticked, they stand whole at the end of the report too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bericht zeigt von langen Tabellen, was am meisten zählt; die CSV-Dateien enthalten sie ganz. Angehakt stehen sie auch am Ende des Berichts ganz.</translation>
     </message>
     <message>
         <source>Whole, in an annex</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganz, in einem Anhang</translation>
     </message>
     <message>
         <source>Change the annex of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhang des Berichts ändern</translation>
     </message>
     <message>
         <source>Goes into the report where it is ticked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kommt in den Bericht, wo es angehakt ist.</translation>
     </message>
     <message>
         <source>Put %1 into the report</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in den Bericht aufnehmen</translation>
     </message>
     <message>
         <source>Leave %1 out of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aus dem Bericht weglassen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished"></translation>
+        <translation>Dokument</translation>
     </message>
     <message>
         <source>What is shown: the report, or the calibration certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gezeigt wird: der Bericht oder der Kalibrierschein</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein</translation>
     </message>
     <message>
         <source>Update</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktualisieren</translation>
     </message>
     <message>
         <source>The report</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bericht</translation>
     </message>
     <message>
         <source>The certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kalibrierschein</translation>
     </message>
     <message>
         <source>Out of date: the project or its results have changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veraltet: Das Projekt oder seine Ergebnisse haben sich seither geändert.</translation>
     </message>
     <message>
         <source>%1 has not been made yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde noch nicht erstellt.</translation>
     </message>
     <message>
         <source>The analyses are running: %1 waits for them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Analysen laufen: %1 wartet auf sie.</translation>
     </message>
     <message>
         <source>No analysis is up to date: run one first (F5).</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Analyse ist aktuell: zuerst eine ausführen (F5).</translation>
     </message>
     <message>
         <source>%1 is being made …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird erstellt …</translation>
     </message>
     <message>
         <source>%1 could not be made: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 konnte nicht erstellt werden: %2</translation>
     </message>
     <message>
         <source>1 page, as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Seite, wie gedruckt</translation>
     </message>
     <message>
         <source>%1 pages, as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Seiten, wie gedruckt</translation>
     </message>
     <message>
         <source>%1; one required text is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; ein geforderter Text ist nicht angegeben</translation>
     </message>
     <message>
         <source>%1; %2 required texts are not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; %2 geforderte Texte sind nicht angegeben</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>U = %1: Der Zielwert ist %2.</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>eingehalten</translation>
     </message>
     <message>
         <source>not met</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht eingehalten</translation>
     </message>
     <message>
         <source>&lt;li&gt;u of %1 reduced from %2 to %3&lt;/li&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;li&gt;u von %1 von %2 auf %3 verringert&lt;/li&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;It would be met with one of these alone:&lt;ul&gt;%1&lt;/ul&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;Er würde mit einem hiervon allein eingehalten:&lt;ul&gt;%1&lt;/ul&gt;</translation>
     </message>
     <message>
         <source>&lt;br&gt;No component suffices alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;Keine Komponente genügt allein.</translation>
     </message>
     <message>
         <source> It would be met with all standard uncertainties multiplied by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> Er würde eingehalten, wenn alle Standardunsicherheiten mit %1 multipliziert würden.</translation>
     </message>
     <message>
         <source>(trials)</source>
-        <translation type="unfinished"></translation>
+        <translation>(Versuche)</translation>
     </message>
     <message>
         <source>(Student t)</source>
-        <translation type="unfinished"></translation>
+        <translation>(Student-t)</translation>
     </message>
     <message>
         <source>(normal)</source>
-        <translation type="unfinished"></translation>
+        <translation>(normal)</translation>
     </message>
     <message>
         <source>Not judged: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht beurteilt: %1.</translation>
     </message>
     <message>
         <source>By %5, guard band %1: the result is &lt;b&gt;%2&lt;/b&gt;. Probability of conformance %3 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %5, Schutzabstand %1: Das Ergebnis ist &lt;b&gt;%2&lt;/b&gt;. Konformitätswahrscheinlichkeit %3 %4.</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>angenommen</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>zurückgewiesen</translation>
     </message>
     <message>
         <source>&lt;br&gt;TUR %1, C&lt;sub&gt;m&lt;/sub&gt; %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;TUR %1, C&lt;sub&gt;m&lt;/sub&gt; %2.</translation>
     </message>
     <message>
         <source>&lt;br&gt;Global risks of the rule: consumer&apos;s %1, producer&apos;s %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;br&gt;Globale Risiken der Regel: Konsumentenrisiko %1, Produzentenrisiko %2.</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Change the requirement for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Anforderung an %1 ändern</translation>
     </message>
     <message>
         <source>By the law of propagation; Monte Carlo is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem Fortpflanzungsgesetz; Monte Carlo folgt noch.</translation>
     </message>
     <message>
         <source>By the trials of a preview; the whole run is to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach den Versuchen einer Vorschau; der ganze Lauf folgt noch.</translation>
     </message>
     <message>
         <source>Run the analysis to see whether the requirement is met.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Analyse ausführen, um zu sehen, ob die Anforderung eingehalten ist.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ResultsPane</name>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Budget</translation>
     </message>
     <message>
         <source>Distributions</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilungen</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation</translation>
     </message>
     <message>
         <source>Convergence</source>
-        <translation type="unfinished"></translation>
+        <translation>Konvergenz</translation>
     </message>
     <message>
         <source>Evaluation</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswertung</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie</translation>
     </message>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht</translation>
     </message>
     <message>
         <source>Output quantity of the budget and the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgröße des Budgets und der Diagramme</translation>
     </message>
     <message>
         <source>Output quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgröße</translation>
     </message>
     <message>
         <source>digits of U: </source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen von U: </translation>
     </message>
     <message>
         <source>Significant digits of uncertainties</source>
-        <translation type="unfinished"></translation>
+        <translation>Signifikante Stellen der Unsicherheiten</translation>
     </message>
     <message>
         <source>Significant digits of uncertainties; estimates are rounded to match</source>
-        <translation type="unfinished"></translation>
+        <translation>Signifikante Stellen der Unsicherheiten; Schätzwerte werden passend gerundet</translation>
     </message>
     <message>
         <source>Next step</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Schritt</translation>
     </message>
     <message>
         <source>Filter: symbol, name, group</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter: Symbol, Name, Gruppe</translation>
     </message>
     <message>
         <source>Filter of the results</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter der Ergebnisse</translation>
     </message>
     <message>
         <source>All groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Gruppen</translation>
     </message>
     <message>
         <source>Results of all poses, points or targets, whichever is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse aller Posen, Punkte oder Zielpunkte, gleich welche ausgewählt ist</translation>
     </message>
     <message>
         <source>Not met only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur nicht erfüllte</translation>
     </message>
     <message>
         <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Ergebnisse, deren Zielunsicherheit oder Toleranz nicht eingehalten ist</translation>
     </message>
     <message>
         <source>results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Estimate (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzwert (erste Ordnung)</translation>
     </message>
     <message>
         <source>U (first order)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (erste Ordnung)</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Shortest Coverage Intervals</source>
-        <translation type="unfinished"></translation>
+        <translation>Kürzeste Überdeckungsintervalle</translation>
     </message>
     <message>
         <source>budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Budget</translation>
     </message>
     <message>
         <source>correlation</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation</translation>
     </message>
     <message>
         <source>Select an analysis to see its results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Analyse auswählen, um ihre Ergebnisse zu sehen.</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>Not complete yet: nothing is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht vollständig: Nichts ist falsch.</translation>
     </message>
     <message>
         <source>Not evaluated yet: press F5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht ausgewertet: F5 drücken.</translation>
     </message>
     <message>
         <source>The analysis has problems.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Analyse hat Probleme.</translation>
     </message>
     <message>
         <source>; running</source>
-        <translation type="unfinished"></translation>
+        <translation>; läuft</translation>
     </message>
     <message>
         <source>; press F5 for the result</source>
-        <translation type="unfinished"></translation>
+        <translation>; F5 drücken für das Ergebnis</translation>
     </message>
     <message>
         <source>; %1 trials without a value</source>
-        <translation type="unfinished"></translation>
+        <translation>; %1 Versuche ohne Wert</translation>
     </message>
     <message>
         <source>&lt;b&gt;Does not represent the measurand&lt;/b&gt; (more than 1 % of the trials are lost). </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Stellt die Messgröße nicht dar&lt;/b&gt; (mehr als 1 % der Versuche gingen verloren). </translation>
     </message>
     <message>
         <source>; not stabilised</source>
-        <translation type="unfinished"></translation>
+        <translation>; nicht stabilisiert</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Veraltet&lt;/b&gt;: gezeigt für den früheren Stand des Projekts. </translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter: %1</translation>
     </message>
     <message>
         <source>Goes to the field that must be given next</source>
-        <translation type="unfinished"></translation>
+        <translation>Geht zu dem Feld, das als Nächstes anzugeben ist</translation>
     </message>
     <message>
         <source> of %1</source>
-        <translation type="unfinished"></translation>
+        <translation> von %1</translation>
     </message>
     <message>
         <source>All Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Ergebnisse</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RunActions</name>
     <message>
         <source>&amp;Run This Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Diese Analyse ausführen</translation>
     </message>
     <message>
         <source>Run &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle ausführen</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>An&amp;halten</translation>
     </message>
     <message>
         <source>&amp;Live</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Live</translation>
     </message>
     <message>
         <source>Each edit computes first-order results at once, then Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Änderung berechnet sofort Ergebnisse erster Ordnung, dann Monte Carlo</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::RunStatus</name>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Versuche</translation>
     </message>
     <message>
         <source>, %1 million/s</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 Millionen/s</translation>
     </message>
     <message>
         <source>, %1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>, noch %1 s</translation>
     </message>
     <message>
         <source>Progress of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Laufs</translation>
     </message>
     <message>
         <source>Stop all runs (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Läufe anhalten (Esc)</translation>
     </message>
     <message>
         <source>Stop all runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Läufe anhalten</translation>
     </message>
     <message>
         <source>%1: %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 %</translation>
     </message>
     <message>
         <source>, best so far %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, bisher bester %1</translation>
     </message>
     <message>
         <source>No analysis yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Analyse</translation>
     </message>
     <message>
         <source>No analysis selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Analyse ausgewählt</translation>
     </message>
     <message>
         <source>has problems</source>
-        <translation type="unfinished"></translation>
+        <translation>hat Probleme</translation>
     </message>
     <message>
         <source>, %1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 Versuche</translation>
     </message>
     <message>
         <source>, with warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>, mit Warnungen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::ScenePanel</name>
     <message>
         <source>Select an analysis in the project tree to see its layout here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Analyse im Projektbaum auswählen, um hier ihre Anordnung zu sehen.</translation>
     </message>
     <message>
         <source>Which pose or group of outputs to show</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Pose oder Gruppe von Ausgangsgrößen gezeigt wird</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Iso</source>
-        <translation type="unfinished"></translation>
+        <translation>Iso</translation>
     </message>
     <message>
         <source>View from the front right, from above (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von vorn rechts, von oben (1)</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben</translation>
     </message>
     <message>
         <source>View from above (2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von oben (2)</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorn</translation>
     </message>
     <message>
         <source>View from the front (3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von vorn (3)</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>View from the right (4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von rechts (4)</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Everything in the picture (F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles im Bild (F)</translation>
     </message>
     <message>
         <source>Magnification of the uncertainty; it is always written in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößerung der Unsicherheit; sie steht immer im Bild</translation>
     </message>
     <message>
         <source>Magnification of the uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößerung der Unsicherheit</translation>
     </message>
     <message>
         <source>Magnification: auto</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößerung: automatisch</translation>
     </message>
     <message>
         <source>× %1</source>
-        <translation type="unfinished"></translation>
+        <translation>× %1</translation>
     </message>
     <message>
         <source>Coverage probability of the ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>Überdeckungswahrscheinlichkeit der Ellipsoide</translation>
     </message>
     <message>
         <source>p = %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>p = %1 %</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinatensysteme</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper</translation>
     </message>
     <message>
         <source>Links and Sight Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Glieder und Ziellinien</translation>
     </message>
     <message>
         <source>Vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>Vektoren</translation>
     </message>
     <message>
         <source>Ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellipsoide</translation>
     </message>
     <message>
         <source>Clouds</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktwolken</translation>
     </message>
     <message>
         <source>Histograms on the Walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Histogramme an den Wänden</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftungen</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen</translation>
     </message>
     <message>
         <source>Legend</source>
-        <translation type="unfinished"></translation>
+        <translation>Legende</translation>
     </message>
     <message>
         <source>Map of a Study or Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte einer Studie oder eines Entwurfs</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebenen</translation>
     </message>
     <message>
         <source>What the picture shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Bild zeigt</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;  at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;  bei %2</translation>
     </message>
     <message>
         <source>,  u = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>,  u = %1</translation>
     </message>
     <message>
         <source>,  U = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>,  U = %1</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Szene</translation>
     </message>
     <message>
         <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiltasten drehen die Szene, Plus und Minus zoomen, F passt ein, 1 bis 4 sind Standardansichten; ein gewählter Punkt oder ein gewähltes Messgerät lässt sich an einen anderen Ort ziehen</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild konnte nicht nach %1 geschrieben werden</translation>
     </message>
     <message>
         <source>Drawing …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gezeichnet …</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild kopieren</translation>
     </message>
     <message>
         <source>Save Picture …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild speichern …</translation>
     </message>
     <message>
         <source>Save Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild speichern</translation>
     </message>
     <message>
         <source>scene.png</source>
-        <translation type="unfinished"></translation>
+        <translation>szene.png</translation>
     </message>
     <message>
         <source>PNG picture (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG-Bild (*.png)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SetupForm</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ändern</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
         </translation>
     </message>
 </context>
@@ -7932,571 +7958,572 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::SetupTableModel</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>Insert rows in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen in %1 einfügen</translation>
     </message>
     <message>
         <source>Delete rows of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen von %1 löschen</translation>
     </message>
     <message>
         <source>Paste into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1 einfügen</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen löschen</translation>
     </message>
     <message>
         <source>Fill down in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1 nach unten ausfüllen</translation>
     </message>
     <message>
         <source>Clear cells of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen von %1 leeren</translation>
     </message>
     <message>
         <source>Change unit in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit in %1 ändern</translation>
     </message>
     <message>
         <source>Take %1 into the project</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in das Projekt übernehmen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SortableTable</name>
     <message>
         <source>Click to sort, right click to choose columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick sortiert, Rechtsklick wählt Spalten</translation>
     </message>
     <message>
         <source>Save Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle speichern</translation>
     </message>
     <message>
         <source>CSV table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV-Tabelle (*.csv)</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Select All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles auswählen</translation>
     </message>
     <message>
         <source>Columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalten</translation>
     </message>
     <message>
         <source>Original Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursprüngliche Reihenfolge</translation>
     </message>
     <message>
         <source>Save as CSV …</source>
-        <translation type="unfinished"></translation>
+        <translation>Als CSV speichern …</translation>
     </message>
     <message>
         <source>Fit Widths</source>
-        <translation type="unfinished"></translation>
+        <translation>Breiten anpassen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::SpreadsheetView</name>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausschneiden</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfügen</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten ausfüllen</translation>
     </message>
     <message>
         <source>Insert row above</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile darüber einfügen</translation>
     </message>
     <message>
         <source>Add row at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile am Ende anfügen</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen löschen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StartPage</name>
     <message>
         <source>Start page</source>
-        <translation type="unfinished"></translation>
+        <translation>Startseite</translation>
     </message>
     <message>
         <source>Covaria</source>
-        <translation type="unfinished"></translation>
+        <translation>Covaria</translation>
     </message>
     <message>
         <source>Measurement uncertainty of robots
 and large-scale metrology</source>
-        <translation type="unfinished"></translation>
+        <translation>Messunsicherheit von Robotern
+und Großraummetrologie</translation>
     </message>
     <message>
         <source>New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Projekt</translation>
     </message>
     <message>
         <source>Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen …</translation>
     </message>
     <message>
         <source>Library and Examples …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliothek und Beispiele …</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispiele</translation>
     </message>
     <message>
         <source>They open as new projects; the shipped files stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie öffnen sich als neue Projekte; die mitgelieferten Dateien bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>Worked examples of the GUM and its supplements</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgerechnete Beispiele des GUM und seiner Supplemente</translation>
     </message>
     <message>
         <source>Projects that you open are listed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geöffnete Projekte stehen hier.</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudiesForm</name>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie</translation>
     </message>
     <message>
         <source>Adds a study of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt eine Studie dieser Analyse hinzu</translation>
     </message>
     <message>
         <source>Adds a copy of this study</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt eine Kopie dieser Studie hinzu</translation>
     </message>
     <message>
         <source>Deletes this study</source>
-        <translation type="unfinished"></translation>
+        <translation>Löscht diese Studie</translation>
     </message>
     <message>
         <source>Evaluates the analysis at every grid point of this study</source>
-        <translation type="unfinished"></translation>
+        <translation>Wertet die Analyse an jedem Gitterpunkt dieser Studie aus</translation>
     </message>
     <message>
         <source>A study evaluates this analysis for many values of a number: a sweep over one, a map over two or three. Add one to see how the uncertainty depends on the set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Studie wertet diese Analyse für viele Werte einer Zahl aus: ein Durchlauf über eine, eine Karte über zwei oder drei. Eine hinzufügen, um zu sehen, wie die Unsicherheit vom Aufbau abhängt.</translation>
     </message>
     <message>
         <source>Name of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Studie</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>Methode</translation>
     </message>
     <message>
         <source>Law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortpflanzungsgesetz</translation>
     </message>
     <message>
         <source>Monte Carlo</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo</translation>
     </message>
     <message>
         <source>Trials at each grid point</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche an jedem Gitterpunkt</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Trials per point</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche je Punkt</translation>
     </message>
     <message>
         <source>Add Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse hinzufügen</translation>
     </message>
     <message>
         <source>Varies one more number: every combination is evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>Variiert eine weitere Zahl: Jede Kombination wird ausgewertet</translation>
     </message>
     <message>
         <source>Output quantities of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgrößen der Studie</translation>
     </message>
     <message>
         <source>Output quantities looked at; with none ticked, all measurands</source>
-        <translation type="unfinished"></translation>
+        <translation>Betrachtete Ausgangsgrößen; ist keine angehakt, alle Messgrößen</translation>
     </message>
     <message>
         <source>Outputs (none ticked: all measurands)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgangsgrößen (keine angehakt: alle Messgrößen)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyAxisEdit</name>
     <message>
         <source>Axis %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse %1</translation>
     </message>
     <message>
         <source>Variable %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Variable %1</translation>
     </message>
     <message>
         <source>Remove Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse entfernen</translation>
     </message>
     <message>
         <source>Remove Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Variable entfernen</translation>
     </message>
     <message>
         <source>takes these values</source>
-        <translation type="unfinished"></translation>
+        <translation>nimmt diese Werte an</translation>
     </message>
     <message>
         <source>is multiplied with</source>
-        <translation type="unfinished"></translation>
+        <translation>wird multipliziert mit</translation>
     </message>
     <message>
         <source>has added to it</source>
-        <translation type="unfinished"></translation>
+        <translation>wird erhöht um</translation>
     </message>
     <message>
         <source>evenly spaced</source>
-        <translation type="unfinished"></translation>
+        <translation>gleichmäßig verteilt</translation>
     </message>
     <message>
         <source>logarithmically spaced</source>
-        <translation type="unfinished"></translation>
+        <translation>logarithmisch verteilt</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>Number of values</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Werte</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>It can be put into effect only so well: what counts is the worst within it</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauer lässt es sich nicht verwirklichen: Es zählt das Schlechteste innerhalb davon</translation>
     </message>
     <message>
         <source>Varied</source>
-        <translation type="unfinished"></translation>
+        <translation>Variiert</translation>
     </message>
     <message>
         <source>It</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>choose what is varied</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen, was variiert wird</translation>
     </message>
     <message>
         <source> (factor)</source>
-        <translation type="unfinished"></translation>
+        <translation> (Faktor)</translation>
     </message>
     <message>
         <source>%1: has a problem</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: hat ein Problem</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyTab</name>
     <message>
         <source>study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie</translation>
     </message>
     <message>
         <source>Study of this analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie dieser Analyse</translation>
     </message>
     <message>
         <source>Run Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie ausführen</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten …</translation>
     </message>
     <message>
         <source>Axes, outputs and method of the study, in the properties of the analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen, Ausgangsgrößen und Methode der Studie, in den Eigenschaften der Analyse</translation>
     </message>
     <message>
         <source>Quantity of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe der Studie</translation>
     </message>
     <message>
         <source>What the chart and the scene show</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Diagramm und die Szene zeigen</translation>
     </message>
     <message>
         <source>Kind of chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Art des Diagramms</translation>
     </message>
     <message>
         <source>A map, or lines over the first axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Karte oder Linien über der ersten Achse</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte</translation>
     </message>
     <message>
         <source>Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Linien</translation>
     </message>
     <message>
         <source>Axis of the slices</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse der Schnitte</translation>
     </message>
     <message>
         <source>Which axis the slices are across</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zu welcher Achse die Schnitte liegen</translation>
     </message>
     <message>
         <source>Slice</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>slice only</source>
-        <translation type="unfinished"></translation>
+        <translation>nur Schnitt</translation>
     </message>
     <message>
         <source>In the scene: the points of this slice; else all</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Szene: die Punkte dieses Schnitts; sonst alle</translation>
     </message>
     <message>
         <source>ellipsoids</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellipsoide</translation>
     </message>
     <message>
         <source>In the scene: coverage ellipsoids at the grid points</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Szene: Überdeckungsellipsoide an den Gitterpunkten</translation>
     </message>
     <message>
         <source>Add Study …</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie hinzufügen …</translation>
     </message>
     <message>
         <source>Out of date: of the project as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Veraltet: vom früheren Stand des Projekts</translation>
     </message>
     <message>
         <source>slice: </source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt: </translation>
     </message>
     <message>
         <source>Run the study to see how the uncertainty depends on what it varies</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studie ausführen, um zu sehen, wie die Unsicherheit von dem abhängt, was sie variiert</translation>
     </message>
     <message>
         <source>A study evaluates the analysis for many values of a number: add one</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Studie wertet die Analyse für viele Werte einer Zahl aus: eine hinzufügen</translation>
     </message>
     <message>
         <source> – out of date</source>
-        <translation type="unfinished"></translation>
+        <translation> – veraltet</translation>
     </message>
     <message>
         <source>running …</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft …</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlgeschlagen: %1</translation>
     </message>
     <message>
         <source>Not evaluated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht ausgewertet.</translation>
     </message>
     <message>
         <source>%1 grid points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Gitterpunkte</translation>
     </message>
     <message>
         <source>, %1 without values</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 ohne Werte</translation>
     </message>
     <message>
         <source>&lt;b&gt;Out of date&lt;/b&gt;: shown for the project as it was. </source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Veraltet&lt;/b&gt;: gezeigt für den früheren Stand des Projekts. </translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::StudyTableModel</name>
     <message>
         <source>Remark</source>
-        <translation type="unfinished"></translation>
+        <translation>Bemerkung</translation>
     </message>
     <message>
         <source>Why there are no values, or what is wrong with them</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum es keine Werte gibt oder was mit ihnen nicht stimmt</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::TableEditor</name>
     <message>
         <source>Take into the project</source>
-        <translation type="unfinished"></translation>
+        <translation>In das Projekt übernehmen</translation>
     </message>
     <message>
         <source>Add row</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile hinzufügen</translation>
     </message>
     <message>
         <source>Delete rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen löschen</translation>
     </message>
     <message>
         <source>Import CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV importieren…</translation>
     </message>
     <message>
         <source>Read from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelesen aus %1</translation>
     </message>
     <message>
         <source>The rows are read from %1. Taken into the project they can be edited here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeilen werden aus %1 gelesen. In das Projekt übernommen, können sie hier bearbeitet werden.</translation>
     </message>
     <message>
         <source>Import CSV into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV in %1 importieren</translation>
     </message>
     <message>
         <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen (*.csv *.tsv *.txt);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 importieren</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::TargetBox</name>
     <message>
         <source>What is varied: type a part of its name to search</source>
-        <translation type="unfinished"></translation>
+        <translation>Was variiert wird: einen Teil des Namens eingeben, um zu suchen</translation>
     </message>
     <message>
         <source>What is varied</source>
-        <translation type="unfinished"></translation>
+        <translation>Was variiert wird</translation>
     </message>
     <message>
         <source>“%1” names nothing that can be varied.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ benennt nichts, was variiert werden kann.</translation>
     </message>
     <message numerus="yes">
         <source>“%1” names %n things that can be varied.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>„%1“ benennt %n Dinge, die variiert werden können.</numerusform>
+            <numerusform>„%1“ benennt %n Dinge, die variiert werden können.</numerusform>
         </translation>
     </message>
     <message>
         <source> (factor)</source>
-        <translation type="unfinished"></translation>
+        <translation> (Faktor)</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnitButton</name>
     <message>
         <source>Units</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten</translation>
     </message>
     <message>
         <source>Units of the tables and charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten der Tabellen und Diagramme</translation>
     </message>
     <message>
         <source>As the Model Gives Them</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das Modell sie liefert</translation>
     </message>
     <message>
         <source>Change unit of results</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit der Ergebnisse ändern</translation>
     </message>
     <message>
         <source>Clear units of results</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten der Ergebnisse löschen</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnitChoices</name>
     <message>
         <source>Lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen</translation>
     </message>
     <message>
         <source>Angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Kräfte</translation>
     </message>
     <message>
         <source>Moments</source>
-        <translation type="unfinished"></translation>
+        <translation>Momente</translation>
     </message>
 </context>
 <context>
     <name>covaria::ui::UnreadTexts</name>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Was in ein Feld eingegeben ist, kann nicht gelesen werden. %1</translation>
     </message>
 </context>
 </TS>

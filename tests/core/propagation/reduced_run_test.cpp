@@ -11,6 +11,7 @@
 #include "core/math/normal_quantile.h"
 #include "core/math/special_quantiles.h"
 #include "core/propagation/engine.h"
+#include "core/propagation/nearby_ranks.h"
 #include "test_models.h"
 #include "tests/core/quantity/distribution_cases.h"
 

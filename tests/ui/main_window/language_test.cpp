@@ -285,7 +285,7 @@ TEST_P(WholeTexts, StandInTheWindowAndItsDialogs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, WholeTexts, testing::Values("en", "de", "es", "pt", "zh_CN", "ko"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& language) { return std::string(language.param); });
 
 }  // namespace
 }  // namespace covaria::ui::language_test
