@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <QFile>
+#include <QCoreApplication>
 #include <QTranslator>
 #include <algorithm>
 
