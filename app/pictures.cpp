@@ -10,6 +10,7 @@
 #include "core/model/has_layout.h"
 #include "viz/scene/analysis_scene.h"
 #include "viz/scene/design_scene.h"
+#include "viz/scene/saved_camera.h"
 #include "viz/scene/study_scene.h"
 #include "viz/vtk/scene_file.h"
 #include "viz/vtk/scene_renderer.h"
@@ -17,6 +18,7 @@
 namespace covaria {
 namespace {
 
+/// Of the pictures of a run.
 const std::vector<std::string> views = {"iso", "top", "front", "right"};
 
 std::string joined(const std::vector<std::string>& words) {
@@ -69,9 +71,8 @@ Result<Scene> scene_of_design(const EvaluatedAnalysis& evaluated, const PictureR
 // Either takes some 3 GB while a picture is drawn, the whole picture at once in either case.
 constexpr std::int64_t most_fine_pixels = 9'000'000, most_pixels = 36'000'000;
 
-Result<void> render_to(SceneRenderer& renderer, const std::string& view, const std::filesystem::path& file,
+Result<void> render_to(SceneRenderer& renderer, const std::filesystem::path& file,
                        RenderQuality quality = RenderQuality::fine) {
-    renderer.set_view(*standard_view_from(view));
     const auto image = renderer.render(quality);
     if (!image) return fail(image.error());
     return write_png(*image, file);
@@ -84,6 +85,16 @@ Result<void> write_scene(const Scene& scene, SceneFormat format, bool dark,
     if (auto written = write_file_atomically(file, *text); !written) return written;
     if (!scene.caption.empty()) std::printf("lengths in m; %s\n", scene.caption.c_str());
     return {};
+}
+
+void look(SceneRenderer& renderer, const PictureRequest& request) {
+    if (request.saved) {
+        renderer.set_camera(camera_of(*request.saved, {request.width, request.height}));
+        renderer.set_perspective(request.perspective.value_or(request.saved->perspective));
+        return;
+    }
+    renderer.set_perspective(request.perspective.value_or(false));
+    renderer.set_view(*standard_view_from(request.view));
 }
 
 }  // namespace
@@ -107,9 +118,9 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
         return fail(ErrorCode::usage, "a picture of " + std::to_string(request.width) + " x " +
                                           std::to_string(request.height) +
                                           " pixels is too large: at most 36 million, such as 8000 x 4500");
-    if (!standard_view_from(request.view))
+    if (!request.saved && !standard_view_from(request.view))
         return fail(ErrorCode::bad_input,
-                    "there is no view \"" + request.view + "\"; there are: " + joined(views));
+                    "there is no view \"" + request.view + "\"; there are: " + joined(standard_view_names()));
     const auto format = scene_format_of(file.extension().string());
     if (request.study.empty() && request.design.empty() &&
         !has_layout(*evaluated.analysis->model, evaluated.analysis->inputs)) {
@@ -119,13 +130,14 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
     }
     auto scene = scene_of(evaluated, request);
     if (!scene) return fail(scene.error());
+    if (request.saved) *scene = visible_part(*std::move(scene), visibility_of(*request.saved));
     if (format) return write_scene(*scene, *format, request.dark, file);
     SceneRenderer renderer;
     renderer.set_size(request.width, request.height);
     renderer.set_palette(request.dark ? ScenePalette::dark : ScenePalette::light);
     renderer.set_scene(std::move(*scene));
-    return render_to(renderer, request.view, file,
-                     pixels > most_fine_pixels ? RenderQuality::full : RenderQuality::fine);
+    look(renderer, request);
+    return render_to(renderer, file, pixels > most_fine_pixels ? RenderQuality::full : RenderQuality::fine);
 }
 
 std::vector<PlannedPicture> planned_pictures(const std::vector<EvaluatedAnalysis>& analyses) {
@@ -190,7 +202,8 @@ Result<void> write_pictures(const std::filesystem::path& folder,
             renderer.set_scene(std::move(*scene));
             drawn = &picture;
         }
-        if (auto written = render_to(renderer, picture.view, folder / picture.file); !written) return written;
+        renderer.set_view(*standard_view_from(picture.view));
+        if (auto written = render_to(renderer, folder / picture.file); !written) return written;
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/evaluation.h"
+#include "core/project/saved_view.h"
 #include "viz/scene/scene.h"
 
 namespace covaria {
@@ -19,6 +20,8 @@ struct PictureRequest {
     std::string design = {};    ///< what this design found instead of the analysis' result
     std::string group = {};     ///< empty: the first group of outputs
     std::string view = "iso";
+    std::optional<SavedView> saved = {};   ///< in place of the standard view
+    std::optional<bool> perspective = {};  ///< empty: as saved, else orthographic
     int width = 1280;
     int height = 800;
     bool dark = false;

@@ -35,7 +35,8 @@ const std::vector<Definition>& definitions() {
         {{"variables", "numbers that a design chooses"}, "designVariable"},
         {{"choose", "rows that a design chooses from"}, "designChoice"},
         {{"reductions", "what a design may pay for"}, "designReduction"},
-        {{"boxes", "boxes of a design, in keepOut and hiddenBy"}, "designBox"}};
+        {{"boxes", "boxes of a design, in keepOut and hiddenBy"}, "designBox"},
+        {{"views", "ways to look at the scene"}, "view"}};
     return all;
 }
 

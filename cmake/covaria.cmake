@@ -63,13 +63,14 @@ function(covaria_use_precompiled target name)
     endif()
 endfunction()
 
-# covaria_folder(name [QT] [HOT] [DEPENDS ...] [PRIVATE_DEPENDS ...])
-# The library `covaria_<name>` of the current folder, made of all its sources. It links only what it may include.
+# covaria_folder(name [IN folder] [QT] [HOT] [DEPENDS ...] [PRIVATE_DEPENDS ...])
+# The library `covaria_<name>` of the current folder, or of one in it, made of all its sources. It links only what it may
+# include.
 # QT: run moc. HOT: inner loops of the propagation, worth the compiler's full effort in release builds.
 function(covaria_folder name)
-    cmake_parse_arguments(arg "QT;HOT" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+    cmake_parse_arguments(arg "QT;HOT" "IN" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${arg_IN}/*.cpp)
+    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${arg_IN}/*.h)
     if(sources)
         add_library(covaria_${name} STATIC ${sources} ${headers})
         target_link_libraries(covaria_${name} PUBLIC covaria_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})

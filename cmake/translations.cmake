@@ -1,4 +1,5 @@
-# The catalogues of resources/translations/languages.txt, compiled and with Qt's own texts in the sources of a target.
+# The catalogues of resources/translations/languages.txt, compiled and with Qt's own texts, for a target. They are a library of
+# their own, so that no source of the window waits for those of core.
 # covaria_translations(target)
 function(covaria_translations target)
     set(folder ${PROJECT_SOURCE_DIR}/resources/translations)
@@ -27,6 +28,7 @@ function(covaria_translations target)
     add_custom_command(OUTPUT ${made}/qrc_translations.cpp
         COMMAND Qt6::rcc --name translations -o ${made}/qrc_translations.cpp ${made}/translations.qrc
         DEPENDS ${made}/translations.qrc ${folder}/languages.txt ${catalogues} VERBATIM)
-    set_source_files_properties(${made}/qrc_translations.cpp PROPERTIES SKIP_AUTOMOC ON SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
-    target_sources(${target} PRIVATE ${made}/qrc_translations.cpp)
+    set_source_files_properties(${made}/qrc_translations.cpp PROPERTIES SKIP_AUTOMOC ON SKIP_UNITY_BUILD_INCLUSION ON)
+    add_library(covaria_translation_files STATIC ${made}/qrc_translations.cpp)
+    target_link_libraries(${target} PRIVATE covaria_translation_files)
 endfunction()

@@ -8,8 +8,7 @@
 #include "app/project_parts.h"
 #include "app/schema_text.h"
 #include "app/terminal.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 
 namespace covaria {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/commands/commands.h"
 #include "app/exit_status.h"
 #include "app/terminal.h"
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "core/made/library.h"
 
 namespace covaria {

@@ -7,6 +7,7 @@
 #include "app/exit_status.h"
 #include "app/pictures.h"
 #include "app/terminal.h"
+#include "viz/scene/camera.h"
 
 namespace covaria {
 namespace {
@@ -17,6 +18,20 @@ struct RenderArguments {
     std::string output = "scene.png";
 };
 
+/// A saved view of that name, else a standard one.
+Result<void> take_view(const AnalysisEntry& entry, PictureRequest& picture) {
+    if (const SavedView* view = find_view(entry.views, picture.view)) {
+        picture.saved = *view;
+        return {};
+    }
+    if (standard_view_from(picture.view)) return {};
+    std::string names;
+    for (const std::string& name : standard_view_names()) names += (names.empty() ? "" : ", ") + name;
+    for (const SavedView& view : entry.views) names += ", \"" + view.name + "\"";
+    return fail(ErrorCode::bad_input,
+                "analysis " + entry.id + " has no view \"" + picture.view + "\"; there are: " + names);
+}
+
 Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
     auto opened = open_project(arguments.request.file, arguments.request.values);
     if (!opened) return fail(opened.error());
@@ -24,6 +39,10 @@ Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
         return fail(ErrorCode::bad_input, "the project has no analysis to draw");
     if (arguments.request.analyses.empty())
         arguments.request.analyses = {(*opened)->project().analyses.front().id};
+    const AnalysisEntry* entry = (*opened)->project().find_analysis(arguments.request.analyses.front());
+    if (entry) {
+        if (auto known = take_view(*entry, arguments.picture); !known) return known;
+    }
     arguments.request.studies = !arguments.picture.study.empty();
     arguments.request.study = arguments.picture.study;
     arguments.request.designs = !arguments.picture.design.empty();
@@ -61,8 +80,11 @@ Command render_command(CLI::App& app) {
                      "of the study, e.g. \"u(3D), B\" or \"U(x), B\"; the first without it")
         ->type_name("TITLE");
     command->add_flag("--ellipsoids", picture.ellipsoids, "ellipsoids at the grid points of the study");
-    command->add_option("--view", picture.view, "direction of view")
-        ->check(CLI::IsMember({"iso", "top", "front", "right"}))
+    command
+        ->add_option(
+            "--view", picture.view,
+            "iso, top, front, right, bottom, back, left, or the name of a view saved with the analysis")
+        ->type_name("NAME")
         ->capture_default_str();
     command->add_option("--width", picture.width, "pixels")
         ->check(CLI::Range(64, 16384))
@@ -75,6 +97,13 @@ Command render_command(CLI::App& app) {
     command
         ->add_option("--probability", picture.probability, "of the ellipsoids; the analysis' own without it")
         ->check(CLI::Range(0.01, 0.9999));
+    CLI::Option* orthographic = command->add_flag_callback(
+        "--orthographic", [&picture] { picture.perspective = false; },
+        "parallel lines stay parallel: the default, but for a view that was saved with perspective");
+    command
+        ->add_flag_callback(
+            "--perspective", [&picture] { picture.perspective = true; }, "what is nearer is larger")
+        ->excludes(orthographic);
     command->add_flag("--dark", picture.dark, "dark background");
     return {command, [arguments](const std::stop_token& stop) {
                 const auto done = render(*arguments, stop);

@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/made/analysis_templates.h"
 #include "core/made/load_project.h"
 #include "core/project/certificate.h"

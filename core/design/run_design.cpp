@@ -43,6 +43,173 @@ Candidate present_candidate(const PreparedDesign& design) {
     return present;
 }
 
+bool is_priced(const PreparedDesign& design) {
+    return design.table && design.design.objective == DesignObjective::cost;
+}
+
+/// What is said of the chosen design: its values and rows, what each of them gains, its verification.
+class ChosenDesign {
+public:
+    ChosenDesign(const PreparedDesign& design, const RunControl& control, const Candidate& chosen,
+                 DesignResult& result)
+        : design_(design), control_(control), chosen_(chosen), result_(result) {}
+
+    void state(SearchBook& book, const References& references) {
+        for (const auto& [reason, count] : book.notes().reasons) result_.reasons.push_back({reason, count});
+        std::stable_sort(result_.reasons.begin(), result_.reasons.end(),
+                         [](const auto& a, const auto& b) { return a.count > b.count; });
+        if (design_.design.reductions.empty()) result_.path = book.notes().steps;
+        state_values();
+        if (!result_.found) {
+            result_.evaluations = book.notes().evaluations;
+            return;
+        }
+        const auto judge = book.judges().lend();
+        const Judged chosen = judge->judge(chosen_);
+        result_.objective = objective_of(design_.design.objective, chosen.expanded, references);
+        const Judged nominal = judge->result_of(chosen_);
+        for (std::size_t k = 0; k < references.size(); ++k) result_.goals[k].after = nominal.expanded[k];
+        DesignSpace space(*judge, design_, chosen_, control_.stop);
+        if (design_.table) state_rows(book, references, space.places_of_rows());
+        result_.places = space.places(result_.path);
+        result_.evaluations = book.notes().evaluations;
+        verify(*judge, references);
+    }
+
+private:
+    void state_values() {
+        const Design& design = design_.design;
+        for (std::size_t i = 0; i < design_.numbers.axes.size(); ++i) {
+            const StudyAxis& axis = design_.numbers.axes[i];
+            Text title = design_.numbers.targets[i].title;
+            if (axis.change == StudyChange::factor) title += ", factor";
+            if (axis.change == StudyChange::added) title += ", added";
+            result_.values.push_back(
+                {title, axis.unit, axis.from, axis.to, design_.present[i], chosen_.values[i], 0.0, {}});
+            if (i < design.variables.size()) result_.values.back().tolerance = design.variables[i].tolerance;
+            if (i < design.reductions.size())
+                result_.values.back().cost = cost_of(design.reductions[i], chosen_.values[i]);
+        }
+    }
+
+    /// With every row that was kept left out, and with every other one added.
+    std::vector<Candidate> with_one_row_changed() const {
+        std::vector<Candidate> candidates;
+        for (std::size_t row = 0; row < design_.table->rows.rows.size(); ++row) {
+            Candidate changed = chosen_;
+            const auto at = std::lower_bound(changed.rows.begin(), changed.rows.end(), row);
+            if (at != changed.rows.end() && *at == row)
+                changed.rows.erase(at);
+            else
+                changed.rows.insert(at, row);
+            candidates.push_back(std::move(changed));
+        }
+        return candidates;
+    }
+
+    void state_rows(SearchBook& book, const References& references,
+                    const std::vector<std::optional<Eigen::Vector3d>>& places) {
+        const auto& fixed = design_.design.choose->fixed;
+        const std::vector<Judged> changed = book.judge_all(with_one_row_changed(), "one row more or less");
+        for (std::size_t row = 0; row < changed.size(); ++row) {
+            const bool kept = std::binary_search(chosen_.rows.begin(), chosen_.rows.end(), row);
+            std::optional<double> other;
+            if (!changed[row].expanded.empty())
+                other = objective_of(design_.design.objective, changed[row].expanded, references);
+            result_.gains.push_back({row, name_of_row(row), kept, {}, places[row]});
+            if (other)
+                result_.gains.back().gain =
+                    kept ? 1.0 - result_.objective / *other : 1.0 - *other / result_.objective;
+            if (!kept) continue;
+            result_.rows.push_back({row, name_of_row(row),
+                                    std::find(fixed.begin(), fixed.end(), row) != fixed.end(),
+                                    row >= design_.table->present, other});
+            if (is_priced(design_)) result_.rows.back().price = design_.design.choose->price_of({row});
+        }
+    }
+
+    /// With its number, from 1, where others are called the same.
+    std::string name_of_row(std::size_t row) const {
+        const SetupTable& table = design_.table->rows;
+        const std::string words = row_words(table, row);
+        for (std::size_t other = 0; other < table.rows.size(); ++other)
+            if (other != row && row_words(table, other) == words)
+                return words + " (row " + std::to_string(row + 1) + ")";
+        return words;
+    }
+
+    /// By the shares of the variances in the budget. What an asset states goes by its statement; components
+    /// that are typed by themselves are one each.
+    void state_sources(const UncertaintyResult& verified, const InputSet& inputs,
+                       const References& references) {
+        std::set<std::string> of_assets;  // ids
+        for (const UncertaintyComponent& component : inputs.components)
+            if (!component.contributor.empty() && !component.origin.empty()) of_assets.insert(component.id);
+        std::map<std::string, std::vector<double>> shares;  // of the goals
+        std::vector<double> expanded;
+        for (std::size_t k = 0; k < result_.goals.size(); ++k) {
+            expanded.push_back(result_.goals[k].after);
+            const std::size_t j = output_of(verified, result_.goals[k]);
+            if (j == verified.outputs.size() || j >= verified.budget.rows.size()) return;
+            for (const BudgetRow& row : verified.budget.rows[j]) {
+                const BudgetComponent& component = verified.budget.components[row.component];
+                auto& of_origin = shares[of_assets.contains(component.id) ? component.origin : component.id];
+                of_origin.resize(result_.goals.size(), 0.0);
+                of_origin[k] += row.share;
+            }
+        }
+        const double now = objective_of(design_.design.objective, expanded, references);
+        for (const auto& [origin, share] : shares) {
+            std::vector<double> without = expanded;
+            for (std::size_t k = 0; k < without.size(); ++k)
+                without[k] *= std::sqrt(std::max(0.0, 1.0 - share[k]));
+            const double gain = 1.0 - objective_of(design_.design.objective, without, references) / now;
+            if (gain > least_gain_of_source) result_.sources.push_back({origin, gain});
+        }
+        std::stable_sort(result_.sources.begin(), result_.sources.end(),
+                         [](const DesignSource& a, const DesignSource& b) { return a.gain > b.gain; });
+        if (result_.sources.size() > most_sources) result_.sources.resize(most_sources);
+    }
+
+    static std::size_t output_of(const UncertaintyResult& result, const DesignGoal& goal) {
+        const auto found = std::find_if(result.outputs.begin(), result.outputs.end(), [&](const auto& one) {
+            return one.quantity.symbol == goal.output.symbol && one.quantity.group == goal.output.group;
+        });
+        return static_cast<std::size_t>(found - result.outputs.begin());
+    }
+
+    void verify(CandidateJudge& judge, const References& references) {
+        EvaluationOptions options = design_.numbers.analysis->options;
+        options.method = Method::monte_carlo;
+        if (design_.design.trials > 0) options.trials = design_.design.trials;
+        options.contributor_trials = options.one_at_a_time_trials = options.sobol_trials = 0;
+        const auto changed = judge.model_of(chosen_);
+        const auto verified = changed ? evaluate(changed->model(), changed->inputs, options,
+                                                 {control_.stop, {}, control_.threads})
+                                      : Result<UncertaintyResult>(fail(changed.error()));
+        if (!verified && verified.error().code == ErrorCode::cancelled) throw Stopped{};
+        if (!verified) {
+            result_.not_verified = verified.error().message;
+            return;
+        }
+        result_.trials = verified->trials;
+        result_.failed_trials = verified->failed_trials;
+        for (DesignGoal& goal : result_.goals) {
+            const std::size_t j = output_of(*verified, goal);
+            if (j == verified->outputs.size()) continue;
+            const OutputResult& output = verified->outputs[j];
+            goal.monte_carlo = output.expanded_uncertainty;
+            if (output.first_order.validation) goal.validated = output.first_order.validation->validated;
+        }
+        state_sources(*verified, changed->inputs, references);
+    }
+
+    const PreparedDesign& design_;
+    const RunControl& control_;
+    const Candidate& chosen_;
+    DesignResult& result_;
+};
+
 class DesignRun {
 public:
     DesignRun(const PreparedDesign& design, const RunControl& control)
@@ -57,12 +224,12 @@ public:
         judge_present(book, *references);
         if (!design_.design.reductions.empty()) {
             if (auto reduced = reduce(book); !reduced) return fail(reduced.error());
-        } else if (is_priced()) {
+        } else if (is_priced(design_)) {
             if (auto chosen = choose_cheapest(book); !chosen) return fail(chosen.error());
         } else {
             search(book);
         }
-        finish(book, *references);
+        ChosenDesign(design_, control_, chosen_, result_).state(book, *references);
         return std::move(result_);
     }
 
@@ -151,8 +318,6 @@ private:
         return {};
     }
 
-    bool is_priced() const { return design_.table && design_.design.objective == DesignObjective::cost; }
-
     Result<void> choose_cheapest(SearchBook& book) {
         if (!has_targets())
             return fail(ErrorCode::bad_input,
@@ -196,155 +361,6 @@ private:
             const FoundValues found = find_values(book, chosen_.rows, std::vector<double>(chosen_.values));
             if (found.feasible) chosen_.values = found.values;
         }
-    }
-
-    void finish(SearchBook& book, const References& references) {
-        for (const auto& [reason, count] : book.notes().reasons) result_.reasons.push_back({reason, count});
-        std::stable_sort(result_.reasons.begin(), result_.reasons.end(),
-                         [](const auto& a, const auto& b) { return a.count > b.count; });
-        if (design_.design.reductions.empty()) result_.path = book.notes().steps;
-        state_values();
-        if (!result_.found) {
-            result_.evaluations = book.notes().evaluations;
-            return;
-        }
-        const auto judge = book.judges().lend();
-        const Judged chosen = judge->judge(chosen_);
-        result_.objective = objective_of(design_.design.objective, chosen.expanded, references);
-        const Judged nominal = judge->result_of(chosen_);
-        for (std::size_t k = 0; k < references.size(); ++k) result_.goals[k].after = nominal.expanded[k];
-        DesignSpace space(*judge, design_, chosen_, control_.stop);
-        if (design_.table) state_rows(book, references, space.places_of_rows());
-        result_.places = space.places(result_.path);
-        result_.evaluations = book.notes().evaluations;
-        verify(*judge, references);
-    }
-
-    void state_values() {
-        const Design& design = design_.design;
-        for (std::size_t i = 0; i < design_.numbers.axes.size(); ++i) {
-            const StudyAxis& axis = design_.numbers.axes[i];
-            Text title = design_.numbers.targets[i].title;
-            if (axis.change == StudyChange::factor) title += ", factor";
-            if (axis.change == StudyChange::added) title += ", added";
-            result_.values.push_back(
-                {title, axis.unit, axis.from, axis.to, design_.present[i], chosen_.values[i], 0.0, {}});
-            if (i < design.variables.size()) result_.values.back().tolerance = design.variables[i].tolerance;
-            if (i < design.reductions.size())
-                result_.values.back().cost = cost_of(design.reductions[i], chosen_.values[i]);
-        }
-    }
-
-    /// With every row that was kept left out, and with every other one added.
-    std::vector<Candidate> with_one_row_changed() const {
-        std::vector<Candidate> candidates;
-        for (std::size_t row = 0; row < design_.table->rows.rows.size(); ++row) {
-            Candidate changed = chosen_;
-            const auto at = std::lower_bound(changed.rows.begin(), changed.rows.end(), row);
-            if (at != changed.rows.end() && *at == row)
-                changed.rows.erase(at);
-            else
-                changed.rows.insert(at, row);
-            candidates.push_back(std::move(changed));
-        }
-        return candidates;
-    }
-
-    void state_rows(SearchBook& book, const References& references,
-                    const std::vector<std::optional<Eigen::Vector3d>>& places) {
-        const auto& fixed = design_.design.choose->fixed;
-        const std::vector<Judged> changed = book.judge_all(with_one_row_changed(), "one row more or less");
-        for (std::size_t row = 0; row < changed.size(); ++row) {
-            const bool kept = std::binary_search(chosen_.rows.begin(), chosen_.rows.end(), row);
-            std::optional<double> other;
-            if (!changed[row].expanded.empty())
-                other = objective_of(design_.design.objective, changed[row].expanded, references);
-            result_.gains.push_back({row, name_of_row(row), kept, {}, places[row]});
-            if (other)
-                result_.gains.back().gain =
-                    kept ? 1.0 - result_.objective / *other : 1.0 - *other / result_.objective;
-            if (!kept) continue;
-            result_.rows.push_back({row, name_of_row(row),
-                                    std::find(fixed.begin(), fixed.end(), row) != fixed.end(),
-                                    row >= design_.table->present, other});
-            if (is_priced()) result_.rows.back().price = design_.design.choose->price_of({row});
-        }
-    }
-
-    /// With its number, from 1, where others are called the same.
-    std::string name_of_row(std::size_t row) const {
-        const SetupTable& table = design_.table->rows;
-        const std::string words = row_words(table, row);
-        for (std::size_t other = 0; other < table.rows.size(); ++other)
-            if (other != row && row_words(table, other) == words)
-                return words + " (row " + std::to_string(row + 1) + ")";
-        return words;
-    }
-
-    /// By the shares of the variances in the budget. What an asset states goes by its statement; components
-    /// that are typed by themselves are one each.
-    void state_sources(const UncertaintyResult& verified, const InputSet& inputs,
-                       const References& references) {
-        std::set<std::string> of_assets;  // ids
-        for (const UncertaintyComponent& component : inputs.components)
-            if (!component.contributor.empty() && !component.origin.empty()) of_assets.insert(component.id);
-        std::map<std::string, std::vector<double>> shares;  // of the goals
-        std::vector<double> expanded;
-        for (std::size_t k = 0; k < result_.goals.size(); ++k) {
-            expanded.push_back(result_.goals[k].after);
-            const std::size_t j = output_of(verified, result_.goals[k]);
-            if (j == verified.outputs.size() || j >= verified.budget.rows.size()) return;
-            for (const BudgetRow& row : verified.budget.rows[j]) {
-                const BudgetComponent& component = verified.budget.components[row.component];
-                auto& of_origin = shares[of_assets.contains(component.id) ? component.origin : component.id];
-                of_origin.resize(result_.goals.size(), 0.0);
-                of_origin[k] += row.share;
-            }
-        }
-        const double now = objective_of(design_.design.objective, expanded, references);
-        for (const auto& [origin, share] : shares) {
-            std::vector<double> without = expanded;
-            for (std::size_t k = 0; k < without.size(); ++k)
-                without[k] *= std::sqrt(std::max(0.0, 1.0 - share[k]));
-            const double gain = 1.0 - objective_of(design_.design.objective, without, references) / now;
-            if (gain > least_gain_of_source) result_.sources.push_back({origin, gain});
-        }
-        std::stable_sort(result_.sources.begin(), result_.sources.end(),
-                         [](const DesignSource& a, const DesignSource& b) { return a.gain > b.gain; });
-        if (result_.sources.size() > most_sources) result_.sources.resize(most_sources);
-    }
-
-    static std::size_t output_of(const UncertaintyResult& result, const DesignGoal& goal) {
-        const auto found = std::find_if(result.outputs.begin(), result.outputs.end(), [&](const auto& one) {
-            return one.quantity.symbol == goal.output.symbol && one.quantity.group == goal.output.group;
-        });
-        return static_cast<std::size_t>(found - result.outputs.begin());
-    }
-
-    void verify(CandidateJudge& judge, const References& references) {
-        EvaluationOptions options = design_.numbers.analysis->options;
-        options.method = Method::monte_carlo;
-        if (design_.design.trials > 0) options.trials = design_.design.trials;
-        options.contributor_trials = options.one_at_a_time_trials = options.sobol_trials = 0;
-        const auto changed = judge.model_of(chosen_);
-        const auto verified = changed ? evaluate(changed->model(), changed->inputs, options,
-                                                 {control_.stop, {}, control_.threads})
-                                      : Result<UncertaintyResult>(fail(changed.error()));
-        if (!verified && verified.error().code == ErrorCode::cancelled) throw Stopped{};
-        if (!verified) {
-            result_.not_verified = verified.error().message;
-            return;
-        }
-        result_.trials = verified->trials;
-        result_.failed_trials = verified->failed_trials;
-        for (DesignGoal& goal : result_.goals) {
-            const std::size_t j = output_of(*verified, goal);
-            if (j == verified->outputs.size()) continue;
-            const OutputResult& output = verified->outputs[j];
-            goal.monte_carlo = output.expanded_uncertainty;
-            if (output.first_order.validation) goal.validated = output.first_order.validation->validated;
-        }
-        state_sources(*verified, changed->inputs, references);
     }
 
     const PreparedDesign& design_;

@@ -79,6 +79,51 @@ private:
     std::vector<std::size_t> order_;
 };
 
+/// Nodes inside the second and third argument of an 'if': they need no value where they are not taken.
+std::vector<bool> nodes_in_branches(const ParsedText& parsed) {
+    std::vector<bool> in_branch(parsed.nodes.size(), false);
+    for (std::size_t i = parsed.nodes.size(); i-- > 0;) {  // operands stand before what uses them
+        const Node& n = parsed.nodes[i];
+        const bool is_if = n.operation == Operation::select;
+        for (const int operand : {n.a, n.b, n.c})
+            if (operand >= 0 && (in_branch[i] || (is_if && operand != n.a)))
+                in_branch[static_cast<std::size_t>(operand)] = true;
+    }
+    return in_branch;
+}
+
+std::string text_of(const Node& node) {
+    if (node.operation == Operation::symbol) return "'" + node.text + "'";
+    if (node.operation == Operation::constant && !(node.unit == Unit{}))
+        return node.text + " " + node.unit.text();
+    if (node.operation == Operation::constant) return node.text;
+    return "the expression in columns " + std::to_string(node.place.column) + "-" +
+           std::to_string(node.place.column + std::max<std::size_t>(node.place.length, 1) - 1);
+}
+
+/// Of what has been reported already: no further complaint follows from it.
+Kind any_kind() {
+    Kind any;
+    any.any = true;
+    return any;
+}
+
+std::string unknown_symbol(const std::string& name) {
+    return "'" + name +
+           "' is neither defined nor one of the quantities: give it a row in the table of quantities";
+}
+
+/// Of temperatures: sums, and differences that are wanted in degC.
+std::string output_objection(const WantedOutput& wanted, const Kind& kind) {
+    const std::string name = "'" + wanted.name + "'";
+    if (const std::string sum = sum_objection({kind, std::nullopt, name}); !sum.empty()) return sum;
+    if (!wanted.unit || !wanted.unit->has_offset() || !kind.zeros || kind.zeros->count == 1.0) return {};
+    return name +
+           (kind.zeros->count == 0.0 ? " is a difference of temperatures: its unit is K, not "
+                                     : " is a multiple of a temperature: its unit is K, not ") +
+           wanted.unit->text();
+}
+
 class Compiler {
 public:
     Compiler(const ParsedText& parsed, std::span<const KnownSymbol> symbols, TextProblems& problems)
@@ -90,7 +135,7 @@ public:
         const std::vector<std::size_t> order = StatementOrder(parsed_, problems_).run();
         if (!problems_.empty()) return {};
         registers_.assign(parsed_.nodes.size(), -1);
-        in_branch_ = nodes_in_branches();
+        in_branch_ = nodes_in_branches(parsed_);
         for (const std::size_t s : order) {
             if (parsed_.statements[s].is_system())
                 system(parsed_.statements[s]);
@@ -108,19 +153,6 @@ private:
         if (problems_.size() < most_dimension_problems) problems_.push_back({place, std::move(message)});
     }
     int& at(int node) { return registers_[static_cast<std::size_t>(node)]; }
-
-    /// Nodes inside the second and third argument of an 'if': they need no value where they are not taken.
-    std::vector<bool> nodes_in_branches() const {
-        std::vector<bool> in_branch(parsed_.nodes.size(), false);
-        for (std::size_t i = parsed_.nodes.size(); i-- > 0;) {  // operands stand before what uses them
-            const Node& n = parsed_.nodes[i];
-            const bool is_if = n.operation == Operation::select;
-            for (const int operand : {n.a, n.b, n.c})
-                if (operand >= 0 && (in_branch[i] || (is_if && operand != n.a)))
-                    in_branch[static_cast<std::size_t>(operand)] = true;
-        }
-        return in_branch;
-    }
 
     void nodes(std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) registers_[i] = node(parsed_.nodes[i]);
@@ -189,15 +221,6 @@ private:
         return {emitter_.kind(at(index)), emitter_.value(at(index)), text_of(node)};
     }
 
-    static std::string text_of(const Node& node) {
-        if (node.operation == Operation::symbol) return "'" + node.text + "'";
-        if (node.operation == Operation::constant && !(node.unit == Unit{}))
-            return node.text + " " + node.unit.text();
-        if (node.operation == Operation::constant) return node.text;
-        return "the expression in columns " + std::to_string(node.place.column) + "-" +
-               std::to_string(node.place.column + std::max<std::size_t>(node.place.length, 1) - 1);
-    }
-
     int node(const Node& node) {
         if (node.operation == Operation::constant) return constant(node);
         if (node.operation == Operation::symbol) return symbol(node);
@@ -233,18 +256,6 @@ private:
         return emitter_.unknown(any_kind());
     }
 
-    /// Of what has been reported already: no further complaint follows from it.
-    static Kind any_kind() {
-        Kind any;
-        any.any = true;
-        return any;
-    }
-
-    static std::string unknown_symbol(const std::string& name) {
-        return "'" + name +
-               "' is neither defined nor one of the quantities: give it a row in the table of quantities";
-    }
-
     void add_output(const WantedOutput& wanted) {
         const auto defined = defined_.find(wanted.name);
         if (defined == defined_.end()) return refuse({}, "no equation defines '" + wanted.name + "'");
@@ -260,17 +271,6 @@ private:
             refuse(place, "'" + wanted.name + "' is " + kind_words(kind) + ", which has no unit of its own");
         compiled_.program.outputs.push_back(defined->second);
         compiled_.output_units.push_back(wanted.unit ? *wanted.unit : Unit::parse(coherent).value_or(Unit{}));
-    }
-
-    /// Of temperatures: sums, and differences that are wanted in degC.
-    static std::string output_objection(const WantedOutput& wanted, const Kind& kind) {
-        const std::string name = "'" + wanted.name + "'";
-        if (const std::string sum = sum_objection({kind, std::nullopt, name}); !sum.empty()) return sum;
-        if (!wanted.unit || !wanted.unit->has_offset() || !kind.zeros || kind.zeros->count == 1.0) return {};
-        return name +
-               (kind.zeros->count == 0.0 ? " is a difference of temperatures: its unit is K, not "
-                                         : " is a multiple of a temperature: its unit is K, not ") +
-               wanted.unit->text();
     }
 
     const ParsedText& parsed_;

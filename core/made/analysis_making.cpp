@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/project/design_check.h"
 #include "core/project/input_edits.h"
 #include "core/project/kind_lookup.h"

@@ -6,8 +6,7 @@
 
 #include "core/base/guarded.h"
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/made/load_project.h"
 #include "core/project/entry_graph.h"
 #include "core/project/linked_files.h"

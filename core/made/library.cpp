@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "core/made/load_project.h"
 #include "core/project/project_id.h"
 #include "core/project/references.h"

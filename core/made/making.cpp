@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/made/made_project.h"
 #include "core/setup/message_text.h"
 

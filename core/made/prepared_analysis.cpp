@@ -20,6 +20,7 @@ Project AnalysisNumbers::part() const {
     part.analyses.back().options = effective_options(*project_, entry);
     part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
     part.analyses.back().designs.clear();
+    part.analyses.back().views.clear();
     add_used_analyses(*project_, entry, part);
     return part;
 }

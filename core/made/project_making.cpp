@@ -1,6 +1,6 @@
 #include "core/made/project_making.h"
 
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "core/project/kind_lookup.h"
 #include "core/setup/setup_schema.h"
 

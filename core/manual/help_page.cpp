@@ -2,8 +2,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/manual/markdown.h"
 #include "core/project/certificate.h"
 #include "core/project/option_fields.h"
@@ -177,7 +176,7 @@ Result<std::vector<HelpPage>> help_pages() {
         pages.push_back(std::move(*page));
         return {};
     };
-    for (const char* id : {"analysis", "results"})
+    for (const char* id : {"analysis", "results", "scene"})
         if (auto added = add(shipped_page(id)); !added) return fail(added.error());
     pages.push_back(options_page());
     pages.push_back(certificate_page());

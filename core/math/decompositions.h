@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <optional>
 
@@ -48,14 +49,18 @@ auto singular_values(const Eigen::MatrixBase<Derived>& matrix, unsigned int opti
 
 /// The step that damped normal equations ask for; nothing where they have no factors or no finite solution:
 /// damp more.
-inline std::optional<Eigen::VectorXd> damped_step(const Eigen::MatrixXd& normal,
-                                                  const Eigen::VectorXd& right) {
-    if (!normal.allFinite()) return std::nullopt;
-    const Eigen::LDLT<Eigen::MatrixXd> factors(normal);
-    if (factors.info() != Eigen::Success) return std::nullopt;
-    Eigen::VectorXd step = factors.solve(right);
-    if (!step.allFinite()) return std::nullopt;
-    return step;
-}
+std::optional<Eigen::VectorXd> damped_step(const Eigen::MatrixXd& normal, const Eigen::VectorXd& right);
 
 }  // namespace covaria
+
+// Compiled once, in decompositions.cpp, and not in every file that uses them: they are what takes the
+// compiler longest.
+extern template class Eigen::JacobiSVD<Eigen::MatrixXd>;
+extern template class Eigen::HouseholderQR<Eigen::MatrixXd>;
+extern template class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+extern template Eigen::LLT<Eigen::MatrixXd>& Eigen::LLT<Eigen::MatrixXd>::compute(
+    const Eigen::EigenBase<Eigen::MatrixXd>&);
+extern template Eigen::LDLT<Eigen::MatrixXd>& Eigen::LDLT<Eigen::MatrixXd>::compute(
+    const Eigen::EigenBase<Eigen::MatrixXd>&);
+extern template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>&
+Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>::compute(const Eigen::EigenBase<Eigen::MatrixXd>&, int);

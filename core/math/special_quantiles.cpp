@@ -51,6 +51,12 @@ double chi_squared_quantile(double p, double dof) {
     return boost::math::quantile(boost::math::chi_squared_distribution<double, Quiet>(dof), p);
 }
 
+double chi_squared_upper_tail(double value, double dof) {
+    if (!(value >= 0.0) || !(dof > 0.0) || std::isinf(dof)) return nan_value;
+    return boost::math::cdf(
+        boost::math::complement(boost::math::chi_squared_distribution<double, Quiet>(dof), value));
+}
+
 double f_quantile(double p, double nu1, double nu2) {
     if (!is_probability(p) || !(nu1 > 0.0) || !(nu2 > 0.0) || std::isinf(nu1)) return nan_value;
     if (std::isinf(nu2)) return chi_squared_quantile(p, nu1) / nu1;

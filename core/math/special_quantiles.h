@@ -13,6 +13,9 @@ double t_quantile(double p, double nu);
 double t_distribution_function(double t, double nu);
 /// Quantile of chi-squared with `dof` degrees of freedom. NaN unless 0 < p < 1 and 0 < dof < infinity.
 double chi_squared_quantile(double p, double dof);
+/// Probability that chi-squared exceeds `value` >= 0: the p of a chi-squared test. NaN unless 0 < dof <
+/// infinity.
+double chi_squared_upper_tail(double value, double dof);
 /// Quantile of F; `nu2` may be infinite (chi-squared over nu1). NaN unless 0 < p < 1 and both are positive.
 double f_quantile(double p, double nu1, double nu2);
 /// Probability that F exceeds `ratio` >= 0: the p of an F-test. NaN unless 0 < nu1, nu2 < infinity.

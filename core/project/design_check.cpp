@@ -5,7 +5,9 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/project/analysis_fields.h"
 #include "core/project/csv_table.h"
+#include "core/project/design_fields.h"
 #include "core/project/entry_graph.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/project_id.h"
@@ -28,7 +30,8 @@ TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis,
     if (!choice.asset.empty()) {
         const AssetEntry* asset = project.find_asset(choice.asset);
         if (!asset) {
-            problems.error("/asset", "there is no asset " + in_quotes(choice.asset));
+            problems.error(choice_fields().place(&DesignChoice::asset),
+                           "there is no asset " + in_quotes(choice.asset));
             return place;
         }
         place.schema = schema_of(*asset);
@@ -40,7 +43,7 @@ TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis,
     if (text.size() > head.size() + tail.size() && text.starts_with(head) && text.ends_with(tail))
         place.found.key = text.substr(head.size(), text.size() - head.size() - tail.size());
     else
-        problems.error("/table",
+        problems.error(choice_fields().place(&DesignChoice::table),
                        "a table to choose from is written as \"/setup/KEY/rows\"; it is " + in_quotes(text));
     return place;
 }
@@ -51,7 +54,7 @@ void add_candidates(const Project& project, const FieldSpec& field, const std::s
     CsvTable csv = table_from_csv_file(project.directory / file, field);
     for (const Problem& problem : csv.problems.items()) {
         Problem placed = problem;
-        placed.path = "/candidates";
+        placed.path = choice_fields().place(&DesignChoice::candidates);
         problems.add(placed);
     }
     if (csv.problems.has_errors()) return;
@@ -63,6 +66,20 @@ void add_candidates(const Project& project, const FieldSpec& field, const std::s
     }
 }
 
+template <class M>
+std::string at(M Design::*member) {
+    return design_fields().place(member);
+}
+template <class M>
+std::string at(std::vector<M> Design::*member, std::size_t item) {
+    return design_fields().place(member, item);
+}
+/// Of the choice, within the design.
+template <class M>
+std::string at(M DesignChoice::*member) {
+    return at(&Design::choose) + choice_fields().place(member);
+}
+
 class DesignCheck {
 public:
     DesignCheck(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
@@ -72,29 +89,29 @@ public:
     void check(const Design& design, const std::string& path) {
         path_ = path;
         if (!is_project_id(design.id))
-            error("/id", "the id " + in_quotes(design.id) + " must be made of letters, digits, '-' and '_'");
+            error(at(&Design::id),
+                  "the id " + in_quotes(design.id) + " must be made of letters, digits, '-' and '_'");
         if (design.variables.empty() && !design.choose && design.reductions.empty())
             error("", "a design needs 'variables', a table to 'choose' from, or 'reductions'");
         if (!design.reductions.empty() && (design.choose || !design.variables.empty()))
-            error("/reductions",
+            error(at(&Design::reductions),
                   "the cheapest reductions are a design of their own, without variables and rows");
         if (design.reductions.size() > most_design_variables)
-            error("/reductions",
+            error(at(&Design::reductions),
                   "a design has at most " + std::to_string(most_design_variables) + " reductions");
         for (std::size_t i = 0; i < design.reductions.size(); ++i) check_reduction(design, i);
         if (design.variables.size() > most_design_variables)
-            error("/variables",
+            error(at(&Design::variables),
                   "a design has at most " + std::to_string(most_design_variables) + " variables");
         for (std::size_t i = 0; i < design.variables.size(); ++i) check_variable(design, i);
         if (design.choose) check_choice(*design.choose);
         if (design.objective == DesignObjective::cost && design.reductions.empty() &&
             (!design.choose || design.choose->prices.empty() || !design.variables.empty()))
-            error("/objective",
+            error(at(&Design::objective),
                   "the cost is that of rows with 'prices': it needs a table to choose from, "
                   "and no variables");
         for (std::size_t i = 0; i < design.outputs.size(); ++i)
-            check_study_output(outputs_, design.outputs[i], path_ + "/outputs/" + std::to_string(i),
-                               problems_);
+            check_study_output(outputs_, design.outputs[i], path_ + at(&Design::outputs, i), problems_);
         check_space(design);
         check_search(design);
     }
@@ -106,70 +123,77 @@ private:
 
     void check_variable(const Design& design, std::size_t i) {
         const DesignVariable& variable = design.variables[i];
-        const std::string below = "/variables/" + std::to_string(i);
+        const std::string below = at(&Design::variables, i);
         check_study_axis(project_, analysis_, inputs_, variable.number, path_ + below, problems_);
         if (!(variable.tolerance >= 0.0) || !std::isfinite(variable.tolerance))
-            error(below + "/tolerance", "a tolerance must not be negative");
+            error(below + variable_fields().place(&DesignVariable::tolerance),
+                  "a tolerance must not be negative");
         const auto target = find_study_target(project_, analysis_, inputs_, variable.number);
         if (target && target->whole)
-            error(below + "/target", "'" + to_unicode(target->title) +
-                                         "' takes whole numbers: a study shows what each of them gives");
+            error(below + reduced_number_fields().place(&StudyAxis::target),
+                  "'" + to_unicode(target->title) +
+                      "' takes whole numbers: a study shows what each of them gives");
         for (std::size_t j = 0; j < i; ++j)
             if (design.variables[j].number.asset == variable.number.asset &&
                 design.variables[j].number.target == variable.number.target)
-                error(below + "/target", in_quotes(variable.number.target) + " is chosen by two variables");
+                error(below + reduced_number_fields().place(&StudyAxis::target),
+                      in_quotes(variable.number.target) + " is chosen by two variables");
     }
 
     void check_reduction(const Design& design, std::size_t i) {
         const DesignReduction& reduction = design.reductions[i];
-        const std::string below = "/reductions/" + std::to_string(i);
+        const std::string below = at(&Design::reductions, i);
         const auto target = find_study_target(project_, analysis_, inputs_, reduction.number);
         if (!target) error(below + target.error().path, target.error().message);
         if (!(reduction.number.from > 0.0) || !(reduction.number.from < 1.0))
-            error(below + "/least", "the smallest factor is between 0 and 1");
+            error(below + reduced_number_fields().place(&StudyAxis::from),
+                  "the smallest factor is between 0 and 1");
         if (!(reduction.price >= 0.0) || !std::isfinite(reduction.price))
-            error(below + "/price", "a price must not be negative");
+            error(below + reduction_fields().place(&DesignReduction::price), "a price must not be negative");
         for (std::size_t j = 0; j < i; ++j)
             if (design.reductions[j].number.asset == reduction.number.asset &&
                 design.reductions[j].number.target == reduction.number.target)
-                error(below + "/target", in_quotes(reduction.number.target) + " is reduced twice");
+                error(below + reduced_number_fields().place(&StudyAxis::target),
+                      in_quotes(reduction.number.target) + " is reduced twice");
     }
 
     void check_choice(const DesignChoice& choice) {
         Problems found;
         const auto table = find_design_table(project_, analysis_, choice, found);
-        problems_.take(found, path_ + "/choose");
+        problems_.take(found, path_ + at(&Design::choose));
         if (!table) return;
         const std::size_t rows = table->rows.rows.size();
         if (choice.keep < std::max<std::size_t>(1, table->least) || choice.keep > rows)
-            error("/choose/keep", "of " + std::to_string(rows) + " rows, " +
-                                      std::to_string(std::max<std::size_t>(1, table->least)) + " to " +
-                                      std::to_string(rows) + " can be kept; it is " +
-                                      std::to_string(choice.keep));
+            error(at(&DesignChoice::keep), "of " + std::to_string(rows) + " rows, " +
+                                               std::to_string(std::max<std::size_t>(1, table->least)) +
+                                               " to " + std::to_string(rows) + " can be kept; it is " +
+                                               std::to_string(choice.keep));
         std::set<std::size_t> seen;
         for (std::size_t i = 0; i < choice.fixed.size(); ++i) {
-            const std::string below = "/choose/fixed/" + std::to_string(i);
+            const std::string below = at(&DesignChoice::fixed) + "/" + std::to_string(i);
             if (choice.fixed[i] >= rows)
                 error(below, "there are " + std::to_string(rows) + " rows, counted from 0");
             else if (!seen.insert(choice.fixed[i]).second)
                 error(below, "row " + std::to_string(choice.fixed[i]) + " is fixed twice");
         }
-        if (choice.fixed.size() > choice.keep) error("/choose/fixed", "more rows are fixed than kept");
+        if (choice.fixed.size() > choice.keep)
+            error(at(&DesignChoice::fixed), "more rows are fixed than kept");
         if (choice.prices.size() > 1 && choice.prices.size() != rows)
-            error("/choose/prices", "there is one price for all rows, or one for each of the " +
-                                        std::to_string(rows) + "; there are " +
-                                        std::to_string(choice.prices.size()));
+            error(at(&DesignChoice::prices), "there is one price for all rows, or one for each of the " +
+                                                 std::to_string(rows) + "; there are " +
+                                                 std::to_string(choice.prices.size()));
         for (std::size_t i = 0; i < choice.prices.size(); ++i)
             if (!(choice.prices[i] >= 0.0) || !std::isfinite(choice.prices[i]))
-                error("/choose/prices/" + std::to_string(i), "a price must not be negative");
+                error(at(&DesignChoice::prices) + "/" + std::to_string(i), "a price must not be negative");
     }
 
     void check_box(const DesignBox& box, const std::string& below) {
         const std::string objection = unit_objection("a box", {0.0, box.unit}, Unit::of("mm"));
-        if (!objection.empty()) return error(below + "/unit", objection);
+        if (!objection.empty()) return error(below + box_fields().place(&DesignBox::unit), objection);
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (!std::isfinite(box.from[axis]) || !(box.from[axis] < box.to[axis]))
-                return error(below + "/to", "every coordinate of 'to' must be greater than that of 'from'");
+                return error(below + box_fields().place(&DesignBox::to),
+                             "every coordinate of 'to' must be greater than that of 'from'");
     }
 
     void check_space(const Design& design) {
@@ -177,21 +201,22 @@ private:
             const std::string objection =
                 unit_objection("the least distance", *design.least_distance, Unit::of("mm"));
             if (!objection.empty())
-                error("/leastDistance", objection);
+                error(at(&Design::least_distance), objection);
             else if (!(design.least_distance->value > 0.0))
-                error("/leastDistance", "the least distance must be greater than zero");
+                error(at(&Design::least_distance), "the least distance must be greater than zero");
         }
         for (std::size_t i = 0; i < design.keep_out.size(); ++i)
-            check_box(design.keep_out[i], "/keepOut/" + std::to_string(i));
+            check_box(design.keep_out[i], at(&Design::keep_out, i));
         for (std::size_t i = 0; i < design.hidden_by.size(); ++i)
-            check_box(design.hidden_by[i], "/hiddenBy/" + std::to_string(i));
+            check_box(design.hidden_by[i], at(&Design::hidden_by, i));
     }
 
     void check_search(const Design& design) {
         if (design.starts < 1 || design.starts > most_design_starts)
-            error("/starts", "there are 1 to " + std::to_string(most_design_starts) + " starts");
-        if (design.most_evaluations < 1) error("/mostEvaluations", "at least one evaluation is needed");
-        if (design.trials == 1) error("/trials", "Monte Carlo needs at least two trials");
+            error(at(&Design::starts), "there are 1 to " + std::to_string(most_design_starts) + " starts");
+        if (design.most_evaluations < 1)
+            error(at(&Design::most_evaluations), "at least one evaluation is needed");
+        if (design.trials == 1) error(at(&Design::trials), "Monte Carlo needs at least two trials");
     }
 
     const Project& project_;
@@ -218,8 +243,9 @@ std::optional<DesignTable> find_design_table(const Project& project, const Analy
     DesignTable& table = place.found;
     const FieldSpec* field = place.schema && !table.key.empty() ? place.schema->find(table.key) : nullptr;
     if (!own.has_errors() && (!field || field->kind != FieldKind::table))
-        own.error("/table", "the set-up has no table " + in_quotes(table.key) +
-                                (place.schema ? did_you_mean(table.key, place.schema->keys()) : ""));
+        own.error(choice_fields().place(&DesignChoice::table),
+                  "the set-up has no table " + in_quotes(table.key) +
+                      (place.schema ? did_you_mean(table.key, place.schema->keys()) : ""));
     if (!own.has_errors()) {
         table.title = field->title;
         table.least = field->min_rows;
@@ -265,9 +291,10 @@ void check_designs(const Project& project, const AnalysisEntry& analysis, const 
     std::set<std::string> ids;
     DesignCheck check(project, analysis, inputs, outputs, problems);
     for (std::size_t i = 0; i < analysis.designs.size(); ++i) {
-        const std::string path = "/designs/" + std::to_string(i);
+        const std::string path = analysis_fields().place(&AnalysisEntry::designs, i);
         if (!ids.insert(analysis.designs[i].id).second)
-            problems.error(path + "/id", "the id " + in_quotes(analysis.designs[i].id) + " is used twice");
+            problems.error(path + at(&Design::id),
+                           "the id " + in_quotes(analysis.designs[i].id) + " is used twice");
         check.check(analysis.designs[i], path);
     }
 }

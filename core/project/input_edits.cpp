@@ -5,7 +5,9 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/project/analysis_fields.h"
 #include "core/project/component_edit.h"
+#include "core/project/edit_fields.h"
 #include "core/quantity/component_pairs.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
@@ -56,7 +58,8 @@ public:
 private:
     void set_estimate() {
         const std::string objection = unit_objection(edit_.symbol, *edit_.estimate, quantity_.unit);
-        if (!objection.empty()) return problems_.error(path_ + "/estimate", objection);
+        if (!objection.empty())
+            return problems_.error(path_ + input_edit_fields().place(&InputEdit::estimate), objection);
         quantity_.offset += edit_.estimate->si() - estimate_of(inputs_, index_);
     }
 
@@ -69,22 +72,25 @@ private:
     }
 
     UncertaintyComponent component(const ComponentEdit& edit, std::size_t i) {
-        const std::string place = path_ + "/components/" + std::to_string(i);
+        const std::string place =
+            path_ + input_edit_fields().place(&InputEdit::components) + "/" + std::to_string(i);
         const std::string name = edit.name.empty() ? "component " + std::to_string(i + 1) : edit.name;
         const std::string what = in_quotes(name) + " of " + in_quotes(edit_.symbol);
         if (edit.unit.dimension() != quantity_.unit.dimension())
-            problems_.error(place + "/unit", in_quotes(edit_.symbol) + " is " +
-                                                 dimension_words(quantity_.unit) + "; the unit " +
-                                                 in_quotes(edit.unit.text()) + " of " + in_quotes(name) +
-                                                 " is the unit of " + dimension_words(edit.unit));
+            problems_.error(place + component_fields().place(&ComponentEdit::unit),
+                            in_quotes(edit_.symbol) + " is " + dimension_words(quantity_.unit) +
+                                "; the unit " + in_quotes(edit.unit.text()) + " of " + in_quotes(name) +
+                                " is the unit of " + dimension_words(edit.unit));
         const auto distribution = distribution_of(edit);
-        if (!distribution) problems_.error(place + "/parameters", what + ": " + distribution.error().message);
+        if (!distribution)
+            problems_.error(place + component_fields().place(&ComponentEdit::parameters),
+                            what + ": " + distribution.error().message);
         UncertaintyComponent made{edit_.symbol + ".edit" + std::to_string(i + 1), name, edit.unit};
         if (distribution) made.distribution = *distribution;
         made.type = edit.type;
         made.degrees_of_freedom = edit.degrees_of_freedom.value_or(made.distribution.degrees_of_freedom());
         if (!(made.degrees_of_freedom > 0))
-            problems_.error(place + "/degreesOfFreedom",
+            problems_.error(place + component_fields().place(&ComponentEdit::degrees_of_freedom),
                             what + ": the degrees of freedom must be greater than zero");
         made.origin = edit.origin;
         return made;
@@ -156,14 +162,16 @@ void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& 
             const auto ids = component_ids(inputs);
             known.insert(known.end(), ids.begin(), ids.end());
         }
-        problems.error(path + "/symbol", "the model has no input quantity " + in_quotes(edit.symbol) +
-                                             did_you_mean(plain_symbol(edit.symbol), known));
+        problems.error(path + input_edit_fields().place(&InputEdit::symbol),
+                       "the model has no input quantity " + in_quotes(edit.symbol) +
+                           did_you_mean(plain_symbol(edit.symbol), known));
         return;
     }
     if (edit.estimate || edit.components || edit.combination)
-        problems.error(path + "/symbol", in_quotes(edit.symbol) +
-                                             " is a component, not an input quantity: it can be "
-                                             "held, but not be edited otherwise");
+        problems.error(path + input_edit_fields().place(&InputEdit::symbol),
+                       in_quotes(edit.symbol) +
+                           " is a component, not an input quantity: it can be "
+                           "held, but not be edited otherwise");
     else
         inputs.components[component].held = edit.held;
 }
@@ -196,13 +204,16 @@ void set_correlation(InputSet& inputs, std::size_t first, std::size_t second, do
 void apply_correlation(InputSet& inputs, const CorrelationEdit& edit, const std::string& path,
                        Problems& problems) {
     const std::size_t before = problems.items().size();
-    const std::vector<Share> first = correlated_parts(inputs, edit.first, path + "/first", problems);
-    const std::vector<Share> second = correlated_parts(inputs, edit.second, path + "/second", problems);
+    const std::vector<Share> first = correlated_parts(
+        inputs, edit.first, path + correlation_fields().place(&CorrelationEdit::first), problems);
+    const std::vector<Share> second = correlated_parts(
+        inputs, edit.second, path + correlation_fields().place(&CorrelationEdit::second), problems);
     if (problems.items().size() > before) return;
     if (edit.first == edit.second)
-        return problems.error(path + "/second", in_quotes(edit.first) + " cannot be correlated with itself");
+        return problems.error(path + correlation_fields().place(&CorrelationEdit::second),
+                              in_quotes(edit.first) + " cannot be correlated with itself");
     if (!(std::abs(edit.coefficient) <= 1.0))
-        return problems.error(path + "/coefficient",
+        return problems.error(path + correlation_fields().place(&CorrelationEdit::coefficient),
                               "a correlation coefficient must lie between -1 and 1; it is " +
                                   readable_number(edit.coefficient));
     for (const Share& a : first)
@@ -223,9 +234,10 @@ void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& pro
     std::set<std::string> edited;
     for (std::size_t i = 0; i < analysis.inputs.size(); ++i) {
         const InputEdit& edit = analysis.inputs[i];
-        const std::string path = "/inputs/" + std::to_string(i);
+        const std::string path = analysis_fields().place(&AnalysisEntry::inputs, i);
         if (!edited.insert(edit.symbol).second)
-            problems.error(path + "/symbol", in_quotes(edit.symbol) + " is edited twice");
+            problems.error(path + input_edit_fields().place(&InputEdit::symbol),
+                           in_quotes(edit.symbol) + " is edited twice");
         else if (const std::size_t quantity = inputs.find(edit.symbol); quantity != InputSet::npos)
             QuantityEdit(inputs, quantity, edit, path, problems).apply();
         else
@@ -238,7 +250,7 @@ void apply_inputs(InputSet& inputs, const AnalysisEntry& analysis, Problems& pro
 void apply_correlations(InputSet& inputs, const std::vector<CorrelationEdit>& edits, Problems& problems) {
     std::set<std::pair<std::string, std::string>> pairs;
     for (std::size_t i = 0; i < edits.size(); ++i) {
-        const std::string path = "/correlations/" + std::to_string(i);
+        const std::string path = analysis_fields().place(&AnalysisEntry::correlations, i);
         if (pairs.insert(std::minmax(edits[i].first, edits[i].second)).second)
             apply_correlation(inputs, edits[i], path, problems);
         else
@@ -253,7 +265,9 @@ InputSet apply_edits(InputSet inputs, const AnalysisEntry& analysis, Problems& p
     apply_correlations(inputs, analysis.correlations, problems);
     if (problems.items().size() > before) return inputs;
     if (const auto resolved = resolved_correlations(inputs); !resolved)
-        problems.error(analysis.correlations.empty() ? "/setup" : "/correlations", resolved.error().message);
+        problems.error(
+            analysis.correlations.empty() ? "/setup" : analysis_fields().place(&AnalysisEntry::correlations),
+            resolved.error().message);
     return inputs;
 }
 

@@ -1,7 +1,6 @@
 #include "core/project/kind_lookup.h"
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {

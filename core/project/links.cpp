@@ -8,6 +8,8 @@
 #include "core/base/in_quotes.h"
 #include "core/model/composed_model.h"
 #include "core/model/linearised_model.h"
+#include "core/project/analysis_fields.h"
+#include "core/project/edit_fields.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/references.h"
 #include "core/propagation/engine.h"
@@ -28,7 +30,7 @@ struct PlacedLink {
 std::vector<PlacedLink> links_of(const AnalysisEntry& entry, const InputSet& inputs) {
     std::vector<PlacedLink> links;
     for (std::size_t i = 0; i < entry.links.size(); ++i)
-        links.push_back({entry.links[i], "/links/" + std::to_string(i)});
+        links.push_back({entry.links[i], analysis_fields().place(&AnalysisEntry::links, i)});
     for (const InputQuantity& quantity : inputs.quantities) {
         const bool given = std::any_of(entry.links.begin(), entry.links.end(),
                                        [&](const InputLink& link) { return link.input == quantity.symbol; });
@@ -68,11 +70,12 @@ void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Probl
                                      "either this or the link");
     };
     for (std::size_t i = 0; i < entry.inputs.size(); ++i)
-        refuse(entry.inputs[i].symbol, "/inputs/" + std::to_string(i) + "/symbol");
+        refuse(entry.inputs[i].symbol, analysis_fields().place(&AnalysisEntry::inputs, i) +
+                                           input_edit_fields().place(&InputEdit::symbol));
     for (std::size_t i = 0; i < entry.correlations.size(); ++i) {
-        const std::string path = "/correlations/" + std::to_string(i);
-        refuse(entry.correlations[i].first, path + "/first");
-        refuse(entry.correlations[i].second, path + "/second");
+        const std::string path = analysis_fields().place(&AnalysisEntry::correlations, i);
+        refuse(entry.correlations[i].first, path + correlation_fields().place(&CorrelationEdit::first));
+        refuse(entry.correlations[i].second, path + correlation_fields().place(&CorrelationEdit::second));
     }
 }
 
@@ -95,12 +98,13 @@ public:
         if (parts_.size() == 1) return own;
         auto chain = std::make_shared<ComposedModel>(std::move(parts_));
         for (const std::string& id : chain->kept_apart())
-            problems.warning("/links", "the component " + in_quotes(id) +
-                                           " is not stated alike (held, or edited) by all analyses of the "
-                                           "chain: they are taken as independent");
+            problems.warning(analysis_fields().place(&AnalysisEntry::links),
+                             "the component " + in_quotes(id) +
+                                 " is not stated alike (held, or edited) by all analyses of the "
+                                 "chain: they are taken as independent");
         InputSet inputs = chain->inputs();
         if (const auto resolved = resolved_correlations(inputs); !resolved)
-            problems.error("/links", resolved.error().message);
+            problems.error(analysis_fields().place(&AnalysisEntry::links), resolved.error().message);
         if (problems.has_errors()) return {};
         return {std::move(chain), std::move(inputs)};
     }
@@ -115,7 +119,8 @@ private:
         std::set<std::string> linked;
         for (const PlacedLink& placed : links_of(entry, own.inputs)) {
             if (!linked.insert(placed.link.input).second)
-                problems.error(placed.path + "/input", in_quotes(placed.link.input) + " is linked twice");
+                problems.error(placed.path + link_fields().place(&InputLink::input),
+                               in_quotes(placed.link.input) + " is linked twice");
             else if (const auto link = resolve(placed, own.inputs, problems))
                 part.links.push_back(*link);
         }
@@ -132,7 +137,7 @@ private:
             std::vector<std::string> known;
             for (const InputQuantity& quantity : inputs.quantities) known.push_back(quantity.symbol);
             problems.error(
-                placed.path + "/input",
+                placed.path + link_fields().place(&InputLink::input),
                 "the model has no input quantity " + in_quotes(link.input) + did_you_mean(link.input, known));
             return {};
         }
@@ -143,10 +148,10 @@ private:
         const Unit& from = parts_[*part].model->outputs()[*output].unit;
         const Unit& to = inputs.quantities[input].unit;
         if (from.dimension() != to.dimension()) {
-            problems.error(placed.path + "/output", in_quotes(link.input) + " is " + dimension_words(to) +
-                                                        "; " + in_quotes(link.output.symbol) + " of " +
-                                                        in_quotes(link.output.analysis) + " is " +
-                                                        dimension_words(from));
+            problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
+                           in_quotes(link.input) + " is " + dimension_words(to) + "; " +
+                               in_quotes(link.output.symbol) + " of " + in_quotes(link.output.analysis) +
+                               " is " + dimension_words(from));
             return {};
         }
         return ModelLink{input, *part, *output};
@@ -158,27 +163,31 @@ private:
         if (!entry) {
             std::vector<std::string> ids;
             for (const AnalysisEntry& analysis : project_.analyses) ids.push_back(analysis.id);
-            problems.error(placed.path + "/analysis",
+            problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
                            "there is no analysis " + in_quotes(id) + did_you_mean(id, ids));
             return {};
         }
         if (const auto first = std::find(path_.begin(), path_.end(), id); first != path_.end()) {
             std::string circle;
             for (auto step = first; step != path_.end(); ++step) circle += *step + " ← ";
-            problems.error(placed.path + "/analysis", "the analysis " + in_quotes(path_.back()) +
-                                                          " would be made of itself: " + circle + id);
+            problems.error(
+                placed.path + output_reference_fields().place(&OutputReference::analysis),
+                "the analysis " + in_quotes(path_.back()) + " would be made of itself: " + circle + id);
             return {};
         }
         if (path_.size() >= deepest_chain) {
-            problems.error(placed.path + "/analysis", "more than " + std::to_string(deepest_chain) +
-                                                          " analyses feed each other in a row");
+            problems.error(
+                placed.path + output_reference_fields().place(&OutputReference::analysis),
+                "more than " + std::to_string(deepest_chain) + " analyses feed each other in a row");
             return {};
         }
         const auto key = std::make_pair(id, placed.link.linearised);
         if (const auto known = known_.find(key); known != known_.end()) return known->second;
         Problems found;
         const Index made = placed.link.linearised ? add_linearised(*entry, found) : add_whole(*entry, found);
-        if (!made) problems.error(placed.path + "/analysis", objection_to(id, found));
+        if (!made)
+            problems.error(placed.path + output_reference_fields().place(&OutputReference::analysis),
+                           objection_to(id, found));
         return known_[key] = made;
     }
 
@@ -209,9 +218,9 @@ private:
             known.push_back(words_of(outputs[j].group, outputs[j].symbol));
         }
         const std::string words = words_of(wanted.group, wanted.symbol);
-        problems.error(placed.path + "/output", "the analysis " + in_quotes(wanted.analysis) +
-                                                    " has no output " + in_quotes(words) +
-                                                    did_you_mean(words, known));
+        problems.error(placed.path + output_reference_fields().place(&OutputReference::symbol),
+                       "the analysis " + in_quotes(wanted.analysis) + " has no output " + in_quotes(words) +
+                           did_you_mean(words, known));
         return {};
     }
 
@@ -282,6 +291,7 @@ void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Pr
         part.analyses.push_back(*project.find_analysis(id));
         part.analyses.back().studies.clear();
         part.analyses.back().designs.clear();
+        part.analyses.back().views.clear();
         part.analyses.back().requirements.clear();
         part.analyses.back().options = {};  // of its own evaluation
     }

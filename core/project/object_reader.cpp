@@ -79,8 +79,8 @@ std::optional<Quantity> ObjectReader::quantity(const std::string& key) {
     return found ? quantity_from(*found, path_of(key), problems_) : std::nullopt;
 }
 
-const Json* ObjectReader::list(const std::string& key) {
-    const Json* found = find(key);
+const Json* ObjectReader::list(const std::string& key, bool required) {
+    const Json* found = require(key, required);
     if (found && !found->is_array()) wrong_kind(key, "a list in brackets", *found);
     return found && found->is_array() ? found : nullptr;
 }

@@ -37,7 +37,7 @@ public:
     /// {"value": 0.7, "unit": "K"}
     std::optional<Quantity> quantity(const std::string& key);
     /// The list, or null; reported when it is something else.
-    const Json* list(const std::string& key);
+    const Json* list(const std::string& key, bool required = false);
 
     void refuse_unknown_keys();
     Problems& problems() { return problems_; }

@@ -10,6 +10,7 @@
 #include "core/project/design.h"
 #include "core/project/project_results.h"
 #include "core/project/report_contents.h"
+#include "core/project/saved_view.h"
 #include "core/project/study.h"
 #include "core/propagation/options.h"
 #include "core/quantity/distribution.h"
@@ -88,6 +89,7 @@ struct AnalysisEntry {
     std::vector<Requirement> requirements = {};
     std::vector<Study> studies = {};
     std::vector<Design> designs = {};
+    std::vector<SavedView> views = {};  ///< of its scene
     bool operator==(const AnalysisEntry&) const = default;
 };
 

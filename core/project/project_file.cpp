@@ -6,14 +6,14 @@
 #include <optional>
 
 #include "core/base/file_io.h"
-#include "core/project/analysis_json.h"
+#include "core/project/analysis_fields.h"
 #include "core/project/certificate_json.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/migration.h"
 #include "core/project/project_results_json.h"
 #include "core/project/project_text.h"
-#include "core/project/report_contents_json.h"
+#include "core/project/report_contents_fields.h"
 #include "core/project/setup_json.h"
 
 namespace covaria {
@@ -56,7 +56,8 @@ public:
             project.certificate =
                 certificate_from_json(*certificate, reader.path_of("certificate"), context_.problems);
         if (const Json* report = reader.find("report"))
-            project.report = report_contents_from_json(*report, reader.path_of("report"), context_.problems);
+            project.report =
+                report_contents_fields().read(*report, reader.path_of("report"), context_.problems);
         if (const Json* results = reader.find("results"))
             project.results =
                 project_results_from_json(*results, reader.path_of("results"), context_.problems);
@@ -96,7 +97,7 @@ private:
         analysis.name = reader.text("name");
         analysis.notes = reader.text("notes");
         read_setup(reader, analysis);
-        read_analysis_details(reader, analysis);
+        analysis_fields().read_into(reader, analysis);
         reader.refuse_unknown_keys();
     }
 

@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/project/analysis_json.h"
+#include "core/project/analysis_fields.h"
 #include "core/project/certificate_json.h"
 #include "core/project/json_writer.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/project_file.h"
 #include "core/project/project_results_json.h"
 #include "core/project/project_text.h"
-#include "core/project/report_contents_json.h"
+#include "core/project/report_contents_fields.h"
 #include "core/project/setup_json.h"
 
 namespace covaria {
@@ -45,7 +45,7 @@ void write_analysis(JsonWriter& out, const AnalysisEntry& analysis) {
     member_if_given(out, "name", analysis.name);
     member_if_given(out, "notes", analysis.notes);
     write_setup_of(out, analysis);
-    write_analysis_details(out, analysis);
+    analysis_fields().write_members(out, analysis, {});
     out.end();
 }
 
@@ -76,6 +76,7 @@ Project numbers_only(Project project) {
         analysis.requirements.clear();
         for (Study& study : analysis.studies) study.name.clear();
         analysis.designs.clear();
+        analysis.views.clear();
         keep_numbers(analysis.setup);
         for (InputEdit& edit : analysis.inputs) {
             if (!edit.components) continue;
@@ -110,7 +111,7 @@ WrittenProject write_project(const Project& project) {
     }
     if (!project.report.empty()) {
         out.key("report");
-        write_report_contents(out, project.report);
+        report_contents_fields().write(out, project.report);
     }
     if (!project.results.empty()) {
         out.key("results");

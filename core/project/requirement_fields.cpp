@@ -24,6 +24,17 @@ const std::array<RequirementField, 6>& requirement_fields() {
     return fields;
 }
 
+const JsonFields<Requirement>& requirement_object() {
+    static const auto fields = [] {
+        JsonFields<Requirement> made("a requirement", JsonWriter::Style::one_line);
+        made.add("group", &Requirement::group).required("symbol", &Requirement::symbol);
+        for (const RequirementField& field : requirement_fields())
+            std::visit([&](auto member) { made.add(field.key, member); }, field.member);
+        return made;
+    }();
+    return fields;
+}
+
 std::optional<Quantity> value_of(const Requirement& requirement, const RequirementField& field) {
     if (const auto* number = std::get_if<double Requirement::*>(&field.member))
         return Quantity{requirement.**number, Unit{}};

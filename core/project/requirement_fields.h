@@ -4,6 +4,7 @@
 #include <array>
 #include <variant>
 
+#include "core/project/json_fields.h"
 #include "core/project/project.h"
 
 namespace covaria {
@@ -28,5 +29,8 @@ inline bool is_number(const RequirementField& field) {
 
 /// In the order of the project file.
 const std::array<RequirementField, 6>& requirement_fields();
+
+/// A requirement in project files: the output that it is for, and its figures.
+const JsonFields<Requirement>& requirement_object();
 
 }  // namespace covaria

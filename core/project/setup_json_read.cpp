@@ -14,103 +14,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FieldReader {
+/// A field that is being read.
+class ReadField {
 public:
-    FieldReader(const FieldSpec& field, std::string path, ReadContext& context)
+    ReadField(const FieldSpec& field, std::string path, ReadContext& context)
         : field_(field), path_(std::move(path)), context_(context) {}
 
-    SetupValue read(const Json& value) {
-        switch (field_.kind) {
-            case FieldKind::number:
-            case FieldKind::integer:
-                return number(value);
-            case FieldKind::choice:
-            case FieldKind::text:
-            case FieldKind::reference:
-                return text(value);
-            case FieldKind::flag:
-                return flag(value);
-            case FieldKind::pose:
-                return pose(value);
-            case FieldKind::table:
-                return table(value);
-        }
-        return {};
-    }
-
-private:
+protected:
     SetupValue refuse(const std::string& message, const std::string& below = {}) {
         context_.problems.error(path_ + below, message);
         return {};
     }
     std::string title() const { return "'" + field_.title + "'"; }
 
-    SetupValue number(const Json& value) {
-        if (field_.unit.dimension().is_one() && value.is_number())
-            return Quantity{value.get<double>(), Unit{}};
-        if (field_.unit.dimension().is_one() && value.is_null()) return Quantity{infinity, Unit{}};
-        if (field_.kind == FieldKind::integer)
-            return refuse(title() + " must be a whole number, not " + json_words(value));
-        if (value.is_number())
-            return refuse(title() + " is " + dimension_words(field_.unit) +
-                          "; its unit is missing: write {\"value\": " + shortest_number(value.get<double>()) +
-                          ", \"unit\": \"" + field_.unit.text() + "\"}");
-        if (!value.is_object()) return refuse(title() + " must be a number, not " + json_words(value));
-        const auto quantity = quantity_from(value, path_, context_.problems);
-        return quantity ? SetupValue(*quantity) : SetupValue{};
-    }
+    const FieldSpec& field_;
+    std::string path_;
+    ReadContext& context_;
+};
 
-    SetupValue text(const Json& value) {
-        if (field_.several_lines && value.is_array()) return lines(value);
-        if (!value.is_string())
-            return refuse(title() + " must be a text in quotes, not " + json_words(value));
-        return value.get<std::string>();
-    }
+class TableReader : ReadField {
+public:
+    using ReadField::ReadField;
 
-    SetupValue lines(const Json& list) {
-        std::string text;
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            if (!list[i].is_string() || list[i].get<std::string>().find('\n') != std::string::npos)
-                return refuse("the lines of " + title() + " must be texts in quotes, each one line",
-                              "/" + std::to_string(i));
-            text += (i == 0 ? "" : "\n") + list[i].get<std::string>();
-        }
-        return text;
-    }
-
-    SetupValue flag(const Json& value) {
-        if (!value.is_boolean()) return refuse(title() + " must be true or false, not " + json_words(value));
-        return value.get<bool>();
-    }
-
-    SetupValue pose(const Json& value) {
-        ObjectReader reader(value, path_, title(), context_.problems);
-        PoseValue pose;
-        triple(reader, "position", pose.position);
-        pose.length_unit = unit(reader, "lengthUnit");
-        triple(reader, "angles", pose.angles);
-        pose.angle_unit = unit(reader, "angleUnit");
-        reader.refuse_unknown_keys();
-        return pose;
-    }
-
-    void triple(ObjectReader& reader, const std::string& key, std::array<double, 3>& numbers) {
-        const Json* list = reader.find(key);
-        bool right = list && list->is_array() && list->size() == 3;
-        for (std::size_t i = 0; right && i < 3; ++i) {
-            right = (*list)[i].is_number();
-            if (right) numbers[i] = (*list)[i].get<double>();
-        }
-        if (!right)
-            refuse("'" + key + "' of " + title() + " must be a list of three numbers", list ? "/" + key : "");
-    }
-
-    Unit unit(ObjectReader& reader, const std::string& key) {
-        const std::string text = reader.text(key, true);
-        return text.empty() ? Unit{} : unit_from(text, reader.path_of(key), context_.problems);
-    }
-
-    SetupValue table(const Json& value) {
+    SetupValue read(const Json& value) {
         ObjectReader reader(value, path_, title(), context_.problems);
         if (!value.is_object()) return {};
         if (reader.has("csv")) {
@@ -130,6 +56,7 @@ private:
         return columns && rows ? inline_table(*columns, *rows) : SetupValue{};
     }
 
+private:
     SetupValue inline_table(const Json& columns, const Json& rows) {
         std::vector<std::string> headers;
         for (const Json& column : columns) {
@@ -227,10 +154,96 @@ private:
         read.table.csv_columns = std::move(renamed);
         return read.problems.has_errors() ? SetupValue{} : SetupValue(std::move(read.table));
     }
+};
 
-    const FieldSpec& field_;
-    std::string path_;
-    ReadContext& context_;
+class FieldReader : ReadField {
+public:
+    using ReadField::ReadField;
+
+    SetupValue read(const Json& value) {
+        switch (field_.kind) {
+            case FieldKind::number:
+            case FieldKind::integer:
+                return number(value);
+            case FieldKind::choice:
+            case FieldKind::text:
+            case FieldKind::reference:
+                return text(value);
+            case FieldKind::flag:
+                return flag(value);
+            case FieldKind::pose:
+                return pose(value);
+            case FieldKind::table:
+                return TableReader(field_, path_, context_).read(value);
+        }
+        return {};
+    }
+
+private:
+    SetupValue number(const Json& value) {
+        if (field_.unit.dimension().is_one() && value.is_number())
+            return Quantity{value.get<double>(), Unit{}};
+        if (field_.unit.dimension().is_one() && value.is_null()) return Quantity{infinity, Unit{}};
+        if (field_.kind == FieldKind::integer)
+            return refuse(title() + " must be a whole number, not " + json_words(value));
+        if (value.is_number())
+            return refuse(title() + " is " + dimension_words(field_.unit) +
+                          "; its unit is missing: write {\"value\": " + shortest_number(value.get<double>()) +
+                          ", \"unit\": \"" + field_.unit.text() + "\"}");
+        if (!value.is_object()) return refuse(title() + " must be a number, not " + json_words(value));
+        const auto quantity = quantity_from(value, path_, context_.problems);
+        return quantity ? SetupValue(*quantity) : SetupValue{};
+    }
+
+    SetupValue text(const Json& value) {
+        if (field_.several_lines && value.is_array()) return lines(value);
+        if (!value.is_string())
+            return refuse(title() + " must be a text in quotes, not " + json_words(value));
+        return value.get<std::string>();
+    }
+
+    SetupValue lines(const Json& list) {
+        std::string text;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (!list[i].is_string() || list[i].get<std::string>().find('\n') != std::string::npos)
+                return refuse("the lines of " + title() + " must be texts in quotes, each one line",
+                              "/" + std::to_string(i));
+            text += (i == 0 ? "" : "\n") + list[i].get<std::string>();
+        }
+        return text;
+    }
+
+    SetupValue flag(const Json& value) {
+        if (!value.is_boolean()) return refuse(title() + " must be true or false, not " + json_words(value));
+        return value.get<bool>();
+    }
+
+    SetupValue pose(const Json& value) {
+        ObjectReader reader(value, path_, title(), context_.problems);
+        PoseValue pose;
+        triple(reader, "position", pose.position);
+        pose.length_unit = unit(reader, "lengthUnit");
+        triple(reader, "angles", pose.angles);
+        pose.angle_unit = unit(reader, "angleUnit");
+        reader.refuse_unknown_keys();
+        return pose;
+    }
+
+    void triple(ObjectReader& reader, const std::string& key, std::array<double, 3>& numbers) {
+        const Json* list = reader.find(key);
+        bool right = list && list->is_array() && list->size() == 3;
+        for (std::size_t i = 0; right && i < 3; ++i) {
+            right = (*list)[i].is_number();
+            if (right) numbers[i] = (*list)[i].get<double>();
+        }
+        if (!right)
+            refuse("'" + key + "' of " + title() + " must be a list of three numbers", list ? "/" + key : "");
+    }
+
+    Unit unit(ObjectReader& reader, const std::string& key) {
+        const std::string text = reader.text(key, true);
+        return text.empty() ? Unit{} : unit_from(text, reader.path_of(key), context_.problems);
+    }
 };
 
 }  // namespace

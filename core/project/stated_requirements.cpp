@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/base/in_quotes.h"
+#include "core/project/analysis_fields.h"
+#include "core/project/requirement_fields.h"
 #include "core/setup/message_text.h"
 #include "core/setup/setup_schema.h"
 #include "core/text/numbers.h"
@@ -21,45 +23,51 @@ public:
 
     void read(OutputRequirement& made) {
         made.guard_factor = typed_.guard_factor;
-        made.target_uncertainty =
-            interval(typed_.target_uncertainty, "targetUncertainty", "target uncertainty");
-        made.lower_limit = value(typed_.lower_limit, "lowerLimit", "lower limit");
-        made.upper_limit = value(typed_.upper_limit, "upperLimit", "upper limit");
-        made.prior_mean = value(typed_.prior_mean, "priorMean", "mean of the prior");
-        made.prior_standard_deviation = interval(typed_.prior_standard_deviation, "priorStandardDeviation",
-                                                 "standard deviation of the prior");
+        made.target_uncertainty = interval(&Requirement::target_uncertainty, "target uncertainty");
+        made.lower_limit = value(&Requirement::lower_limit, "lower limit");
+        made.upper_limit = value(&Requirement::upper_limit, "upper limit");
+        made.prior_mean = value(&Requirement::prior_mean, "mean of the prior");
+        made.prior_standard_deviation =
+            interval(&Requirement::prior_standard_deviation, "standard deviation of the prior");
         check(made);
     }
 
 private:
     std::string title(const std::string& what) const { return what + " of " + output_.symbol; }
 
+    template <class M>
+    std::string place(M Requirement::*member) const {
+        return path_ + requirement_object().place(member);
+    }
+
+    using Figure = std::optional<Quantity> Requirement::*;
+
     /// A width, greater than zero; the unit of a temperature may be K or degC.
-    std::optional<double> interval(const std::optional<Quantity>& typed, const char* key,
-                                   const std::string& what) {
+    std::optional<double> interval(Figure figure, const std::string& what) {
+        const std::optional<Quantity>& typed = typed_.*figure;
         if (!typed) return std::nullopt;
         const std::string objection = unit_objection(title(what), *typed, output_.unit);
         if (!objection.empty())
-            problems_.error(path_ + "/" + key, objection);
+            problems_.error(place(figure), objection);
         else if (!(typed->value > 0))
-            problems_.error(path_ + "/" + key, "the " + title(what) + " must be greater than zero");
+            problems_.error(place(figure), "the " + title(what) + " must be greater than zero");
         return typed->unit.interval_to_si(typed->value);
     }
 
-    std::optional<double> value(const std::optional<Quantity>& typed, const char* key,
-                                const std::string& what) {
+    std::optional<double> value(Figure figure, const std::string& what) {
+        const std::optional<Quantity>& typed = typed_.*figure;
         if (!typed) return std::nullopt;
         const std::string objection = unit_objection(title(what), *typed, output_.unit);
-        if (!objection.empty()) problems_.error(path_ + "/" + key, objection);
+        if (!objection.empty()) problems_.error(place(figure), objection);
         return typed->si();
     }
 
     void check(const OutputRequirement& made) {
         if (made.lower_limit && made.upper_limit && !(*made.lower_limit < *made.upper_limit))
-            problems_.error(path_ + "/upperLimit",
+            problems_.error(place(&Requirement::upper_limit),
                             "the " + title("upper limit") + " must be above the lower limit");
         if (!std::isfinite(made.guard_factor) || std::abs(made.guard_factor) > 10.0)
-            problems_.error(path_ + "/guardFactor",
+            problems_.error(place(&Requirement::guard_factor),
                             "the guard factor of " + output_.symbol +
                                 " must lie between -10 and 10; 1 is a guard band of U, 0 simple acceptance");
         if (made.prior_mean.has_value() != made.prior_standard_deviation.has_value())
@@ -105,7 +113,7 @@ std::vector<OutputRequirement> read_requirements(const AnalysisEntry& entry,
     std::vector<OutputRequirement> all;
     for (std::size_t i = 0; i < entry.requirements.size(); ++i) {
         const Requirement& typed = entry.requirements[i];
-        const std::string path = "/requirements/" + std::to_string(i);
+        const std::string path = analysis_fields().place(&AnalysisEntry::requirements, i);
         const auto output =
             std::find_if(outputs.begin(), outputs.end(), [&](const OutputQuantity& candidate) {
                 return candidate.group == typed.group && candidate.symbol == typed.symbol;

@@ -4,16 +4,27 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/project/analysis_fields.h"
 #include "core/project/entry_graph.h"
 #include "core/project/json_location.h"
 #include "core/project/kind_lookup.h"
 #include "core/project/project_id.h"
+#include "core/project/study_fields.h"
 #include "core/project/study_target.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
 
 namespace {
+
+template <class M>
+std::string at(M Study::*member) {
+    return study_fields().place(member);
+}
+template <class M>
+std::string at(M StudyAxis::*member) {
+    return axis_fields().place(member);
+}
 
 class StudyCheck {
 public:
@@ -24,86 +35,90 @@ public:
     void run() {
         std::set<std::string> ids;
         for (std::size_t i = 0; i < analysis_.studies.size(); ++i) {
-            path_ = "/studies/" + std::to_string(i);
+            path_ = analysis_fields().place(&AnalysisEntry::studies, i);
             const std::string& id = analysis_.studies[i].id;
             if (!ids.insert(id).second)
-                problems_.error(path_ + "/id", "the id " + in_quotes(id) + " is used twice");
+                problems_.error(path_ + at(&Study::id), "the id " + in_quotes(id) + " is used twice");
             check(analysis_.studies[i]);
         }
     }
 
     void check_axis(const StudyAxis& axis, const std::string& path) {
-        if (axis.values < 2) problems_.error(path + "/values", "an axis needs at least two values");
+        if (axis.values < 2)
+            problems_.error(path + at(&StudyAxis::values), "an axis needs at least two values");
         if (!std::isfinite(axis.from) || !std::isfinite(axis.to) || axis.from == axis.to)
-            problems_.error(path + "/to", "'from' and 'to' must be two different numbers");
+            problems_.error(path + at(&StudyAxis::to), "'from' and 'to' must be two different numbers");
         if (axis.spacing == StudySpacing::logarithmic && !(axis.from > 0 && axis.to > 0))
-            problems_.error(path + "/spacing",
+            problems_.error(path + at(&StudyAxis::spacing),
                             "with logarithmic spacing both ends must be greater than zero");
         const auto target = find_study_target(project_, analysis_, inputs_, axis);
         if (!target) return problems_.error(path + target.error().path, target.error().message);
         check_change(axis, *target, path);
         if (target->whole && axis.change == StudyChange::value &&
             std::abs(axis.to - axis.from) + 1.0 < static_cast<double>(axis.values))
-            problems_.error(path + "/values", "'" + to_unicode(target->title) +
-                                                  "' takes whole numbers: there are fewer than " +
-                                                  std::to_string(axis.values) + " between the ends");
+            problems_.error(path + at(&StudyAxis::values),
+                            "'" + to_unicode(target->title) + "' takes whole numbers: there are fewer than " +
+                                std::to_string(axis.values) + " between the ends");
     }
 
 private:
     void check(const Study& study) {
         if (!is_project_id(study.id))
-            problems_.error(path_ + "/id", "the id " + in_quotes(study.id) +
-                                               " must be made of letters, digits, '-' and '_'");
+            problems_.error(path_ + at(&Study::id), "the id " + in_quotes(study.id) +
+                                                        " must be made of letters, digits, '-' and '_'");
         if (study.axes.empty() || study.axes.size() > 3)
-            problems_.error(path_ + "/axes", "a study has one to three axes; this one has " +
-                                                 std::to_string(study.axes.size()));
+            problems_.error(path_ + at(&Study::axes), "a study has one to three axes; this one has " +
+                                                          std::to_string(study.axes.size()));
         check_size(study);
         for (std::size_t i = 0; i < study.axes.size(); ++i) {
-            check_axis(study.axes[i], path_ + "/axes/" + std::to_string(i));
+            check_axis(study.axes[i], path_ + study_fields().place(&Study::axes, i));
             for (std::size_t j = 0; j < i; ++j)
                 if (study.axes[j].asset == study.axes[i].asset &&
                     study.axes[j].target == study.axes[i].target)
-                    problems_.error(path_ + "/axes/" + std::to_string(i) + "/target",
+                    problems_.error(path_ + study_fields().place(&Study::axes, i) + at(&StudyAxis::target),
                                     in_quotes(study.axes[i].target) + " is varied by two axes");
         }
         for (std::size_t i = 0; i < study.outputs.size(); ++i)
-            check_study_output(outputs_, study.outputs[i], path_ + "/outputs/" + std::to_string(i),
+            check_study_output(outputs_, study.outputs[i], path_ + study_fields().place(&Study::outputs, i),
                                problems_);
         if (study.method == Method::monte_carlo && study.trials < 2)
-            problems_.error(path_ + "/trials", "Monte Carlo needs at least two trials");
+            problems_.error(path_ + at(&Study::trials), "Monte Carlo needs at least two trials");
     }
 
     void check_size(const Study& study) {
         double points = 1.0;
         for (const StudyAxis& axis : study.axes) points *= static_cast<double>(axis.values);
         if (points > static_cast<double>(most_study_points))
-            problems_.error(path_ + "/axes", "the grid has " + readable_number(points) +
-                                                 " points; a study may have " +
-                                                 std::to_string(most_study_points));
+            problems_.error(path_ + at(&Study::axes), "the grid has " + readable_number(points) +
+                                                          " points; a study may have " +
+                                                          std::to_string(most_study_points));
     }
 
     void check_change(const StudyAxis& axis, const StudyTarget& target, const std::string& path) {
         using Kind = StudyTarget::Kind;
         const bool factor_only = target.kind == Kind::components || target.kind == Kind::component;
         if (factor_only && axis.change != StudyChange::factor)
-            return problems_.error(path + "/change",
+            return problems_.error(path + at(&StudyAxis::change),
                                    "the uncertainty of an input quantity can be varied by a factor only");
         if (axis.change == StudyChange::factor) {
             if (!axis.unit.dimension().is_one())
-                problems_.error(path + "/unit", "a factor has no unit");
+                problems_.error(path + at(&StudyAxis::unit), "a factor has no unit");
             else if (factor_only && (axis.from < 0 || axis.to < 0))
-                problems_.error(path + "/from", "a factor of an uncertainty must not be negative");
+                problems_.error(path + at(&StudyAxis::from),
+                                "a factor of an uncertainty must not be negative");
             if (target.unit.has_offset())
-                problems_.error(path + "/change", "a temperature in " + target.unit.text() +
-                                                      " cannot be multiplied; add to it, or give its values");
+                problems_.error(path + at(&StudyAxis::change),
+                                "a temperature in " + target.unit.text() +
+                                    " cannot be multiplied; add to it, or give its values");
             return;
         }
         if (target.kind == Kind::estimate && !inputs_) return;
         if (axis.change == StudyChange::added && axis.unit.has_offset())
-            return problems_.error(path + "/unit", "a difference of temperatures is given in K");
+            return problems_.error(path + at(&StudyAxis::unit), "a difference of temperatures is given in K");
         const std::string objection =
             unit_objection(to_unicode(target.title), {axis.from, axis.unit}, target.unit);
-        if (!objection.empty() && std::isfinite(axis.from)) problems_.error(path + "/unit", objection);
+        if (!objection.empty() && std::isfinite(axis.from))
+            problems_.error(path + at(&StudyAxis::unit), objection);
     }
 
     const Project& project_;

@@ -1,11 +1,11 @@
 // Regression of batches on their controls.
 #include "core/propagation/batch_estimates.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/math/decompositions.h"
 #include "core/math/special_quantiles.h"
 
 namespace covaria::detail {

@@ -1,12 +1,12 @@
 // Addresses, factors of correlated groups and the combination of components into quantities.
 #include "core/propagation/draw_plan.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "core/base/guarded.h"
+#include "core/math/decompositions.h"
 #include "core/math/normal_quantile.h"
 #include "core/quantity/copula.h"
 #include "core/random/uniforms.h"

@@ -101,6 +101,11 @@ bool shift(auto&, double) {
 }  // namespace
 
 Distribution::Distribution() : Distribution(Normal{0.0, 0.0}) {}
+Distribution::Distribution(const Distribution&) = default;
+Distribution::Distribution(Distribution&&) noexcept = default;
+Distribution& Distribution::operator=(const Distribution&) = default;
+Distribution& Distribution::operator=(Distribution&&) noexcept = default;
+Distribution::~Distribution() = default;
 
 Distribution::Distribution(DistributionParameters parameters, double location, double factor)
     : parameters_(std::move(parameters)),
@@ -122,6 +127,14 @@ Distribution Distribution::of(DistributionParameters parameters) {
     Result<Distribution> made = make(std::move(parameters));
     if (made) return *std::move(made);
     throw ImpossibleValue(made.error().message);
+}
+
+Distribution Distribution::normal(double standard_uncertainty) {
+    return of(Normal{0.0, standard_uncertainty});
+}
+
+bool Distribution::operator==(const Distribution& other) const {
+    return parameters_ == other.parameters_ && location_ == other.location_ && factor_ == other.factor_;
 }
 
 double Distribution::quantile(double p) const {

@@ -84,13 +84,19 @@ using DistributionParameters =
 class Distribution {
 public:
     Distribution();  ///< the constant 0
+    // Copies of the thirteen alternatives are compiled once, in distribution.cpp.
+    Distribution(const Distribution&);
+    Distribution(Distribution&&) noexcept;
+    Distribution& operator=(const Distribution&);
+    Distribution& operator=(Distribution&&) noexcept;
+    ~Distribution();
     /// Errors: not finite, negative width or scale, shape outside [0.001, 1e6], fewer than 0.2 degrees of
     /// freedom, probabilities that do not sum to 1
     /// ...; the message names the parameter.
     static Result<Distribution> make(DistributionParameters parameters);
     /// For parameters computed from checked values; throws ImpossibleValue (guarded.h) otherwise.
     static Distribution of(DistributionParameters parameters);
-    static Distribution normal(double standard_uncertainty) { return of(Normal{0.0, standard_uncertainty}); }
+    static Distribution normal(double standard_uncertainty);
 
     const DistributionParameters& parameters() const { return parameters_; }
     /// X = location + factor * (variable with `parameters()`). 0 and 1, unless an exponential, gamma or
@@ -123,9 +129,7 @@ public:
     std::string_view kind() const;   ///< key used in files: "normal", "student-t", "rectangular" ...
     std::string_view title() const;  ///< for people: "normal", "Student t", "rectangular" ...
 
-    bool operator==(const Distribution& other) const {
-        return parameters_ == other.parameters_ && location_ == other.location_ && factor_ == other.factor_;
-    }
+    bool operator==(const Distribution& other) const;
 
 private:
     explicit Distribution(DistributionParameters parameters, double location = 0.0, double factor = 1.0);

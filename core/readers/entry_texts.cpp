@@ -1,8 +1,7 @@
 #include "core/readers/entry_texts.h"
 
 #include "core/base/utf8.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/project/project_id.h"
 
 namespace covaria {

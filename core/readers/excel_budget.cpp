@@ -6,6 +6,7 @@
 #include "core/base/in_quotes.h"
 #include "core/readers/budget_columns.h"
 #include "core/readers/budget_figures.h"
+#include "core/readers/budget_place.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/stated_budget.h"
@@ -18,108 +19,8 @@ namespace covaria {
 
 namespace {
 
-constexpr int heads_within = 300;  // rows
 constexpr int most_shown_columns = 40;
 constexpr double no_constant = 1e-13;
-
-/// Where the budget of a sheet is.
-struct SheetBudget {
-    const WorkbookSheet* sheet = nullptr;
-    int head_row = 0;  ///< rows below are the budget
-    std::vector<BudgetHead> heads = {};
-    std::vector<int> columns = {};  ///< of the sheet, one for each head
-};
-
-std::optional<SheetBudget> found_in(const WorkbookSheet& sheet) {
-    for (const auto& [row, cells] : sheet.rows) {
-        if (row > heads_within) break;
-        SheetBudget place{&sheet, row, {}, {}};
-        for (const auto& [column, cell] : cells) {
-            if (cell.number) continue;
-            place.heads.push_back(budget_head_of(cell.text));
-            place.columns.push_back(column);
-        }
-        const auto column_of = [&](BudgetColumn column) {
-            return std::find_if(place.heads.begin(), place.heads.end(),
-                                [&](const BudgetHead& head) { return head.column == column; });
-        };
-        if (column_of(BudgetColumn::name) == place.heads.end() &&
-            column_of(BudgetColumn::quantity) == place.heads.end())
-            if (const auto source = column_of(BudgetColumn::source); source != place.heads.end())
-                source->column = BudgetColumn::name;
-        if (are_budget_heads(place.heads)) return place;
-    }
-    return std::nullopt;
-}
-
-std::vector<std::string> sheet_names(const std::vector<WorkbookSheet>& sheets) {
-    std::vector<std::string> names;
-    for (const WorkbookSheet& sheet : sheets) names.push_back(sheet.name);
-    return names;
-}
-
-/// Units behind the headers count where the stated columns have none.
-void take_units_of_heads(SheetBudget& place) {
-    for (std::size_t i = 0; i < place.heads.size(); ++i)
-        if (const WorkbookCell* head = place.sheet->cell(place.head_row, place.columns[i]);
-            head && !place.heads[i].unit)
-            place.heads[i].unit = budget_head_of(head->text).unit;
-}
-
-/// Stated columns stand side by side from the first column that the sheet uses.
-Result<SheetBudget> stated_place(const WorkbookSheet& sheet, const ReadChoice& choice) {
-    auto heads = stated_budget_columns(choice.columns);
-    if (!heads) return fail(heads.error());
-    int first = 0;
-    for (const auto& [row, cells] : sheet.rows)
-        first = first == 0 ? cells.begin()->first : std::min(first, cells.begin()->first);
-    SheetBudget place{&sheet, 0, std::move(*heads), {}};
-    for (std::size_t i = 0; i < place.heads.size(); ++i) place.columns.push_back(first + static_cast<int>(i));
-    // Rows above the first one with a number in a column of figures are headings.
-    for (const auto& [row, cells] : sheet.rows) {
-        for (std::size_t i = 0; i < place.heads.size(); ++i) {
-            const BudgetColumn column = place.heads[i].column;
-            const WorkbookCell* cell = sheet.cell(row, place.columns[i]);
-            const bool figure = column == BudgetColumn::standard || column == BudgetColumn::expanded ||
-                                column == BudgetColumn::limits;
-            if (!figure || !cell || !cell->number) continue;
-            take_units_of_heads(place);
-            return place;
-        }
-        place.head_row = row;
-    }
-    return sheet.refused(1, place.columns.front(), "no row has a number in the stated columns");
-}
-
-Result<SheetBudget> budget_place(const std::vector<WorkbookSheet>& sheets, const ReadChoice& choice) {
-    const WorkbookSheet* named = nullptr;
-    for (const WorkbookSheet& sheet : sheets)
-        if (sheet.name == choice.sheet) named = &sheet;
-    if (!choice.sheet.empty() && !named)
-        return fail(ErrorCode::usage, "there is no sheet " + in_quotes(plain_name(choice.sheet)) +
-                                          " with cells; there are " + listed(sheet_names(sheets)));
-    if (!choice.columns.empty()) {
-        if (!named && sheets.size() > 1)
-            return fail(ErrorCode::usage, "the workbook has several sheets, " + listed(sheet_names(sheets)) +
-                                              ": name the sheet whose columns are stated");
-        return stated_place(named ? *named : sheets.front(), choice);
-    }
-    std::vector<SheetBudget> places;
-    std::vector<std::string> names;
-    for (const WorkbookSheet& sheet : sheets) {
-        if (named && &sheet != named) continue;
-        if (auto place = found_in(sheet)) {
-            names.push_back(sheet.name);
-            places.push_back(std::move(*place));
-        }
-    }
-    if (places.size() == 1) return std::move(places.front());
-    if (places.empty())
-        return fail(ErrorCode::usage,
-                    "no row of headers of a budget was found; state the columns (quantity, value, unit, U, "
-                    "divisor ...)");
-    return fail(ErrorCode::usage, "several sheets have a budget: " + listed(names) + "; name one of them");
-}
 
 /// A figure with the unit that stands behind it in its cell.
 struct CellFigure {
@@ -127,6 +28,7 @@ struct CellFigure {
     std::optional<Unit> unit = {};
 };
 
+/// A sensitivity coefficient as the sheet states it.
 struct Coefficient {
     int row = 0;
     double value = 1.0;
@@ -137,35 +39,33 @@ struct StatedShare {
     double contribution = 0.0;
 };
 
-class BudgetReader {
-public:
-    BudgetReader(SheetBudget place, const ReadChoice& choice) : place_(std::move(place)), choice_(choice) {
-        proposals_.title = without_ending(choice.file_name);
-    }
-
-    Result<Proposals> read() {
-        if (auto checked = check_budget_columns(place_.heads); !checked) return fail(checked.error());
-        say_columns();
-        for (const auto& [row, cells] : place_.sheet->rows) {
-            if (row <= place_.head_row) continue;
-            if (ended_) {
-                last_below_ = row;
-                if (first_below_ == 0) first_below_ = row;
-                continue;
-            }
-            if (auto done = read_row(row); !done) return fail(done.error());
+/// What is read from which column, and which columns are left out.
+void say_columns(const SheetBudget& place, Proposals& proposals) {
+    std::string words;
+    for (std::size_t i = 0; i < place.heads.size(); ++i) {
+        const BudgetHead& head = place.heads[i];
+        if (head.column == BudgetColumn::unread && head.word.empty()) continue;
+        if (head.column == BudgetColumn::unread) {
+            proposals.leave_out(place.head_row, "column " + column_letters(place.columns[i]) +
+                                                    (head.word == "-" ? "" : " " + in_quotes(head.word)));
+            continue;
         }
-        if (first_below_ > 0)
-            proposals_.leave_out(first_below_,
-                                 "what stands below the budget, to row " + std::to_string(last_below_));
-        if (budget_.quantities.empty())
-            return place_.sheet->refused(std::max(place_.head_row, 1), place_.columns.front(),
-                                         "there is no quantity with an uncertainty below");
-        return propose();
+        for (const BudgetColumnWord& word : budget_column_words())
+            if (word.column == head.column)
+                words += (words.empty() ? "" : ", ") + column_letters(place.columns[i]) + " " + word.title +
+                         (head.unit ? " [" + head.unit->display() + "]" : "");
     }
+    proposals.found.push_back("sheet " + in_quotes(place.sheet->name) + ", columns: " + words);
+}
 
-private:
+/// The cells of a budget, by row and column of the budget.
+class BudgetCells {
+public:
     using Column = BudgetColumn;
+
+    explicit BudgetCells(SheetBudget place) : place_(std::move(place)) {}
+
+    const SheetBudget& place() const { return place_; }
 
     /// Of the sheet, 0 where there is none.
     int column(Column wanted) const {
@@ -188,25 +88,6 @@ private:
     }
     tl::unexpected<Error> refused(int row, Column wanted, const std::string& message) const {
         return place_.sheet->refused(row, std::max(column(wanted), 1), message);
-    }
-
-    void say_columns() {
-        std::string words;
-        for (std::size_t i = 0; i < place_.heads.size(); ++i) {
-            const BudgetHead& head = place_.heads[i];
-            if (head.column == Column::unread && head.word.empty()) continue;
-            if (head.column == Column::unread) {
-                proposals_.leave_out(place_.head_row,
-                                     "column " + column_letters(place_.columns[i]) +
-                                         (head.word == "-" ? "" : " " + in_quotes(head.word)));
-                continue;
-            }
-            for (const BudgetColumnWord& word : budget_column_words())
-                if (word.column == head.column)
-                    words += (words.empty() ? "" : ", ") + column_letters(place_.columns[i]) + " " +
-                             word.title + (head.unit ? " [" + head.unit->display() + "]" : "");
-        }
-        proposals_.found.push_back("sheet " + in_quotes(place_.sheet->name) + ", columns: " + words);
     }
 
     /// A number, or a number with a unit behind it; empty where the cell is.
@@ -233,24 +114,192 @@ private:
         return *read ? std::optional((*read)->value) : std::nullopt;
     }
 
+    bool is_uncertain(int row) const {
+        return cell(row, Column::standard) || cell(row, Column::expanded) || cell(row, Column::limits);
+    }
+    bool is_described(int row) const {
+        return !text(row, Column::distribution).empty() || !text(row, Column::divisor).empty() ||
+               !text(row, Column::c).empty();
+    }
     bool has_figure(int row, Column wanted) const {
         const WorkbookCell* found = cell(row, wanted);
         return found && (found->number || !found->failure.empty());
     }
 
+private:
+    SheetBudget place_;
+};
+
+Result<NotedComponent> component_of(const BudgetCells& cells, int row, const Unit& unit,
+                                    Proposals& proposals) {
+    using Column = BudgetColumn;
+    BudgetFigures figures{.distribution = cells.text(row, Column::distribution)};
+    std::optional<Unit> own;
+    Column main = Column::standard;
+    for (const auto& [wanted, into] :
+         {std::pair(Column::standard, &figures.standard), std::pair(Column::expanded, &figures.expanded),
+          std::pair(Column::limits, &figures.limits)}) {
+        const auto read = cells.figure(row, wanted);
+        if (!read) return fail(read.error());
+        if (!*read) continue;
+        *into = (*read)->value;
+        main = wanted;
+        if ((*read)->unit && own && !(*(*read)->unit == *own))
+            return cells.refused(row, wanted,
+                                 "its unit differs from that of the other uncertainty of the row");
+        if ((*read)->unit && !(*(*read)->unit == Unit())) own = (*read)->unit;
+    }
+    if (const WorkbookCell* divisor = cells.cell(row, Column::divisor); divisor && !divisor->text.empty()) {
+        figures.divisor = divisor->number ? divisor->number : divisor_in_text(divisor->text);
+        if (!figures.divisor)
+            return cells.refused(row, Column::divisor, in_quotes(divisor->text) + " is no divisor");
+    }
+    if (const std::string nu = cells.text(row, Column::nu);
+        !nu.empty() && nu != "∞" && nu != "inf" && nu != "Inf" && nu != "infinity" && nu != "infinite") {
+        const auto read = cells.plain_figure(row, Column::nu);
+        if (!read) return fail(read.error());
+        if (*read && !(**read > 0.0))
+            return cells.refused(row, Column::nu, "degrees of freedom must be greater than 0");
+        if (*read && **read < 1e6) figures.nu = *read;
+    }
+    std::string how;
+    auto component = stated_component_of(figures, how);
+    if (!component) return cells.refused(row, main, component.error().message);
+    if (!how.empty()) proposals.found.push_back("row " + std::to_string(row) + ": " + how);
+    component->unit = own ? *own : unit;
+    return component;
+}
+
+/// Value and, where it is stated, unit of a sensitivity coefficient.
+Result<Coefficient> coefficient_of(const BudgetCells& cells, int row) {
+    const auto read = cells.figure(row, BudgetColumn::c);
+    if (!read) return fail(read.error());
+    return *read ? Coefficient{row, (*read)->value, (*read)->unit} : Coefficient{row, 1.0, std::nullopt};
+}
+
+/// Units that a coefficient may be in where the sheet does not say: one between units of a dimension, the
+/// unit of the contributions or of the result per unit of the quantity.
+std::vector<Unit> units_of_coefficient(const Unit& x, const Unit& y, const Unit& contribution) {
+    std::vector<Unit> units;
+    const auto add_unit = [&](const Unit& unit) {
+        if (std::none_of(units.begin(), units.end(), [&](const Unit& u) {
+                return u.dimension() == unit.dimension() && u.interval_to_si(1.0) == unit.interval_to_si(1.0);
+            }))
+            units.push_back(unit);
+    };
+    if (x.dimension() == y.dimension()) add_unit(Unit());
+    for (const Unit& of : {contribution, y})
+        if (const auto quotient = Unit::parse("(" + of.interval().text() + ")/(" + x.text() + ")"))
+            add_unit(*quotient);
+    return units;
+}
+
+/// The sensitivity coefficients of the sheet, one for each quantity, and the contributions stated with them.
+class LinearModel {
+public:
+    explicit LinearModel(const BudgetCells& cells) : cells_(cells) {}
+
+    void add(const Coefficient& c) { coefficients_.push_back(c); }
+    void add(const StatedShare& share) { shares_.push_back(share); }
+
+    /// " + 11.5 [nm/K]*x", and the coefficient in SI.
+    Result<std::pair<std::string, double>> term_of(std::size_t index, const NotedQuantity& q, const Unit& y,
+                                                   bool first, Proposals& proposals) const {
+        const auto unit = unit_of_coefficient(coefficients_[index], q, y, proposals);
+        if (!unit) return fail(unit.error());
+        const double c = coefficients_[index].value;
+        std::string sign = c < 0.0 ? "-" : "+";
+        sign = first ? (c < 0.0 ? "-" : "") : " " + sign + " ";
+        std::string factor = shortest_number(std::abs(c));
+        const bool one = unit->dimension().is_one() && unit->interval_to_si(1.0) == 1.0;
+        if (!one) factor += " [" + unit->text() + "]";
+        factor = one && std::abs(c) == 1.0 ? std::string() : factor + "*";
+        return std::pair(sign + factor + q.symbol, unit->interval_to_si(c));
+    }
+
+private:
+    /// The contributions that the sheet states decide between them.
+    Result<Unit> unit_of_coefficient(const Coefficient& c, const NotedQuantity& q, const Unit& y,
+                                     Proposals& proposals) const {
+        if (c.unit) return *c.unit;
+        const Unit of = cells_.unit_in_head(BudgetColumn::contribution).value_or(y);
+        const std::vector<Unit> units = units_of_coefficient(q.unit.interval(), y, of);
+        for (const StatedShare& share : shares_) {
+            const double u =
+                standard_uncertainty_of(q.components.empty() ? NotedComponent{} : q.components[0]);
+            if (share.row != c.row || !(u > 0.0) || c.value == 0.0) continue;
+            for (const Unit& unit : units) {
+                const double ratio = std::abs(unit.interval_to_si(c.value)) * u /
+                                     of.interval_to_si(std::abs(share.contribution));
+                if (!(ratio > 0.5 && ratio < 2.0)) continue;
+                if (std::abs(ratio - 1.0) > 0.02)
+                    proposals.leave_out(c.row, "the contribution " + shortest_number(share.contribution) +
+                                                   ": c and u give " +
+                                                   readable_number(ratio * std::abs(share.contribution)));
+                return unit;
+            }
+            return cells_.refused(
+                c.row, BudgetColumn::contribution,
+                "the contribution does not follow from c and u in any unit; state the unit behind "
+                "the coefficient ('-575 nm/K')");
+        }
+        if (units.empty())
+            return cells_.refused(c.row, BudgetColumn::unit, "its unit makes no coefficient of the result");
+        if (units.size() > 1 && !(units.front() == Unit()))
+            return cells_.refused(c.row, BudgetColumn::c,
+                                  "its unit may be " + units[0].text() + " or " + units[1].text() +
+                                      ": state it behind the coefficient");
+        return units.front();
+    }
+
+    const BudgetCells& cells_;
+    std::vector<Coefficient> coefficients_;
+    std::vector<StatedShare> shares_;
+};
+
+class BudgetReader {
+public:
+    BudgetReader(SheetBudget place, const ReadChoice& choice) : cells_(std::move(place)), choice_(choice) {
+        proposals_.title = without_ending(choice.file_name);
+    }
+
+    Result<Proposals> read() {
+        if (auto checked = check_budget_columns(place().heads); !checked) return fail(checked.error());
+        say_columns(place(), proposals_);
+        for (const auto& [row, cells] : place().sheet->rows) {
+            if (row <= place().head_row) continue;
+            if (ended_) {
+                last_below_ = row;
+                if (first_below_ == 0) first_below_ = row;
+                continue;
+            }
+            if (auto done = read_row(row); !done) return fail(done.error());
+        }
+        if (first_below_ > 0)
+            proposals_.leave_out(first_below_,
+                                 "what stands below the budget, to row " + std::to_string(last_below_));
+        if (budget_.quantities.empty())
+            return place().sheet->refused(std::max(place().head_row, 1), place().columns.front(),
+                                          "there is no quantity with an uncertainty below");
+        return propose();
+    }
+
+private:
+    using Column = BudgetColumn;
+
+    const SheetBudget& place() const { return cells_.place(); }
+
     Result<void> read_row(int row) {
-        const std::string symbol = text(row, Column::quantity), name = text(row, Column::name);
+        const std::string symbol = cells_.text(row, Column::quantity), name = cells_.text(row, Column::name);
         const std::string label = symbol.empty() ? name : symbol;
-        const bool uncertain =
-            cell(row, Column::standard) || cell(row, Column::expanded) || cell(row, Column::limits);
-        const bool described = !text(row, Column::distribution).empty() ||
-                               !text(row, Column::divisor).empty() || !text(row, Column::c).empty();
-        const bool valued = cell(row, Column::value) != nullptr, first = budget_.quantities.empty();
-        const bool contributes = has_figure(row, Column::contribution);
+        const bool uncertain = cells_.is_uncertain(row), described = cells_.is_described(row);
+        const bool valued = cells_.cell(row, Column::value) != nullptr, first = budget_.quantities.empty();
+        const bool contributes = cells_.has_figure(row, Column::contribution);
         if (!first && !described && (is_sum_label(label) || is_sum_label(name))) return end_with(row, false);
         if (!first && !described && (contributes || uncertain) && valued && !label.empty() &&
-            (contributes || column(Column::contribution) == 0) &&
-            (column(Column::distribution) > 0 || column(Column::divisor) > 0 || column(Column::c) > 0))
+            (contributes || cells_.column(Column::contribution) == 0) &&
+            (cells_.column(Column::distribution) > 0 || cells_.column(Column::divisor) > 0 ||
+             cells_.column(Column::c) > 0))
             return end_with(row, true);
         if (label.empty() && !uncertain && !valued) {
             if (!first) ended_ = true;
@@ -261,7 +310,7 @@ private:
             proposals_.leave_out(row, "row " + in_quotes(label) + " without figures");
             return {};
         }
-        if (label.empty() && first) return refused(row, Column::name, "the quantity has no name");
+        if (label.empty() && first) return cells_.refused(row, Column::name, "the quantity has no name");
         return add(row, symbol, name, uncertain, valued);
     }
 
@@ -269,16 +318,14 @@ private:
     Result<void> end_with(int row, bool result) {
         ended_ = true;
         if (!result) {
-            proposals_.leave_out(row,
-                                 "row " +
-                                     in_quotes(text(row, Column::name).empty() ? text(row, Column::quantity)
-                                                                               : text(row, Column::name)) +
-                                     ": computed anew");
+            const std::string name = cells_.text(row, Column::name);
+            const std::string words = name.empty() ? cells_.text(row, Column::quantity) : name;
+            proposals_.leave_out(row, "row " + in_quotes(words) + ": computed anew");
             return {};
         }
-        result_name_ = text(row, Column::name);
-        result_symbol_ = text(row, Column::quantity);
-        const auto value = figure(row, Column::value);
+        result_name_ = cells_.text(row, Column::name);
+        result_symbol_ = cells_.text(row, Column::quantity);
+        const auto value = cells_.figure(row, Column::value);
         if (!value) return fail(value.error());
         const std::string label = result_symbol_.empty() ? result_name_ : result_symbol_;
         const auto unit = unit_of_row(row, *value, label);
@@ -290,26 +337,26 @@ private:
 
     /// In its own column, behind the value, or in the head; one where nothing says it.
     Result<Unit> unit_of_row(int row, const std::optional<CellFigure>& value, const std::string& label) {
-        const std::string words = text(row, Column::unit);
+        const std::string words = cells_.text(row, Column::unit);
         if (!words.empty() && words != "-") {
             const auto unit = Unit::parse(words);
-            if (!unit) return refused(row, Column::unit, unit.error().message);
+            if (!unit) return cells_.refused(row, Column::unit, unit.error().message);
             return *unit;
         }
         if (value && value->unit) return *value->unit;
         for (const Column wanted : {Column::value, Column::standard, Column::expanded, Column::limits})
-            if (const auto unit = unit_in_head(wanted)) return *unit;
+            if (const auto unit = cells_.unit_in_head(wanted)) return *unit;
         if (label.empty() || words == "-") return Unit();
-        return unstated_unit(choice_, label, text(row, Column::name), Unit(), proposals_);
+        return unstated_unit(choice_, label, cells_.text(row, Column::name), Unit(), proposals_);
     }
 
     Result<void> add(int row, const std::string& symbol, const std::string& name, bool uncertain,
                      bool valued) {
         if (budget_.quantities.size() == most_stated_quantities)
-            return refused(
+            return cells_.refused(
                 row, Column::name,
                 "more than " + std::to_string(most_stated_quantities) + " quantities are not read");
-        const auto value = figure(row, Column::value);
+        const auto value = cells_.figure(row, Column::value);
         if (!value) return fail(value.error());
         const std::string label = symbol.empty() ? name : symbol;
         const bool further =
@@ -317,9 +364,9 @@ private:
         const auto unit = unit_of_row(row, *value, further ? std::string() : label);
         if (!unit) return fail(unit.error());
         if (!further) {
-            const auto c = coefficient(row);
+            const auto c = coefficient_of(cells_, row);
             if (!c) return fail(c.error());
-            coefficients_.push_back(*c);
+            model_.add(*c);
             NotedQuantity quantity{names_.take(label), name.empty() ? label : name, 0.0, *unit, {}};
             if (*value) quantity.value = (*value)->value;
             budget_.quantities.push_back(std::move(quantity));
@@ -327,73 +374,30 @@ private:
         }
         NotedQuantity& quantity = budget_.quantities.back();
         if (!uncertain) return {};
-        auto component = component_of(row, further && !(*unit == Unit()) ? *unit : quantity.unit);
+        auto component =
+            component_of(cells_, row, further && !(*unit == Unit()) ? *unit : quantity.unit, proposals_);
         if (!component) return fail(component.error());
         component->name = name.empty() ? quantity.name : name;
-        component->source = text(row, Column::source);
-        const auto share = plain_figure(row, Column::contribution);
+        component->source = cells_.text(row, Column::source);
+        const auto share = cells_.plain_figure(row, Column::contribution);
         if (!share) return fail(share.error());
-        if (*share && **share != 0.0) shares_.push_back({row, **share});
+        if (*share && **share != 0.0) model_.add(StatedShare{row, **share});
         quantity.components.push_back(std::move(*component));
         return {};
-    }
-
-    Result<NotedComponent> component_of(int row, const Unit& unit) {
-        BudgetFigures figures{.distribution = text(row, Column::distribution)};
-        std::optional<Unit> own;
-        Column main = Column::standard;
-        for (const auto& [wanted, into] :
-             {std::pair(Column::standard, &figures.standard), std::pair(Column::expanded, &figures.expanded),
-              std::pair(Column::limits, &figures.limits)}) {
-            const auto read = figure(row, wanted);
-            if (!read) return fail(read.error());
-            if (!*read) continue;
-            *into = (*read)->value;
-            main = wanted;
-            if ((*read)->unit && own && !(*(*read)->unit == *own))
-                return refused(row, wanted, "its unit differs from that of the other uncertainty of the row");
-            if ((*read)->unit && !(*(*read)->unit == Unit())) own = (*read)->unit;
-        }
-        if (const WorkbookCell* divisor = cell(row, Column::divisor); divisor && !divisor->text.empty()) {
-            figures.divisor = divisor->number ? divisor->number : divisor_in_text(divisor->text);
-            if (!figures.divisor)
-                return refused(row, Column::divisor, in_quotes(divisor->text) + " is no divisor");
-        }
-        if (const std::string nu = text(row, Column::nu);
-            !nu.empty() && nu != "∞" && nu != "inf" && nu != "Inf" && nu != "infinity" && nu != "infinite") {
-            const auto read = plain_figure(row, Column::nu);
-            if (!read) return fail(read.error());
-            if (*read && !(**read > 0.0))
-                return refused(row, Column::nu, "degrees of freedom must be greater than 0");
-            if (*read && **read < 1e6) figures.nu = *read;
-        }
-        std::string how;
-        auto component = stated_component_of(figures, how);
-        if (!component) return refused(row, main, component.error().message);
-        if (!how.empty()) proposals_.found.push_back("row " + std::to_string(row) + ": " + how);
-        component->unit = own ? *own : unit;
-        return component;
-    }
-
-    /// Value and, where it is stated, unit of a sensitivity coefficient.
-    Result<Coefficient> coefficient(int row) const {
-        const auto read = figure(row, Column::c);
-        if (!read) return fail(read.error());
-        return *read ? Coefficient{row, (*read)->value, (*read)->unit} : Coefficient{row, 1.0, std::nullopt};
     }
 
     /// Of the result: as stated in its row or above the contributions, else that of the quantities if they
     /// all have one.
     Result<Unit> unit_of_result() {
         if (result_unit_) return *result_unit_;
-        if (const auto unit = unit_in_head(Column::contribution)) return *unit;
+        if (const auto unit = cells_.unit_in_head(Column::contribution)) return *unit;
         if (const auto stated = choice_.units.find("result"); stated != choice_.units.end())
             return unstated_unit(choice_, "result", "the result", stated->second, proposals_);
         const Unit& first = budget_.quantities.front().unit;
         for (const NotedQuantity& q : budget_.quantities)
             if (q.unit.dimension() != first.dimension())
-                return refused(
-                    std::max(place_.head_row, 1), Column::unit,
+                return cells_.refused(
+                    std::max(place().head_row, 1), Column::unit,
                     "the unit of the result is not stated: give the result a row of its own, put "
                     "the unit behind the head of the contributions, or state it as that of 'result'");
         return unstated_unit(choice_, "result", "the result", first.interval(), proposals_);
@@ -407,7 +411,7 @@ private:
         double linear = 0.0, largest = 0.0;
         for (std::size_t i = 0; i < budget_.quantities.size(); ++i) {
             const NotedQuantity& q = budget_.quantities[i];
-            const auto term = term_of(i, *unit, sum.empty());
+            const auto term = model_.term_of(i, q, *unit, sum.empty(), proposals_);
             if (!term) return fail(term.error());
             sum += term->first;
             const double share = term->second * q.unit.to_si(q.value);
@@ -429,87 +433,21 @@ private:
             "; the sheet has sensitivity coefficients only, write your equation instead "
             "where you have it");
         budget_.results.push_back({y, result_name_.empty() ? y : result_name_, *unit});
-        budget_.name = proposals_.title.empty() ? place_.sheet->name : proposals_.title;
+        budget_.name = proposals_.title.empty() ? place().sheet->name : proposals_.title;
         budget_.id = id_of(budget_.name, "budget");
-        budget_.notes = "Sheet " + in_quotes(place_.sheet->name) +
+        budget_.notes = "Sheet " + in_quotes(place().sheet->name) +
                         ". Linear model from the sensitivity coefficients of the sheet.";
         proposals_.found.push_back(std::to_string(budget_.quantities.size()) + " quantities");
         proposals_.analyses.push_back(analysis_of(budget_));
         return std::move(proposals_);
     }
 
-    /// Units that a coefficient may be in where the sheet does not say: one between units of a dimension, the
-    /// unit of the contributions or of the result per unit of the quantity.
-    std::vector<Unit> units_of(const Unit& x, const Unit& y) const {
-        std::vector<Unit> units;
-        const auto add_unit = [&](const Unit& unit) {
-            if (std::none_of(units.begin(), units.end(), [&](const Unit& u) {
-                    return u.dimension() == unit.dimension() &&
-                           u.interval_to_si(1.0) == unit.interval_to_si(1.0);
-                }))
-                units.push_back(unit);
-        };
-        if (x.dimension() == y.dimension()) add_unit(Unit());
-        for (const Unit& of : {unit_in_head(Column::contribution).value_or(y), y})
-            if (const auto quotient = Unit::parse("(" + of.interval().text() + ")/(" + x.text() + ")"))
-                add_unit(*quotient);
-        return units;
-    }
-
-    /// The contributions that the sheet states decide between them.
-    Result<Unit> unit_of_coefficient(std::size_t index, const Unit& y) {
-        const Coefficient& c = coefficients_[index];
-        if (c.unit) return *c.unit;
-        const NotedQuantity& q = budget_.quantities[index];
-        const std::vector<Unit> units = units_of(q.unit.interval(), y);
-        const Unit of = unit_in_head(Column::contribution).value_or(y);
-        for (const StatedShare& share : shares_) {
-            const double u =
-                standard_uncertainty_of(q.components.empty() ? NotedComponent{} : q.components[0]);
-            if (share.row != c.row || !(u > 0.0) || c.value == 0.0) continue;
-            for (const Unit& unit : units) {
-                const double ratio = std::abs(unit.interval_to_si(c.value)) * u /
-                                     of.interval_to_si(std::abs(share.contribution));
-                if (!(ratio > 0.5 && ratio < 2.0)) continue;
-                if (std::abs(ratio - 1.0) > 0.02)
-                    proposals_.leave_out(c.row, "the contribution " + shortest_number(share.contribution) +
-                                                    ": c and u give " +
-                                                    readable_number(ratio * std::abs(share.contribution)));
-                return unit;
-            }
-            return refused(c.row, Column::contribution,
-                           "the contribution does not follow from c and u in any unit; state the unit behind "
-                           "the coefficient ('-575 nm/K')");
-        }
-        if (units.empty()) return refused(c.row, Column::unit, "its unit makes no coefficient of the result");
-        if (units.size() > 1 && !(units.front() == Unit()))
-            return refused(c.row, Column::c,
-                           "its unit may be " + units[0].text() + " or " + units[1].text() +
-                               ": state it behind the coefficient");
-        return units.front();
-    }
-
-    /// " + 11.5 [nm/K]*x", and the coefficient in SI.
-    Result<std::pair<std::string, double>> term_of(std::size_t index, const Unit& y, bool first) {
-        const auto unit = unit_of_coefficient(index, y);
-        if (!unit) return fail(unit.error());
-        const double c = coefficients_[index].value;
-        std::string sign = c < 0.0 ? "-" : "+";
-        sign = first ? (c < 0.0 ? "-" : "") : " " + sign + " ";
-        std::string factor = shortest_number(std::abs(c));
-        const bool one = unit->dimension().is_one() && unit->interval_to_si(1.0) == 1.0;
-        if (!one) factor += " [" + unit->text() + "]";
-        factor = one && std::abs(c) == 1.0 ? std::string() : factor + "*";
-        return std::pair(sign + factor + budget_.quantities[index].symbol, unit->interval_to_si(c));
-    }
-
-    SheetBudget place_;
+    BudgetCells cells_;
     const ReadChoice& choice_;
     Proposals proposals_;
     StatedBudget budget_;
     SymbolNames names_;
-    std::vector<Coefficient> coefficients_;
-    std::vector<StatedShare> shares_;
+    LinearModel model_{cells_};
     std::string last_label_, result_name_, result_symbol_;
     std::optional<Unit> result_unit_;
     std::optional<double> result_value_;
@@ -547,11 +485,12 @@ Result<SourceTable> table_of_budget(const std::string& text, const ReadChoice& c
     SourceTable table;
     for (const WorkbookSheet& sheet : *sheets) {
         table.sheets.push_back(sheet.name);
-        if (sheet.name == choice.sheet || (choice.sheet.empty() && !shown && found_in(sheet))) shown = &sheet;
+        if (sheet.name == choice.sheet || (choice.sheet.empty() && !shown && budget_in(sheet)))
+            shown = &sheet;
     }
     if (!shown) shown = &sheets->front();
     table.sheet = shown->name;
-    const auto place = found_in(*shown);
+    const auto place = budget_in(*shown);
     int first = 0, last = 0;
     for (const auto& [row, cells] : shown->rows) {
         first = first == 0 ? cells.begin()->first : std::min(first, cells.begin()->first);

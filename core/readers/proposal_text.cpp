@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/readers/readers.h"
 #include "core/setup/message_text.h"
 

@@ -5,8 +5,7 @@
 #include <map>
 
 #include "core/base/utf8.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/project/project_id.h"
 #include "core/readers/formats.h"
 #include "core/setup/message_text.h"

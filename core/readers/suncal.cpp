@@ -59,159 +59,95 @@ constexpr SuncalKeys system_keys{"symbol", "testpoint", "typeb", "equation"};
 
 constexpr std::size_t most_suncal_observations = 10'000;
 
-class SuncalReader {
-public:
-    explicit SuncalReader(const ReadChoice& choice) : choice_(choice) {
-        proposals_.title = without_ending(choice.file_name);
-    }
+std::vector<const YamlNode*> pointers(const YamlNode& list) {
+    std::vector<const YamlNode*> nodes;
+    for (const YamlNode& node : list.children) nodes.push_back(&node);
+    return nodes;
+}
 
-    Result<Proposals> read(const YamlNode& root) {
-        std::vector<const YamlNode*> parts;
-        if (root.kind == YamlNode::Kind::list)
-            for (const YamlNode& part : root.children) parts.push_back(&part);
-        if (root.kind == YamlNode::Kind::map) parts.push_back(&root);
-        for (const YamlNode* part : parts)
-            if (auto done = read_part(*part); !done) return fail(done.error());
-        if (proposals_.analyses.empty())
-            return root.refused("the file has no calculation of mode 'uncertainty' or 'system'" +
-                                (skipped_.empty() ? "" : "; it has " + skipped_));
-        return std::move(proposals_);
-    }
+std::size_t valid_notes(const std::string& notes) {
+    return std::min<std::size_t>(valid_utf8(notes), 4000);
+}
 
-private:
-    Result<void> read_part(const YamlNode& part) {
-        std::string mode = plain_name(part.text_of("mode"));
-        if (mode.empty() && part.find("functions") && part.find("inputs")) mode = "uncertainty";
-        if (mode == "uncertainty") return read_uncertainty_part(part);
-        if (mode == "system") return read_system_part(part);
-        const std::string words = mode.empty() ? "an entry without mode" : "mode " + in_quotes(mode);
-        skipped_ += (skipped_.empty() ? "" : ", ") + words;
-        proposals_.leave_out(part.line, words);
-        return {};
-    }
+const YamlNode* list_of(const YamlNode& part, const char* key) {
+    const YamlNode* list = part.find(key);
+    return list && list->kind == YamlNode::Kind::list ? list : nullptr;
+}
 
-    void begin(const YamlNode& part) {
-        budget_ = {};
-        symbols_.clear();
-        used_.clear();
-        names_ = {};
-        observations_ = 0;
-        budget_.name = plain_name(part.text_of("name"));
-        if (budget_.name.empty() || budget_.name == "uncertainty" || budget_.name == "system")
-            budget_.name = proposals_.title;
-        if (budget_.name.empty()) budget_.name = "Budget";
-        budget_.id = id_of(budget_.name, "budget");
-        budget_.notes = part.text_of("description");
-        if (budget_.notes.empty()) budget_.notes = part.text_of("desc");
-        budget_.notes.resize(valid_notes(budget_.notes));
-    }
+std::string description_of(const YamlNode& node) {
+    const std::string text = plain_name(node.text_of("desc"));
+    return text.empty() ? plain_name(node.text_of("description")) : text;
+}
 
-    void finish() {
-        proposals_.found.push_back(budget_.name + ": " + std::to_string(budget_.quantities.size()) +
-                                   " quantities, " + std::to_string(budget_.results.size()) + " results");
-        for (AnalysisEntry& before : proposals_.analyses)
-            if (before.id == budget_.id) budget_.id += "-" + std::to_string(proposals_.analyses.size() + 1);
-        proposals_.analyses.push_back(analysis_of(budget_));
-    }
+/// s of the observations, for the mean of another number of them.
+NotedComponent mean_of_new(const std::vector<double>& values, double count, const Unit& unit) {
+    const double n = static_cast<double>(values.size());
+    double mean = 0.0, squares = 0.0;
+    for (const double value : values) mean += (value - values[0]) / n;
+    mean += values[0];
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    return {.name = "Type A",
+            .statement = "standard",
+            .a = std::sqrt(squares / (n - 1.0) / count),
+            .degrees_of_freedom = n - 1.0,
+            .unit = unit.interval(),
+            .source =
+                "s of " + std::to_string(values.size()) + " observations, mean of " + shortest_number(count)};
+}
 
-    Result<void> read_uncertainty_part(const YamlNode& part) {
-        begin(part);
-        leave_out_others(part, "",
-                         {"mode", "name", "description", "desc", "functions", "inputs", "correlations"});
-        keys_ = uncertainty_keys;
-        const YamlNode *inputs = list_of(part, "inputs"), *functions = list_of(part, "functions");
-        if (!inputs || inputs->children.empty()) return part.refused("the calculation has no inputs");
-        if (!functions || functions->children.empty())
-            return part.refused("the calculation has no functions");
-        if (auto done = read_inputs(*inputs, pointers(*inputs)); !done) return done;
-        if (auto done = read_functions(*functions, pointers(*functions)); !done) return done;
-        if (auto done = read_correlations(part); !done) return done;
-        finish();
-        return {};
-    }
+Result<PintUnit> unit_of(const YamlNode& node, const PintUnit& otherwise) {
+    const YamlNode* text = node.find("units");
+    if (!text || text->text.empty() || text->text == "null" || text->text == "None") return otherwise;
+    const auto unit = unit_of_pint(text->text);
+    if (!unit) return text->refused(unit.error().message);
+    return *unit;
+}
 
-    /// Quantities that are measured directly, and those that follow from them, in one model.
-    Result<void> read_system_part(const YamlNode& part) {
-        begin(part);
-        leave_out_others(part, "", {"mode", "name", "description", "desc", "quantities", "correlate"});
-        keys_ = system_keys;
-        const YamlNode* quantities = list_of(part, "quantities");
-        if (!quantities) return part.refused("the system has no quantities");
-        std::vector<const YamlNode*> direct, indirect;
-        for (const YamlNode& quantity : quantities->children) {
-            const std::string type = plain_name(quantity.text_of("type"));
-            if (type != "direct" && type != "indirect")
-                return quantity.refused("quantities of type " + in_quotes(type) +
-                                        " are not read; those that are: direct, indirect");
-            (type == "direct" ? direct : indirect).push_back(&quantity);
-        }
-        if (direct.empty()) return quantities->refused("the system has no direct quantity");
-        together_ = part.text_of("correlate") != "false";
-        if (auto done = read_inputs(*quantities, direct); !done) return done;
-        if (auto done = read_functions(*quantities, indirect); !done) return done;
-        // What no equation uses is a result as it stands.
-        for (const YamlNode* node : direct) {
-            const std::string name = node->text_of(keys_.name);
-            if (used_.contains(name)) continue;
-            const NotedQuantity& quantity = budget_.quantities[*index_of(name)];
-            const std::string symbol = names_.take("y_" + quantity.symbol);
-            budget_.equations += (budget_.equations.empty() ? "" : "\n") + symbol + " = " + quantity.symbol;
-            budget_.results.push_back({symbol, quantity.name, quantity.unit});
-        }
-        finish();
-        return {};
-    }
+bool is_infinite(const std::string& text) {
+    return text == ".inf" || text == ".Inf" || text == "inf" || text == ".INF";
+}
 
-    static std::vector<const YamlNode*> pointers(const YamlNode& list) {
-        std::vector<const YamlNode*> nodes;
-        for (const YamlNode& node : list.children) nodes.push_back(&node);
-        return nodes;
+void leave_out_others(Proposals& proposals, const YamlNode& map, const std::string& where,
+                      std::initializer_list<const char*> known) {
+    for (std::size_t i = 0; i < map.keys.size(); ++i) {
+        const YamlNode& value = map.children[i];
+        const bool empty = value.kind == YamlNode::Kind::nothing ||
+                           (value.kind == YamlNode::Kind::list && value.children.empty());
+        if (!empty &&
+            std::none_of(known.begin(), known.end(), [&](const char* key) { return map.keys[i] == key; }))
+            proposals.leave_out(value.line, where + in_quotes(plain_name(map.keys[i])));
     }
+}
 
-    static std::size_t valid_notes(const std::string& notes) {
-        return std::min<std::size_t>(valid_utf8(notes), 4000);
-    }
+/// What the names of a calculation are called here.
+struct SuncalNames {
+    SymbolNames taken;
+    std::map<std::string, std::string> symbols;
+    std::set<std::string> used;  ///< names in the equations
 
-    void leave_out_others(const YamlNode& map, const std::string& where,
-                          std::initializer_list<const char*> known) {
-        for (std::size_t i = 0; i < map.keys.size(); ++i) {
-            const YamlNode& value = map.children[i];
-            const bool empty = value.kind == YamlNode::Kind::nothing ||
-                               (value.kind == YamlNode::Kind::list && value.children.empty());
-            if (!empty &&
-                std::none_of(known.begin(), known.end(), [&](const char* key) { return map.keys[i] == key; }))
-                proposals_.leave_out(value.line, where + in_quotes(plain_name(map.keys[i])));
-        }
-    }
-
-    static const YamlNode* list_of(const YamlNode& part, const char* key) {
-        const YamlNode* list = part.find(key);
-        return list && list->kind == YamlNode::Kind::list ? list : nullptr;
-    }
-
-    std::string symbol_of(const std::string& name) {
-        const std::string symbol = names_.take(name);
-        symbols_[name] = symbol;
+    std::string symbol_of(const std::string& name, Proposals& proposals) {
+        const std::string symbol = taken.take(name);
+        symbols[name] = symbol;
         if (symbol != name)
-            proposals_.found.push_back(in_quotes(plain_name(name)) + " is called " + symbol + " here");
+            proposals.found.push_back(in_quotes(plain_name(name)) + " is called " + symbol + " here");
         return symbol;
     }
+};
 
-    Result<void> read_inputs(const YamlNode& list, const std::vector<const YamlNode*>& inputs) {
-        if (inputs.size() > most_stated_quantities)
-            return list.refused("more than " + std::to_string(most_stated_quantities) +
-                                " inputs are not read");
-        for (const YamlNode* input : inputs)
-            if (auto done = read_input(*input); !done) return done;
-        return {};
-    }
+/// One input with its observations and components.
+class SuncalInput {
+public:
+    /// `observations`: those of the file so far; `together`: lists of observations were made together.
+    SuncalInput(const ReadChoice& choice, const SuncalKeys& keys, SuncalNames& names, Proposals& proposals,
+                std::size_t& observations, bool together)
+        : choice_(choice),
+          keys_(keys),
+          names_(names),
+          proposals_(proposals),
+          observations_(observations),
+          together_(together) {}
 
-    static std::string description_of(const YamlNode& node) {
-        const std::string text = plain_name(node.text_of("desc"));
-        return text.empty() ? plain_name(node.text_of("description")) : text;
-    }
-
-    Result<void> read_input(const YamlNode& input) {
+    Result<NotedQuantity> read(const YamlNode& input) {
         const std::string name = input.text_of(keys_.name);
         if (name.empty()) return input.refused("an input without a name");
         const std::string where = in_quotes(plain_name(name)) + ": ";
@@ -220,28 +156,29 @@ private:
         const YamlNode* mean = input.find(keys_.value);
         const auto value = mean ? mean->number() : std::nullopt;
         if (!value) return (mean ? *mean : input).refused(where + "its " + keys_.value + " must be a number");
-        if (symbols_.contains(name)) return input.refused(where + "there are two inputs of that name");
+        if (names_.symbols.contains(name)) return input.refused(where + "there are two inputs of that name");
         if (!input.find("units"))
             unit->unit = unstated_unit(choice_, plain_name(name), description_of(input), Unit(), proposals_);
-        NotedQuantity quantity{symbol_of(name), description_of(input), unit->value(*value), unit->unit, {}};
+        NotedQuantity quantity{
+            names_.symbol_of(name, proposals_), description_of(input), unit->value(*value), unit->unit, {}};
         if (unit->is_converted())
             proposals_.found.push_back(where + shortest_number(*value) + " " +
                                        plain_name(input.text_of("units")) + " is " +
                                        readable_number(quantity.value) + " " + unit->unit.display());
-        leave_out_others(input, where,
+        leave_out_others(proposals_, input, where,
                          {keys_.name, "name", "desc", "description", "type", keys_.value, "units",
                           keys_.components, "typea", "typea_uncert", "numnewmeas", "autocorrelate"});
-        if (auto done = read_observations(input, *unit, quantity, where); !done) return done;
+        if (auto done = read_observations(input, *unit, quantity, where); !done) return fail(done.error());
         if (const YamlNode* uncerts = list_of(input, keys_.components))
             for (const YamlNode& uncert : uncerts->children) {
                 auto component = read_uncertainty(uncert, quantity, *unit, *value, where);
                 if (!component) return fail(component.error());
                 quantity.components.push_back(std::move(*component));
             }
-        budget_.quantities.push_back(std::move(quantity));
-        return {};
+        return quantity;
     }
 
+private:
     /// Repeated observations, or the standard uncertainty of their mean.
     Result<void> read_observations(const YamlNode& input, const PintUnit& unit, NotedQuantity& quantity,
                                    const std::string& where) {
@@ -281,30 +218,6 @@ private:
         }
         quantity.components.push_back(mean_of_new(values, *count, quantity.unit));
         return {};
-    }
-
-    /// s of the observations, for the mean of another number of them.
-    static NotedComponent mean_of_new(const std::vector<double>& values, double count, const Unit& unit) {
-        const double n = static_cast<double>(values.size());
-        double mean = 0.0, squares = 0.0;
-        for (const double value : values) mean += (value - values[0]) / n;
-        mean += values[0];
-        for (const double value : values) squares += (value - mean) * (value - mean);
-        return {.name = "Type A",
-                .statement = "standard",
-                .a = std::sqrt(squares / (n - 1.0) / count),
-                .degrees_of_freedom = n - 1.0,
-                .unit = unit.interval(),
-                .source = "s of " + std::to_string(values.size()) + " observations, mean of " +
-                          shortest_number(count)};
-    }
-
-    static Result<PintUnit> unit_of(const YamlNode& node, const PintUnit& otherwise) {
-        const YamlNode* text = node.find("units");
-        if (!text || text->text.empty() || text->text == "null" || text->text == "None") return otherwise;
-        const auto unit = unit_of_pint(text->text);
-        if (!unit) return text->refused(unit.error().message);
-        return *unit;
     }
 
     /// A figure of a component: a number, or shares of the mean and of ranges ("5% + 0.01%range(10)").
@@ -350,14 +263,133 @@ private:
         const std::string complaint = state_suncal(node.text_of("dist"), figures, c, how);
         if (!complaint.empty()) return node.refused(where + complaint);
         if (!how.empty()) proposals_.found.push_back(where + how);
-        leave_out_others(node, where,
+        leave_out_others(proposals_, node, where,
                          {"name", "desc", "description", "dist", "degf", "df", "units", "a", "d", "unc",
                           "std", "k", "conf", "v"});
         return c;
     }
 
-    static bool is_infinite(const std::string& text) {
-        return text == ".inf" || text == ".Inf" || text == "inf" || text == ".INF";
+    const ReadChoice& choice_;
+    const SuncalKeys& keys_;
+    SuncalNames& names_;
+    Proposals& proposals_;
+    std::size_t& observations_;
+    bool together_;
+};
+
+class SuncalReader {
+public:
+    explicit SuncalReader(const ReadChoice& choice) : choice_(choice) {
+        proposals_.title = without_ending(choice.file_name);
+    }
+
+    Result<Proposals> read(const YamlNode& root) {
+        std::vector<const YamlNode*> parts;
+        if (root.kind == YamlNode::Kind::list)
+            for (const YamlNode& part : root.children) parts.push_back(&part);
+        if (root.kind == YamlNode::Kind::map) parts.push_back(&root);
+        for (const YamlNode* part : parts)
+            if (auto done = read_part(*part); !done) return fail(done.error());
+        if (proposals_.analyses.empty())
+            return root.refused("the file has no calculation of mode 'uncertainty' or 'system'" +
+                                (skipped_.empty() ? "" : "; it has " + skipped_));
+        return std::move(proposals_);
+    }
+
+private:
+    Result<void> read_part(const YamlNode& part) {
+        std::string mode = plain_name(part.text_of("mode"));
+        if (mode.empty() && part.find("functions") && part.find("inputs")) mode = "uncertainty";
+        if (mode == "uncertainty") return read_uncertainty_part(part);
+        if (mode == "system") return read_system_part(part);
+        const std::string words = mode.empty() ? "an entry without mode" : "mode " + in_quotes(mode);
+        skipped_ += (skipped_.empty() ? "" : ", ") + words;
+        proposals_.leave_out(part.line, words);
+        return {};
+    }
+
+    void begin(const YamlNode& part) {
+        budget_ = {};
+        names_ = {};
+        observations_ = 0;
+        budget_.name = plain_name(part.text_of("name"));
+        if (budget_.name.empty() || budget_.name == "uncertainty" || budget_.name == "system")
+            budget_.name = proposals_.title;
+        if (budget_.name.empty()) budget_.name = "Budget";
+        budget_.id = id_of(budget_.name, "budget");
+        budget_.notes = part.text_of("description");
+        if (budget_.notes.empty()) budget_.notes = part.text_of("desc");
+        budget_.notes.resize(valid_notes(budget_.notes));
+    }
+
+    void finish() {
+        proposals_.found.push_back(budget_.name + ": " + std::to_string(budget_.quantities.size()) +
+                                   " quantities, " + std::to_string(budget_.results.size()) + " results");
+        for (AnalysisEntry& before : proposals_.analyses)
+            if (before.id == budget_.id) budget_.id += "-" + std::to_string(proposals_.analyses.size() + 1);
+        proposals_.analyses.push_back(analysis_of(budget_));
+    }
+
+    Result<void> read_uncertainty_part(const YamlNode& part) {
+        begin(part);
+        leave_out_others(proposals_, part, "",
+                         {"mode", "name", "description", "desc", "functions", "inputs", "correlations"});
+        keys_ = uncertainty_keys;
+        const YamlNode *inputs = list_of(part, "inputs"), *functions = list_of(part, "functions");
+        if (!inputs || inputs->children.empty()) return part.refused("the calculation has no inputs");
+        if (!functions || functions->children.empty())
+            return part.refused("the calculation has no functions");
+        if (auto done = read_inputs(*inputs, pointers(*inputs)); !done) return done;
+        if (auto done = read_functions(*functions, pointers(*functions)); !done) return done;
+        if (auto done = read_correlations(part); !done) return done;
+        finish();
+        return {};
+    }
+
+    /// Quantities that are measured directly, and those that follow from them, in one model.
+    Result<void> read_system_part(const YamlNode& part) {
+        begin(part);
+        leave_out_others(proposals_, part, "",
+                         {"mode", "name", "description", "desc", "quantities", "correlate"});
+        keys_ = system_keys;
+        const YamlNode* quantities = list_of(part, "quantities");
+        if (!quantities) return part.refused("the system has no quantities");
+        std::vector<const YamlNode*> direct, indirect;
+        for (const YamlNode& quantity : quantities->children) {
+            const std::string type = plain_name(quantity.text_of("type"));
+            if (type != "direct" && type != "indirect")
+                return quantity.refused("quantities of type " + in_quotes(type) +
+                                        " are not read; those that are: direct, indirect");
+            (type == "direct" ? direct : indirect).push_back(&quantity);
+        }
+        if (direct.empty()) return quantities->refused("the system has no direct quantity");
+        together_ = part.text_of("correlate") != "false";
+        if (auto done = read_inputs(*quantities, direct); !done) return done;
+        if (auto done = read_functions(*quantities, indirect); !done) return done;
+        // What no equation uses is a result as it stands.
+        for (const YamlNode* node : direct) {
+            const std::string name = node->text_of(keys_.name);
+            if (names_.used.contains(name)) continue;
+            const NotedQuantity& quantity = budget_.quantities[*index_of(name)];
+            const std::string symbol = names_.taken.take("y_" + quantity.symbol);
+            budget_.equations += (budget_.equations.empty() ? "" : "\n") + symbol + " = " + quantity.symbol;
+            budget_.results.push_back({symbol, quantity.name, quantity.unit});
+        }
+        finish();
+        return {};
+    }
+
+    Result<void> read_inputs(const YamlNode& list, const std::vector<const YamlNode*>& inputs) {
+        if (inputs.size() > most_stated_quantities)
+            return list.refused("more than " + std::to_string(most_stated_quantities) +
+                                " inputs are not read");
+        for (const YamlNode* input : inputs)
+            if (auto quantity =
+                    SuncalInput(choice_, keys_, names_, proposals_, observations_, together_).read(*input))
+                budget_.quantities.push_back(std::move(*quantity));
+            else
+                return fail(quantity.error());
+        return {};
     }
 
     Result<void> read_functions(const YamlNode& list, const std::vector<const YamlNode*>& functions) {
@@ -367,16 +399,16 @@ private:
         for (const YamlNode* function : functions) {
             std::string name = function->text_of(keys_.name);
             if (name.empty()) name = "f_" + std::to_string(budget_.results.size());
-            if (symbols_.contains(name))
+            if (names_.symbols.contains(name))
                 return function->refused("a function has the name of an input or of another function");
             const auto unit = unit_of(*function, {});
             if (!unit) return fail(unit.error());
-            NotedResult result{symbol_of(name), description_of(*function), {}};
+            NotedResult result{names_.symbol_of(name, proposals_), description_of(*function), {}};
             if (!function->text_of("units").empty()) result.unit = unit->unit;
             if (unit->is_converted())
                 proposals_.found.push_back(in_quotes(plain_name(name)) + ": in " + unit->unit.display() +
                                            " instead of " + plain_name(function->text_of("units")));
-            leave_out_others(*function, in_quotes(plain_name(name)) + ": ",
+            leave_out_others(proposals_, *function, in_quotes(plain_name(name)) + ": ",
                              {keys_.name, "name", "desc", "description", "type", keys_.equation, "units"});
             budget_.results.push_back(std::move(result));
         }
@@ -392,9 +424,10 @@ private:
         const std::size_t sign = text.find('='), semicolon = text.find(';');
         std::string equation;
         if (sign == std::string::npos) {
-            equation = result.symbol + " = " + equation_of(text, symbols_, used_);
+            equation = result.symbol + " = " + equation_of(text, names_.symbols, names_.used);
         } else if (semicolon == std::string::npos) {  // "f = a*b"
-            equation = result.symbol + " = " + equation_of(text.substr(sign + 1), symbols_, used_);
+            equation =
+                result.symbol + " = " + equation_of(text.substr(sign + 1), names_.symbols, names_.used);
         } else {  // "a*f**2 - b = 0; f~3": solved from a starting value
             const std::size_t tilde = text.find('~', semicolon);
             const auto start =
@@ -404,7 +437,8 @@ private:
                 return place.refused(in_quotes(plain_name(text)) +
                                      ": state the unit of what is solved for under 'units'");
             equation = "solve " + result.symbol + " = " + shortest_number(*start) + " [" +
-                       result.unit->text() + "]: " + equation_of(text.substr(0, semicolon), symbols_, used_);
+                       result.unit->text() +
+                       "]: " + equation_of(text.substr(0, semicolon), names_.symbols, names_.used);
         }
         if (const std::string complaint = equation_complaint(equation); !complaint.empty())
             return place.refused(in_quotes(plain_name(equation)) + ": " + complaint);
@@ -428,8 +462,8 @@ private:
     }
 
     std::optional<std::size_t> index_of(const std::string& name) const {
-        const auto symbol = symbols_.find(name);
-        for (std::size_t i = 0; symbol != symbols_.end() && i < budget_.quantities.size(); ++i)
+        const auto symbol = names_.symbols.find(name);
+        for (std::size_t i = 0; symbol != names_.symbols.end() && i < budget_.quantities.size(); ++i)
             if (budget_.quantities[i].symbol == symbol->second) return i;
         return std::nullopt;
     }
@@ -437,9 +471,7 @@ private:
     const ReadChoice& choice_;
     Proposals proposals_;
     StatedBudget budget_;
-    SymbolNames names_;
-    std::map<std::string, std::string> symbols_;
-    std::set<std::string> used_;  ///< names in the equations
+    SuncalNames names_;
     std::string skipped_;
     SuncalKeys keys_ = uncertainty_keys;
     std::size_t observations_ = 0;

@@ -44,6 +44,28 @@ Number validation(double FirstOrderOutput::Validation::*member) {
     };
 }
 
+using Rows = std::shared_ptr<const std::vector<std::size_t>>;
+
+/// U of the outputs in the rows without each contributor.
+void add_contributors(Table& table, const UncertaintyResult& result, const Rows& outputs) {
+    const std::vector<std::string> keys = contributor_keys(result);
+    const std::string method = result.contributor_trials > 0 ? "by Monte Carlo" : "by the law of propagation";
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const std::string name = report_parts::contributor_title(result.contributors[i]);
+        table
+            .add(keys[i],
+                 [&r = result, shown = outputs, i](std::size_t row) -> Cell {
+                     const OutputResult& output = r.outputs[(*shown)[row]];
+                     const double U = expanded_with(output, r.contributors[i].without, (*shown)[row]);
+                     return Measured{U, Scale::interval, output.quantity.unit, {}};
+                 })
+            .window(keys[i], "Expanded uncertainty that remains when everything " + name +
+                                 " brings in is kept constant (an ideal one), " + method)
+            .digits(2)
+            .not_in_files();
+    }
+}
+
 class ResultColumns {
 public:
     ResultColumns(const UncertaintyResult& result, std::vector<std::size_t> outputs)
@@ -58,7 +80,7 @@ public:
         add_first_order();
         table_.add("U by", words(expanded_key(result_)));
         table_.add("remark", words(represents_measurand(result_) ? "" : std::string(does_not_represent)));
-        add_contributors();
+        add_contributors(table_, result_, outputs_);
         return std::move(table_);
     }
 
@@ -237,28 +259,8 @@ private:
             .digits(2);
     }
 
-    void add_contributors() {
-        const std::vector<std::string> keys = contributor_keys(result_);
-        const std::string method =
-            result_.contributor_trials > 0 ? "by Monte Carlo" : "by the law of propagation";
-        for (std::size_t i = 0; i < keys.size(); ++i) {
-            const std::string name = report_parts::contributor_title(result_.contributors[i]);
-            table_
-                .add(keys[i],
-                     [&r = result_, shown = outputs_, i](std::size_t row) -> Cell {
-                         const OutputResult& output = r.outputs[(*shown)[row]];
-                         const double U = expanded_with(output, r.contributors[i].without, (*shown)[row]);
-                         return Measured{U, Scale::interval, output.quantity.unit, {}};
-                     })
-                .window(keys[i], "Expanded uncertainty that remains when everything " + name +
-                                     " brings in is kept constant (an ideal one), " + method)
-                .digits(2)
-                .not_in_files();
-        }
-    }
-
     const UncertaintyResult& result_;
-    std::shared_ptr<const std::vector<std::size_t>> outputs_;
+    Rows outputs_;
     Table table_{"results", "Results"};
 };
 

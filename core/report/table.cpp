@@ -98,7 +98,7 @@ Text cell_shown(const Table& table, const Column& column, std::size_t row, const
     if (const auto number = number_in(cell, view.units)) {
         NumberRule rule = column.rule;
         if (view.digits > 0 && !rule.typed) rule.digits = view.digits;
-        return typeset_number(format_by(rule, *number, matched_to(table, column, row, view.units)),
+        return grouped_digits(format_by(rule, *number, matched_to(table, column, row, view.units)),
                               view.locale);
     }
     if (const auto* unit = std::get_if<Unit>(&cell)) return view.units.of(*unit).display();

@@ -1,19 +1,21 @@
-// Positions written into poses and rows of tables.
+// Positions written into poses and rows of tables, and orientations into poses.
 #include "core/setup/position_edit.h"
 
 #include <charconv>
 #include <cmath>
 
+#include "core/math/rotation.h"
+
 namespace covaria {
 
 namespace {
 
-/// In `unit`; `before` (in `unit`) where the position has not moved by a step along this axis.
-double rounded(double metres, double step, const Unit& unit, double before) {
-    if (std::abs(metres - unit.to_si(before)) < 0.5 * step) return before;
+/// In `unit`; `before` (in `unit`) where the coordinate has not moved by a step.
+double rounded(double si, double step, const Unit& unit, double before) {
+    if (std::abs(si - unit.to_si(before)) < 0.5 * step) return before;
     const double digits = std::floor(std::log10(unit.interval_from_si(step)));
     const double cell = std::pow(10.0, std::abs(digits));
-    const double value = unit.from_si(metres);
+    const double value = unit.from_si(si);
     return digits < 0 ? std::round(value * cell) / cell : std::round(value / cell) * cell;
 }
 
@@ -71,6 +73,23 @@ bool write_position(const SetupSchema& schema, Setup& setup, const std::string& 
         written = write_row(*field, *table, row, p, step);
     if (written) setup.values[key] = std::move(value);
     return written;
+}
+
+bool write_orientation(const SetupSchema& schema, Setup& setup, const std::string& path,
+                       const Eigen::Matrix3d& R, double step) {
+    const std::string key = path.empty() ? "" : path.substr(1);
+    const FieldSpec* field = schema.find(key);
+    if (!field || !R.allFinite() || !(step > 0.0)) return false;
+    SetupValue value = value_of(*field, setup);
+    auto* pose = std::get_if<PoseValue>(&value);
+    if (!pose) return false;
+    const Vector3<double> angles = zyx_from_rotation<double>(R);
+    for (int i = 0; i < 3; ++i) {
+        double& angle = pose->angles[static_cast<std::size_t>(i)];
+        angle = rounded(angles[i], step, pose->angle_unit, angle);
+    }
+    setup.values[key] = std::move(value);
+    return true;
 }
 
 }  // namespace covaria

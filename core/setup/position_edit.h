@@ -1,4 +1,5 @@
-// Writes a position into a set-up, at the place that a LayoutSource names: dragging in a picture.
+// Writes a position or an orientation into a set-up, at the place that a LayoutSource names: dragging in a
+// picture.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,5 +15,10 @@ namespace covaria {
 /// names no position.
 bool write_position(const SetupSchema& schema, Setup& setup, const std::string& path,
                     const Eigen::Vector3d& p, double step);
+
+/// The orientation of a pose ("/station") as Z-Y-X angles, in the frame of the field; angles that changed are
+/// rounded to the power of ten below `step` (rad) in their own unit. False where the path names no pose.
+bool write_orientation(const SetupSchema& schema, Setup& setup, const std::string& path,
+                       const Eigen::Matrix3d& R, double step);
 
 }  // namespace covaria

@@ -100,8 +100,8 @@ int decimals_for(double uncertainty, int digits) {
 std::string format_to_match(double value, double uncertainty, int digits) {
     if (!std::isfinite(uncertainty) || uncertainty == 0.0) return format_trimmed(value, unmatched_digits);
     const int decimals = decimals_for(uncertainty, digits);
-    const double size = std::abs(uncertainty);
-    if (size < 1e-4 || size >= 1e7) {
+    // 50.000838 with u = 8.4e-5 is read more easily than 5.0000838e+01.
+    if (std::abs(uncertainty) >= 1e7 || std::max(std::abs(value), std::abs(uncertainty)) < 1e-4) {
         if (value == 0.0) return "0";
         const int value_digits = rounded_exponent(value, 1) + decimals + 1;
         return value_digits < 1 ? "0" : scientific(value, value_digits - 1);

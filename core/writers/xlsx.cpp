@@ -41,6 +41,67 @@ std::string range(int column, int first, int last) {
     return cell_name(first, column) + ":" + cell_name(last, column);
 }
 
+/// In line 4. `y`: unit of contributions.
+void write_heads(XlsxBook& book, const Unit& y) {
+    const std::string u_y = "[" + y.display() + "]";
+    const std::vector<std::pair<std::string, double>> heads{{"Quantity", 14},
+                                                            {"Component", 36},
+                                                            {"Estimate", 18},
+                                                            {"Unit", 10},
+                                                            {"Standard uncertainty", 14},
+                                                            {"Distribution", 14},
+                                                            {"Degrees of freedom", 12},
+                                                            {"Sensitivity coefficient", 14},
+                                                            {"Contribution " + u_y, 16},
+                                                            {"Its square", 14},
+                                                            {"Its fourth power over nu", 14}};
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+        book.text(4, static_cast<int>(i) + 1, heads[i].first, Look::head);
+        book.set_width(static_cast<int>(i) + 1, heads[i].second);
+    }
+}
+
+/// In the order of the quantities; components of a quantity that have one sensitivity stand together.
+std::vector<SheetLine> lines_of(const UncertaintyBudget& budget, std::size_t output) {
+    std::vector<SheetLine> lines;
+    for (const BudgetRow& row : budget.rows[output]) {
+        const BudgetComponent& component = budget.components[row.component];
+        std::string label = component.quantities.size() == 1 ? component.quantities.front() : component.id;
+        for (const SheetLine& other : lines)
+            if (other.symbol == label && other.sensitivity != row.sensitivity) label = component.id;
+        lines.push_back({row.component, row.sensitivity, label});
+    }
+    std::sort(lines.begin(), lines.end(),
+              [](const SheetLine& a, const SheetLine& b) { return a.component < b.component; });
+    // Stable by first appearance: rows of one symbol are neighbours.
+    std::vector<SheetLine> ordered;
+    for (const SheetLine& line : lines) {
+        if (std::any_of(ordered.begin(), ordered.end(),
+                        [&](const SheetLine& o) { return o.symbol == line.symbol; }))
+            continue;
+        for (const SheetLine& other : lines)
+            if (other.symbol == line.symbol) ordered.push_back(other);
+    }
+    return ordered;
+}
+
+/// Trials cannot be formulas: values only.
+void write_trials(XlsxBook& book, int row, const OutputResult& output, std::uint64_t trials) {
+    if (!output.monte_carlo) return;
+    book.text(row++, name, "Monte Carlo, " + std::to_string(trials) + " trials", Look::title);
+    const Unit& unit_y = output.quantity.unit;
+    const CoverageInterval& interval = output.monte_carlo->symmetric;
+    const auto value = [&](const char* label, double v) {
+        book.text(row, name, label);
+        book.number(row++, estimate, v, Look::stated);
+    };
+    value("Estimate", unit_y.from_si(output.monte_carlo->mean));
+    value("Standard uncertainty",
+          unit_y.interval().interval_from_si(output.monte_carlo->standard_uncertainty));
+    value("Coverage interval, low", unit_y.from_si(interval.low));
+    value("Coverage interval, high", unit_y.from_si(interval.high));
+}
+
 /// One output of one analysis.
 class BudgetSheet {
 public:
@@ -48,8 +109,8 @@ public:
         : book_(book),
           result_(*evaluated.result),
           output_(result_.outputs[output]),
-          index_(output),
-          y_(output_.quantity.unit.interval()) {
+          y_(output_.quantity.unit.interval()),
+          lines_(lines_of(result_.budget, output)) {
         title_ = output_.quantity.symbol + ": " + output_.quantity.name;
         analysis_ = evaluated.analysis->name;
     }
@@ -60,8 +121,8 @@ public:
                    "Analysis " + analysis_ +
                        ". White cells are formulas, blue ones are figures that Covaria wrote: change a "
                        "figure and the sheet computes anew.");
-        write_heads();
-        collect();
+        write_heads(book_, y_);
+        row_ = 5;
         for (const SheetLine& line : lines_) write_line(line);
         last_ = row_ - 1;
         write_result();
@@ -70,50 +131,6 @@ public:
     }
 
 private:
-    void write_heads() {
-        const std::string u_y = "[" + y_.display() + "]";
-        const std::vector<std::pair<std::string, double>> heads{{"Quantity", 14},
-                                                                {"Component", 36},
-                                                                {"Estimate", 18},
-                                                                {"Unit", 10},
-                                                                {"Standard uncertainty", 14},
-                                                                {"Distribution", 14},
-                                                                {"Degrees of freedom", 12},
-                                                                {"Sensitivity coefficient", 14},
-                                                                {"Contribution " + u_y, 16},
-                                                                {"Its square", 14},
-                                                                {"Its fourth power over nu", 14}};
-        for (std::size_t i = 0; i < heads.size(); ++i) {
-            book_.text(4, static_cast<int>(i) + 1, heads[i].first, Look::head);
-            book_.set_width(static_cast<int>(i) + 1, heads[i].second);
-        }
-        row_ = 5;
-    }
-
-    /// In the order of the quantities; components of a quantity that have one sensitivity stand together.
-    void collect() {
-        for (const BudgetRow& row : result_.budget.rows[index_]) {
-            const BudgetComponent& component = result_.budget.components[row.component];
-            std::string label =
-                component.quantities.size() == 1 ? component.quantities.front() : component.id;
-            for (const SheetLine& other : lines_)
-                if (other.symbol == label && other.sensitivity != row.sensitivity) label = component.id;
-            lines_.push_back({row.component, row.sensitivity, label});
-        }
-        std::sort(lines_.begin(), lines_.end(),
-                  [](const SheetLine& a, const SheetLine& b) { return a.component < b.component; });
-        // Stable by first appearance: rows of one symbol are neighbours.
-        std::vector<SheetLine> ordered;
-        for (const SheetLine& line : lines_) {
-            if (std::any_of(ordered.begin(), ordered.end(),
-                            [&](const SheetLine& o) { return o.symbol == line.symbol; }))
-                continue;
-            for (const SheetLine& other : lines_)
-                if (other.symbol == line.symbol) ordered.push_back(other);
-        }
-        lines_ = std::move(ordered);
-    }
-
     void write_line(const SheetLine& line) {
         const BudgetComponent& component = result_.budget.components[line.component];
         const Unit x = component.unit.interval();
@@ -240,7 +257,7 @@ private:
         book_.text(row_, name, "Coverage probability");
         book_.number(row_++, estimate, result_.coverage_probability, Look::stated);
         write_expanded(row_u, row_nu, row_p);
-        write_trials();
+        write_trials(book_, row_ + 1, output_, result_.trials);
     }
 
     void write_expanded(int row_u, int row_nu, int row_p) {
@@ -262,23 +279,6 @@ private:
                 y_.interval_from_si(law.expanded_uncertainty));
     }
 
-    /// Trials cannot be formulas: values only.
-    void write_trials() {
-        if (!output_.monte_carlo) return;
-        row_ += 1;
-        book_.text(row_++, name, "Monte Carlo, " + std::to_string(result_.trials) + " trials", Look::title);
-        const Unit& unit_y = output_.quantity.unit;
-        const CoverageInterval& interval = output_.monte_carlo->symmetric;
-        const auto value = [&](const char* label, double v) {
-            book_.text(row_, name, label);
-            book_.number(row_++, estimate, v, Look::stated);
-        };
-        value("Estimate", unit_y.from_si(output_.monte_carlo->mean));
-        value("Standard uncertainty", y_.interval_from_si(output_.monte_carlo->standard_uncertainty));
-        value("Coverage interval, low", unit_y.from_si(interval.low));
-        value("Coverage interval, high", unit_y.from_si(interval.high));
-    }
-
     /// Label, formula, Covaria's value, whether both agree to 1e-6. Returns its row.
     int compare(const std::string& label, const std::string& formula, double covaria) {
         book_.text(row_, name, label);
@@ -295,7 +295,6 @@ private:
     XlsxBook& book_;
     const UncertaintyResult& result_;
     const OutputResult& output_;
-    std::size_t index_;
     Unit y_;  ///< of uncertainties of the output
     std::string title_, analysis_, before_;
     std::vector<SheetLine> lines_;

@@ -11,6 +11,10 @@
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;%1 weitere Zeilen; die exportierte Tabelle enthält alle.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 drehen</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4743,6 +4747,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Erweiterte Unsicherheit</translation>
     </message>
     <message>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation>Die Analyse ist noch nicht vollständig: was noch anzugeben ist, steht unten.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation>Die Analyse hat Probleme; sie sind unten aufgeführt.</translation>
+    </message>
+    <message>
         <source># Keys
 
 | Key | Does |
@@ -4752,8 +4764,12 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
 | F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
 | Arrow keys, + and − | turn and zoom the scene |
-| 1, 2, 3, 4, F | iso, top, front, right view, fit |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
 | F1 | help on the field, cell or entry with the focus |
 </source>
         <translation># Tasten
@@ -4765,18 +4781,82 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
 | F5, Strg+F5, Esc | diese Analyse rechnen, alle rechnen, anhalten |
 | F2, Strg+D, Entf | gewählten Eintrag umbenennen, verdoppeln, löschen |
 | Pfeiltasten, + und − | Szene drehen und vergrößern |
-| 1, 2, 3, 4, F | isometrisch, oben, vorn, rechts, einpassen |
+| 1 bis 7, F | isometrisch, oben, vorn, rechts, unten, hinten, links, einpassen (Strg+1 bis Strg+7 überall) |
+| H, I, Umschalt+H | das in der Szene Gewählte ausblenden, nur dieses zeigen, alles zeigen |
+| Ziehen in der Szene | verschiebt ein Ding, dreht es an der Spitze einer Achse; mit Strg in runden Schritten |
+| D, A | Abstand, Winkel in der Szene messen; Esc legt das Werkzeug weg |
 | Strg+C, Strg+V | Blöcke von Zellen kopieren und einfügen |
+| Strg+K | alles finden: Analysen, Größen, Ergebnisse, Felder, Befehle, Hilfe |
 | F1 | Hilfe zu Feld, Zelle oder Eintrag mit dem Fokus |
 </translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>Die Analyse ist noch nicht vollständig: was noch anzugeben ist, steht unten.</translation>
+        <source>the picture shows no result of the analysis</source>
+        <translation>das Bild kein Ergebnis der Analyse zeigt</translation>
     </message>
     <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>Die Analyse hat Probleme; sie sind unten aufgeführt.</translation>
+        <source>the coordinates of %1 are no quantities of the analysis</source>
+        <translation>die Koordinaten von %1 keine Größen der Analyse sind</translation>
+    </message>
+    <message>
+        <source>%1 is a constant: no uncertainty is stated for it</source>
+        <translation>%1 konstant ist: es ist keine Unsicherheit dafür angegeben</translation>
+    </message>
+    <message>
+        <source>the joint covariance of the points is not known</source>
+        <translation>die gemeinsame Kovarianz der Punkte nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>the angle is too close to 0° or 180°, or the points are too close, for the law of propagation</source>
+        <translation>der Winkel für das Fortpflanzungsgesetz zu nahe bei 0° oder 180° ist oder die Punkte zu nahe beieinander liegen</translation>
+    </message>
+    <message>
+        <source>the points are too close to each other for the law of propagation</source>
+        <translation>die Punkte für das Fortpflanzungsgesetz zu nahe beieinander liegen</translation>
+    </message>
+    <message>
+        <source>%1, u = %2</source>
+        <translation>%1, u = %2</translation>
+    </message>
+    <message>
+        <source>Angle at %1 between %2 and %3: %4</source>
+        <translation>Winkel bei %1 zwischen %2 und %3: %4</translation>
+    </message>
+    <message>
+        <source>Distance %1 to %2: %3</source>
+        <translation>Abstand von %1 bis %2: %3</translation>
+    </message>
+    <message>
+        <source>; u not stated, because %1</source>
+        <translation>; u nicht angegeben, weil %1</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
     </message>
 </context>
 <context>
@@ -6205,6 +6285,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>&amp;About Covaria</source>
         <translation>&amp;Über Covaria</translation>
     </message>
+    <message>
+        <source>The S&amp;cene</source>
+        <translation>Die S&amp;zene</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -6750,6 +6834,45 @@ Gewählt: %2</translation>
     <message>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::MeasureTool</name>
+    <message>
+        <source>Measure Distance</source>
+        <translation>Abstand messen</translation>
+    </message>
+    <message>
+        <source>Distance of two points, with its uncertainty (D)</source>
+        <translation>Abstand zweier Punkte mit seiner Unsicherheit (D)</translation>
+    </message>
+    <message>
+        <source>Measure Angle</source>
+        <translation>Winkel messen</translation>
+    </message>
+    <message>
+        <source>Angle at the second of three points, with its uncertainty (A)</source>
+        <translation>Winkel am zweiten von drei Punkten mit seiner Unsicherheit (A)</translation>
+    </message>
+    <message>
+        <source>Distance: pick the first point. Esc puts the tool away.</source>
+        <translation>Abstand: den ersten Punkt anklicken. Esc legt das Werkzeug weg.</translation>
+    </message>
+    <message>
+        <source>Distance: pick the second point.</source>
+        <translation>Abstand: den zweiten Punkt anklicken.</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the first side. Esc puts the tool away.</source>
+        <translation>Winkel: einen Punkt auf dem ersten Schenkel anklicken. Esc legt das Werkzeug weg.</translation>
+    </message>
+    <message>
+        <source>Angle: pick the apex.</source>
+        <translation>Winkel: den Scheitel anklicken.</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the second side.</source>
+        <translation>Winkel: einen Punkt auf dem zweiten Schenkel anklicken.</translation>
     </message>
 </context>
 <context>
@@ -7773,30 +7896,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>Ansicht von vorn rechts, von oben (1)</translation>
     </message>
     <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>View from above (2)</source>
-        <translation>Ansicht von oben (2)</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>View from the front (3)</source>
-        <translation>Ansicht von vorn (3)</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>View from the right (4)</source>
-        <translation>Ansicht von rechts (4)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Einpassen</translation>
     </message>
@@ -7896,16 +7995,20 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>,  U = %1</source>
         <translation>,  U = %1</translation>
     </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Standard and saved views, orthographic or perspective</source>
+        <translation>Standard- und gespeicherte Ansichten, orthografisch oder perspektivisch</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
         <translation>3D-Szene</translation>
-    </message>
-    <message>
-        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation>Pfeiltasten drehen die Szene, Plus und Minus zoomen, F passt ein, 1 bis 4 sind Standardansichten; ein gewählter Punkt oder ein gewähltes Messgerät lässt sich an einen anderen Ort ziehen</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
@@ -7938,6 +8041,80 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>PNG picture (*.png)</source>
         <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 7 are standard views, H hides what is selected, I shows it alone, Shift+H shows all; points and instruments can be dragged to another place</source>
+        <translation>Pfeiltasten drehen die Szene, Plus und Minus zoomen, F passt ein, 1 bis 7 sind Standardansichten, H blendet das Gewählte aus, I zeigt nur dieses, Umschalt+H zeigt alles; Punkte und Messgeräte lassen sich an einen anderen Ort ziehen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show Only This</source>
+        <translation>Nur dies zeigen</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Alles zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchActions</name>
+    <message>
+        <source>&amp;Find Anything …</source>
+        <translation>Alles &amp;finden …</translation>
+    </message>
+    <message>
+        <source>analysis</source>
+        <translation>Analyse</translation>
+    </message>
+    <message>
+        <source>asset</source>
+        <translation>Betriebsmittel</translation>
+    </message>
+    <message>
+        <source>command, menu %1</source>
+        <translation>Befehl, Menü %1</translation>
+    </message>
+    <message>
+        <source>field of %1</source>
+        <translation>Feld von %1</translation>
+    </message>
+    <message>
+        <source>result of %1</source>
+        <translation>Ergebnis von %1</translation>
+    </message>
+    <message>
+        <source>input quantity of %1</source>
+        <translation>Eingangsgröße von %1</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>Reiter</translation>
+    </message>
+    <message>
+        <source>help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>help: %1</source>
+        <translation>Hilfe: %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchPalette</name>
+    <message>
+        <source>Find anything</source>
+        <translation>Alles finden</translation>
+    </message>
+    <message>
+        <source>Analyses, quantities, results, fields, commands, help</source>
+        <translation>Analysen, Größen, Ergebnisse, Felder, Befehle, Hilfe</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
     </message>
 </context>
 <context>
@@ -8524,6 +8701,57 @@ und Großraummetrologie</translation>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
         <translation>Was in ein Feld eingegeben ist, kann nicht gelesen werden. %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ViewActions</name>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>&amp;Szene</translation>
+    </message>
+    <message>
+        <source>Save View</source>
+        <translation>Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Name of the view:</source>
+        <translation>Name der Ansicht:</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Orthografisch</translation>
+    </message>
+    <message>
+        <source>Parallel lines stay parallel, and the scale bar holds everywhere</source>
+        <translation>Parallele Linien bleiben parallel, und der Maßstab gilt überall</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>&amp;Alles zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Save View …</source>
+        <translation>Ansicht &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve View</source>
+        <translation>Ansicht ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Save View %1</source>
+        <translation>Ansicht %1 speichern</translation>
+    </message>
+    <message>
+        <source>Remove View %1</source>
+        <translation>Ansicht %1 entfernen</translation>
     </message>
 </context>
 </TS>

@@ -11,6 +11,10 @@
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;%1 filas más; la tabla exportada las contiene todas.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Girar %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4743,6 +4747,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>Incertidumbre expandida</translation>
     </message>
     <message>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation>El análisis aún no está completo: lo que falta se enumera abajo.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation>El análisis tiene problemas; se enumeran abajo.</translation>
+    </message>
+    <message>
         <source># Keys
 
 | Key | Does |
@@ -4752,8 +4764,12 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
 | F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
 | Arrow keys, + and − | turn and zoom the scene |
-| 1, 2, 3, 4, F | iso, top, front, right view, fit |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
 | F1 | help on the field, cell or entry with the focus |
 </source>
         <translation># Teclas
@@ -4765,18 +4781,82 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
 | F5, Ctrl+F5, Esc | calcular este análisis, calcular todos, detener |
 | F2, Ctrl+D, Supr | renombrar, duplicar, borrar la entrada elegida |
 | Flechas, + y − | girar y ampliar la escena |
-| 1, 2, 3, 4, F | vista isométrica, superior, frontal, derecha, ajustar |
+| 1 a 7, F | vista isométrica, superior, frontal, derecha, inferior, posterior, izquierda, ajustar (Ctrl+1 a Ctrl+7 en todas partes) |
+| H, I, Mayús+H | ocultar lo seleccionado en la escena, mostrar solo eso, mostrar todo |
+| Arrastrar en la escena | mueve un objeto, lo gira por la punta de un eje; con Ctrl en pasos redondos |
+| D, A | medir una distancia, un ángulo en la escena; Esc deja la herramienta |
 | Ctrl+C, Ctrl+V | copiar y pegar bloques de celdas |
+| Ctrl+K | buscar cualquier cosa: análisis, magnitudes, resultados, campos, órdenes, ayuda |
 | F1 | ayuda sobre el campo, la celda o la entrada con el foco |
 </translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>El análisis aún no está completo: lo que falta se enumera abajo.</translation>
+        <source>the picture shows no result of the analysis</source>
+        <translation>la imagen no muestra ningún resultado del análisis</translation>
     </message>
     <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>El análisis tiene problemas; se enumeran abajo.</translation>
+        <source>the coordinates of %1 are no quantities of the analysis</source>
+        <translation>las coordenadas de %1 no son magnitudes del análisis</translation>
+    </message>
+    <message>
+        <source>%1 is a constant: no uncertainty is stated for it</source>
+        <translation>%1 es constante: no se declara ninguna incertidumbre</translation>
+    </message>
+    <message>
+        <source>the joint covariance of the points is not known</source>
+        <translation>no se conoce la covarianza conjunta de los puntos</translation>
+    </message>
+    <message>
+        <source>the angle is too close to 0° or 180°, or the points are too close, for the law of propagation</source>
+        <translation>el ángulo está demasiado cerca de 0° o 180°, o los puntos demasiado próximos, para la ley de propagación</translation>
+    </message>
+    <message>
+        <source>the points are too close to each other for the law of propagation</source>
+        <translation>los puntos están demasiado próximos entre sí para la ley de propagación</translation>
+    </message>
+    <message>
+        <source>%1, u = %2</source>
+        <translation>%1, u = %2</translation>
+    </message>
+    <message>
+        <source>Angle at %1 between %2 and %3: %4</source>
+        <translation>Ángulo en %1 entre %2 y %3: %4</translation>
+    </message>
+    <message>
+        <source>Distance %1 to %2: %3</source>
+        <translation>Distancia de %1 a %2: %3</translation>
+    </message>
+    <message>
+        <source>; u not stated, because %1</source>
+        <translation>; u no se declara porque %1</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrica</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frontal</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Inferior</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
     </message>
 </context>
 <context>
@@ -6205,6 +6285,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>&amp;About Covaria</source>
         <translation>&amp;Acerca de Covaria</translation>
     </message>
+    <message>
+        <source>The S&amp;cene</source>
+        <translation>La es&amp;cena</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -6750,6 +6834,45 @@ Elegido: %2</translation>
     <message>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::MeasureTool</name>
+    <message>
+        <source>Measure Distance</source>
+        <translation>Medir distancia</translation>
+    </message>
+    <message>
+        <source>Distance of two points, with its uncertainty (D)</source>
+        <translation>Distancia entre dos puntos, con su incertidumbre (D)</translation>
+    </message>
+    <message>
+        <source>Measure Angle</source>
+        <translation>Medir ángulo</translation>
+    </message>
+    <message>
+        <source>Angle at the second of three points, with its uncertainty (A)</source>
+        <translation>Ángulo en el segundo de tres puntos, con su incertidumbre (A)</translation>
+    </message>
+    <message>
+        <source>Distance: pick the first point. Esc puts the tool away.</source>
+        <translation>Distancia: elegir el primer punto. Esc deja la herramienta.</translation>
+    </message>
+    <message>
+        <source>Distance: pick the second point.</source>
+        <translation>Distancia: elegir el segundo punto.</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the first side. Esc puts the tool away.</source>
+        <translation>Ángulo: elegir un punto del primer lado. Esc deja la herramienta.</translation>
+    </message>
+    <message>
+        <source>Angle: pick the apex.</source>
+        <translation>Ángulo: elegir el vértice.</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the second side.</source>
+        <translation>Ángulo: elegir un punto del segundo lado.</translation>
     </message>
 </context>
 <context>
@@ -7773,30 +7896,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Vista desde delante a la derecha, desde arriba (1)</translation>
     </message>
     <message>
-        <source>Top</source>
-        <translation>Superior</translation>
-    </message>
-    <message>
-        <source>View from above (2)</source>
-        <translation>Vista desde arriba (2)</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Frontal</translation>
-    </message>
-    <message>
-        <source>View from the front (3)</source>
-        <translation>Vista desde delante (3)</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Derecha</translation>
-    </message>
-    <message>
-        <source>View from the right (4)</source>
-        <translation>Vista desde la derecha (4)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajustar</translation>
     </message>
@@ -7896,16 +7995,20 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <source>,  U = %1</source>
         <translation>,  U = %1</translation>
     </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>Standard and saved views, orthographic or perspective</source>
+        <translation>Vistas estándar y guardadas, ortográfica o en perspectiva</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
         <translation>Escena 3D</translation>
-    </message>
-    <message>
-        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation>Las teclas de flecha giran la escena, más y menos la amplían o reducen, F la encuadra, 1 a 4 son vistas estándar; un punto o instrumento seleccionado se puede arrastrar a otro lugar</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
@@ -7938,6 +8041,80 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>PNG picture (*.png)</source>
         <translation>Imagen PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 7 are standard views, H hides what is selected, I shows it alone, Shift+H shows all; points and instruments can be dragged to another place</source>
+        <translation>Las teclas de flecha giran la escena, más y menos la amplían o reducen, F la encuadra, 1 a 7 son vistas estándar, H oculta lo seleccionado, I muestra solo eso, Mayús+H muestra todo; los puntos e instrumentos se pueden arrastrar a otro lugar</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ocultar</translation>
+    </message>
+    <message>
+        <source>Show Only This</source>
+        <translation>Mostrar solo esto</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Mostrar todo</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchActions</name>
+    <message>
+        <source>&amp;Find Anything …</source>
+        <translation>&amp;Buscar cualquier cosa …</translation>
+    </message>
+    <message>
+        <source>analysis</source>
+        <translation>análisis</translation>
+    </message>
+    <message>
+        <source>asset</source>
+        <translation>recurso</translation>
+    </message>
+    <message>
+        <source>command, menu %1</source>
+        <translation>orden, menú %1</translation>
+    </message>
+    <message>
+        <source>field of %1</source>
+        <translation>campo de %1</translation>
+    </message>
+    <message>
+        <source>result of %1</source>
+        <translation>resultado de %1</translation>
+    </message>
+    <message>
+        <source>input quantity of %1</source>
+        <translation>magnitud de entrada de %1</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>pestaña</translation>
+    </message>
+    <message>
+        <source>help</source>
+        <translation>ayuda</translation>
+    </message>
+    <message>
+        <source>help: %1</source>
+        <translation>ayuda: %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchPalette</name>
+    <message>
+        <source>Find anything</source>
+        <translation>Buscar cualquier cosa</translation>
+    </message>
+    <message>
+        <source>Analyses, quantities, results, fields, commands, help</source>
+        <translation>Análisis, magnitudes, resultados, campos, órdenes, ayuda</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Lo que se encontró</translation>
     </message>
 </context>
 <context>
@@ -8524,6 +8701,57 @@ y metrología de grandes dimensiones</translation>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
         <translation>Lo tecleado en un campo no se puede leer. %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ViewActions</name>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>&amp;Escena</translation>
+    </message>
+    <message>
+        <source>Save View</source>
+        <translation>Guardar vista</translation>
+    </message>
+    <message>
+        <source>Name of the view:</source>
+        <translation>Nombre de la vista:</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Ortográfica</translation>
+    </message>
+    <message>
+        <source>Parallel lines stay parallel, and the scale bar holds everywhere</source>
+        <translation>Las líneas paralelas siguen paralelas y la escala gráfica vale en todas partes</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>Mostrar &amp;todo</translation>
+    </message>
+    <message>
+        <source>&amp;Save View …</source>
+        <translation>&amp;Guardar vista …</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve View</source>
+        <translation>&amp;Quitar vista</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>Save View %1</source>
+        <translation>Guardar vista %1</translation>
+    </message>
+    <message>
+        <source>Remove View %1</source>
+        <translation>Quitar vista %1</translation>
     </message>
 </context>
 </TS>

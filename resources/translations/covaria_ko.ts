@@ -11,6 +11,10 @@
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;%1개 행이 더 있습니다. 내보낸 표에는 모두 들어 있습니다.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 회전</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4743,6 +4747,14 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>확장불확도</translation>
     </message>
     <message>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation>분석이 아직 완전하지 않습니다: 더 입력해야 할 것이 아래에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation>분석에 문제가 있습니다. 아래에 나열되어 있습니다.</translation>
+    </message>
+    <message>
         <source># Keys
 
 | Key | Does |
@@ -4752,8 +4764,12 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
 | F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
 | Arrow keys, + and − | turn and zoom the scene |
-| 1, 2, 3, 4, F | iso, top, front, right view, fit |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
 | F1 | help on the field, cell or entry with the focus |
 </source>
         <translation># 단축키
@@ -4765,18 +4781,82 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 | F5, Ctrl+F5, Esc | 이 분석 실행, 모두 실행, 중지 |
 | F2, Ctrl+D, Delete | 선택한 항목 이름 바꾸기, 복제, 삭제 |
 | 화살표 키, + 및 − | 장면 회전과 확대/축소 |
-| 1, 2, 3, 4, F | 등각, 위, 앞, 오른쪽 보기, 맞춤 |
+| 1부터 7, F | 등각, 위, 앞, 오른쪽, 아래, 뒤, 왼쪽 보기, 맞춤 (어디서나 Ctrl+1부터 Ctrl+7) |
+| H, I, Shift+H | 장면에서 선택한 것 숨기기, 그것만 표시, 모두 표시 |
+| 장면에서 끌기 | 대상을 옮기고, 축의 끝을 끌면 회전합니다. Ctrl을 누르면 일정한 간격으로 움직입니다 |
+| D, A | 장면에서 거리, 각도 측정. Esc를 누르면 도구를 끝냅니다 |
 | Ctrl+C, Ctrl+V | 셀 블록 복사와 붙여넣기 |
+| Ctrl+K | 모두 찾기: 분석, 양, 결과, 필드, 명령, 도움말 |
 | F1 | 포커스가 있는 필드, 셀, 항목의 도움말 |
 </translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>분석이 아직 완전하지 않습니다: 더 입력해야 할 것이 아래에 있습니다.</translation>
+        <source>the picture shows no result of the analysis</source>
+        <translation>그림이 이 분석의 결과를 보여 주지 않습니다</translation>
     </message>
     <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>분석에 문제가 있습니다. 아래에 나열되어 있습니다.</translation>
+        <source>the coordinates of %1 are no quantities of the analysis</source>
+        <translation>%1의 좌표가 이 분석의 양이 아닙니다</translation>
+    </message>
+    <message>
+        <source>%1 is a constant: no uncertainty is stated for it</source>
+        <translation>%1은(는) 상수이며 불확도가 명시되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>the joint covariance of the points is not known</source>
+        <translation>점들의 결합 공분산을 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the angle is too close to 0° or 180°, or the points are too close, for the law of propagation</source>
+        <translation>각도가 0° 또는 180°에 너무 가깝거나 점들이 너무 가까워 전파 법칙을 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>the points are too close to each other for the law of propagation</source>
+        <translation>점들이 서로 너무 가까워 전파 법칙을 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>%1, u = %2</source>
+        <translation>%1, u = %2</translation>
+    </message>
+    <message>
+        <source>Angle at %1 between %2 and %3: %4</source>
+        <translation>%1에서 %2와(과) %3 사이의 각도: %4</translation>
+    </message>
+    <message>
+        <source>Distance %1 to %2: %3</source>
+        <translation>%1에서 %2까지의 거리: %3</translation>
+    </message>
+    <message>
+        <source>; u not stated, because %1</source>
+        <translation>; u를 명시하지 않은 이유: %1</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>등각</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>위</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>앞</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>오른쪽</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>아래</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>뒤</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>왼쪽</translation>
     </message>
 </context>
 <context>
@@ -6202,6 +6282,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>&amp;About Covaria</source>
         <translation>Covaria 정보(&amp;A)</translation>
     </message>
+    <message>
+        <source>The S&amp;cene</source>
+        <translation>장면(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -6747,6 +6831,45 @@ Chosen: %2</source>
     <message>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::MeasureTool</name>
+    <message>
+        <source>Measure Distance</source>
+        <translation>거리 측정</translation>
+    </message>
+    <message>
+        <source>Distance of two points, with its uncertainty (D)</source>
+        <translation>두 점의 거리와 그 불확도 (D)</translation>
+    </message>
+    <message>
+        <source>Measure Angle</source>
+        <translation>각도 측정</translation>
+    </message>
+    <message>
+        <source>Angle at the second of three points, with its uncertainty (A)</source>
+        <translation>세 점 중 두 번째 점에서의 각도와 그 불확도 (A)</translation>
+    </message>
+    <message>
+        <source>Distance: pick the first point. Esc puts the tool away.</source>
+        <translation>거리: 첫 번째 점을 고르십시오. Esc를 누르면 도구를 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>Distance: pick the second point.</source>
+        <translation>거리: 두 번째 점을 고르십시오.</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the first side. Esc puts the tool away.</source>
+        <translation>각도: 첫 번째 변의 점을 고르십시오. Esc를 누르면 도구를 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>Angle: pick the apex.</source>
+        <translation>각도: 꼭짓점을 고르십시오.</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the second side.</source>
+        <translation>각도: 두 번째 변의 점을 고르십시오.</translation>
     </message>
 </context>
 <context>
@@ -7770,30 +7893,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>오른쪽 앞 위에서 보기 (1)</translation>
     </message>
     <message>
-        <source>Top</source>
-        <translation>위</translation>
-    </message>
-    <message>
-        <source>View from above (2)</source>
-        <translation>위에서 보기 (2)</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>앞</translation>
-    </message>
-    <message>
-        <source>View from the front (3)</source>
-        <translation>앞에서 보기 (3)</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>오른쪽</translation>
-    </message>
-    <message>
-        <source>View from the right (4)</source>
-        <translation>오른쪽에서 보기 (4)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>화면 맞춤</translation>
     </message>
@@ -7893,16 +7992,20 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>,  U = %1</source>
         <translation>,  U = %1</translation>
     </message>
+    <message>
+        <source>Views</source>
+        <translation>보기</translation>
+    </message>
+    <message>
+        <source>Standard and saved views, orthographic or perspective</source>
+        <translation>표준 보기와 저장한 보기, 직교 또는 원근</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
         <translation>3D 장면</translation>
-    </message>
-    <message>
-        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation>화살표 키는 장면을 회전하고, 더하기와 빼기는 확대/축소, F는 맞춤, 1부터 4까지는 표준 보기입니다. 선택한 점이나 측정기는 다른 곳으로 끌어 옮길 수 있습니다</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
@@ -7935,6 +8038,80 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>PNG picture (*.png)</source>
         <translation>PNG 그림 (*.png)</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 7 are standard views, H hides what is selected, I shows it alone, Shift+H shows all; points and instruments can be dragged to another place</source>
+        <translation>화살표 키는 장면을 회전하고, 더하기와 빼기는 확대/축소, F는 맞춤, 1부터 7까지는 표준 보기입니다. H는 선택한 것을 숨기고, I는 그것만 표시하고, Shift+H는 모두 표시합니다. 점과 측정기는 다른 곳으로 끌어 옮길 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>숨기기</translation>
+    </message>
+    <message>
+        <source>Show Only This</source>
+        <translation>이것만 표시</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>모두 표시</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchActions</name>
+    <message>
+        <source>&amp;Find Anything …</source>
+        <translation>모두 찾기(&amp;F) …</translation>
+    </message>
+    <message>
+        <source>analysis</source>
+        <translation>분석</translation>
+    </message>
+    <message>
+        <source>asset</source>
+        <translation>자산</translation>
+    </message>
+    <message>
+        <source>command, menu %1</source>
+        <translation>명령, 메뉴 %1</translation>
+    </message>
+    <message>
+        <source>field of %1</source>
+        <translation>%1의 필드</translation>
+    </message>
+    <message>
+        <source>result of %1</source>
+        <translation>%1의 결과</translation>
+    </message>
+    <message>
+        <source>input quantity of %1</source>
+        <translation>%1의 입력량</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>탭</translation>
+    </message>
+    <message>
+        <source>help</source>
+        <translation>도움말</translation>
+    </message>
+    <message>
+        <source>help: %1</source>
+        <translation>도움말: %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchPalette</name>
+    <message>
+        <source>Find anything</source>
+        <translation>모두 찾기</translation>
+    </message>
+    <message>
+        <source>Analyses, quantities, results, fields, commands, help</source>
+        <translation>분석, 양, 결과, 필드, 명령, 도움말</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>찾은 항목</translation>
     </message>
 </context>
 <context>
@@ -8519,6 +8696,57 @@ and large-scale metrology</source>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
         <translation>필드에 입력한 것을 읽을 수 없습니다. %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ViewActions</name>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>장면(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save View</source>
+        <translation>보기 저장</translation>
+    </message>
+    <message>
+        <source>Name of the view:</source>
+        <translation>보기 이름:</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>화면 맞춤</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>직교(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Parallel lines stay parallel, and the scale bar holds everywhere</source>
+        <translation>평행선이 평행으로 남고 축척이 어디서나 맞습니다</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>모두 표시(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Save View …</source>
+        <translation>보기 저장(&amp;S) …</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve View</source>
+        <translation>보기 제거(&amp;V)</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>보기 %1</translation>
+    </message>
+    <message>
+        <source>Save View %1</source>
+        <translation>보기 %1 저장</translation>
+    </message>
+    <message>
+        <source>Remove View %1</source>
+        <translation>보기 %1 제거</translation>
     </message>
 </context>
 </TS>

@@ -11,6 +11,10 @@
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Mais %1 linhas; a tabela exportada contém todas.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Girar %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4743,6 +4747,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>Incerteza expandida</translation>
     </message>
     <message>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation>A análise ainda não está completa: o que falta está listado abaixo.</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation>A análise tem problemas; estão listados abaixo.</translation>
+    </message>
+    <message>
         <source># Keys
 
 | Key | Does |
@@ -4752,8 +4764,12 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
 | F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
 | Arrow keys, + and − | turn and zoom the scene |
-| 1, 2, 3, 4, F | iso, top, front, right view, fit |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
 | F1 | help on the field, cell or entry with the focus |
 </source>
         <translation># Teclas
@@ -4765,18 +4781,82 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
 | F5, Ctrl+F5, Esc | calcular esta análise, calcular todas, parar |
 | F2, Ctrl+D, Delete | renomear, duplicar, excluir a entrada selecionada |
 | Setas, + e − | girar e ampliar a cena |
-| 1, 2, 3, 4, F | vista isométrica, superior, frontal, direita, ajustar |
+| 1 a 7, F | vista isométrica, superior, frontal, direita, inferior, posterior, esquerda, ajustar (Ctrl+1 a Ctrl+7 em toda parte) |
+| H, I, Shift+H | ocultar o selecionado na cena, mostrar só isso, mostrar tudo |
+| Arrastar na cena | move um objeto, gira-o pela ponta de um eixo; com Ctrl em passos redondos |
+| D, A | medir uma distância, um ângulo na cena; Esc deixa a ferramenta |
 | Ctrl+C, Ctrl+V | copiar e colar blocos de células |
+| Ctrl+K | encontrar qualquer coisa: análises, grandezas, resultados, campos, comandos, ajuda |
 | F1 | ajuda sobre o campo, a célula ou a entrada com o foco |
 </translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>A análise ainda não está completa: o que falta está listado abaixo.</translation>
+        <source>the picture shows no result of the analysis</source>
+        <translation>a imagem não mostra nenhum resultado da análise</translation>
     </message>
     <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>A análise tem problemas; estão listados abaixo.</translation>
+        <source>the coordinates of %1 are no quantities of the analysis</source>
+        <translation>as coordenadas de %1 não são grandezas da análise</translation>
+    </message>
+    <message>
+        <source>%1 is a constant: no uncertainty is stated for it</source>
+        <translation>%1 é constante: nenhuma incerteza é declarada</translation>
+    </message>
+    <message>
+        <source>the joint covariance of the points is not known</source>
+        <translation>a covariância conjunta dos pontos não é conhecida</translation>
+    </message>
+    <message>
+        <source>the angle is too close to 0° or 180°, or the points are too close, for the law of propagation</source>
+        <translation>o ângulo está perto demais de 0° ou 180°, ou os pontos próximos demais, para a lei de propagação</translation>
+    </message>
+    <message>
+        <source>the points are too close to each other for the law of propagation</source>
+        <translation>os pontos estão próximos demais entre si para a lei de propagação</translation>
+    </message>
+    <message>
+        <source>%1, u = %2</source>
+        <translation>%1, u = %2</translation>
+    </message>
+    <message>
+        <source>Angle at %1 between %2 and %3: %4</source>
+        <translation>Ângulo em %1 entre %2 e %3: %4</translation>
+    </message>
+    <message>
+        <source>Distance %1 to %2: %3</source>
+        <translation>Distância de %1 a %2: %3</translation>
+    </message>
+    <message>
+        <source>; u not stated, because %1</source>
+        <translation>; u não é declarada porque %1</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrica</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frontal</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Inferior</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
     </message>
 </context>
 <context>
@@ -6205,6 +6285,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>&amp;About Covaria</source>
         <translation>&amp;Sobre o Covaria</translation>
     </message>
+    <message>
+        <source>The S&amp;cene</source>
+        <translation>A &amp;cena</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -6750,6 +6834,45 @@ Escolhido: %2</translation>
     <message>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::MeasureTool</name>
+    <message>
+        <source>Measure Distance</source>
+        <translation>Medir distância</translation>
+    </message>
+    <message>
+        <source>Distance of two points, with its uncertainty (D)</source>
+        <translation>Distância entre dois pontos, com sua incerteza (D)</translation>
+    </message>
+    <message>
+        <source>Measure Angle</source>
+        <translation>Medir ângulo</translation>
+    </message>
+    <message>
+        <source>Angle at the second of three points, with its uncertainty (A)</source>
+        <translation>Ângulo no segundo de três pontos, com sua incerteza (A)</translation>
+    </message>
+    <message>
+        <source>Distance: pick the first point. Esc puts the tool away.</source>
+        <translation>Distância: escolher o primeiro ponto. Esc deixa a ferramenta.</translation>
+    </message>
+    <message>
+        <source>Distance: pick the second point.</source>
+        <translation>Distância: escolher o segundo ponto.</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the first side. Esc puts the tool away.</source>
+        <translation>Ângulo: escolher um ponto do primeiro lado. Esc deixa a ferramenta.</translation>
+    </message>
+    <message>
+        <source>Angle: pick the apex.</source>
+        <translation>Ângulo: escolher o vértice.</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the second side.</source>
+        <translation>Ângulo: escolher um ponto do segundo lado.</translation>
     </message>
 </context>
 <context>
@@ -7773,30 +7896,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Vista da frente à direita, de cima (1)</translation>
     </message>
     <message>
-        <source>Top</source>
-        <translation>Superior</translation>
-    </message>
-    <message>
-        <source>View from above (2)</source>
-        <translation>Vista de cima (2)</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Frontal</translation>
-    </message>
-    <message>
-        <source>View from the front (3)</source>
-        <translation>Vista de frente (3)</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Direita</translation>
-    </message>
-    <message>
-        <source>View from the right (4)</source>
-        <translation>Vista da direita (4)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Enquadrar</translation>
     </message>
@@ -7896,16 +7995,20 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>,  U = %1</source>
         <translation>,  U = %1</translation>
     </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>Standard and saved views, orthographic or perspective</source>
+        <translation>Vistas padrão e salvas, ortográfica ou em perspectiva</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
         <translation>Cena 3D</translation>
-    </message>
-    <message>
-        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation>As teclas de seta giram a cena, mais e menos ampliam e reduzem, F enquadra, 1 a 4 são vistas padrão; um ponto ou instrumento selecionado pode ser arrastado para outro lugar</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
@@ -7938,6 +8041,80 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>PNG picture (*.png)</source>
         <translation>Imagem PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 7 are standard views, H hides what is selected, I shows it alone, Shift+H shows all; points and instruments can be dragged to another place</source>
+        <translation>As teclas de seta giram a cena, mais e menos ampliam e reduzem, F enquadra, 1 a 7 são vistas padrão, H oculta o selecionado, I mostra só isso, Shift+H mostra tudo; pontos e instrumentos podem ser arrastados para outro lugar</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ocultar</translation>
+    </message>
+    <message>
+        <source>Show Only This</source>
+        <translation>Mostrar só isto</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Mostrar tudo</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchActions</name>
+    <message>
+        <source>&amp;Find Anything …</source>
+        <translation>&amp;Encontrar qualquer coisa …</translation>
+    </message>
+    <message>
+        <source>analysis</source>
+        <translation>análise</translation>
+    </message>
+    <message>
+        <source>asset</source>
+        <translation>recurso</translation>
+    </message>
+    <message>
+        <source>command, menu %1</source>
+        <translation>comando, menu %1</translation>
+    </message>
+    <message>
+        <source>field of %1</source>
+        <translation>campo de %1</translation>
+    </message>
+    <message>
+        <source>result of %1</source>
+        <translation>resultado de %1</translation>
+    </message>
+    <message>
+        <source>input quantity of %1</source>
+        <translation>grandeza de entrada de %1</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>aba</translation>
+    </message>
+    <message>
+        <source>help</source>
+        <translation>ajuda</translation>
+    </message>
+    <message>
+        <source>help: %1</source>
+        <translation>ajuda: %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchPalette</name>
+    <message>
+        <source>Find anything</source>
+        <translation>Encontrar qualquer coisa</translation>
+    </message>
+    <message>
+        <source>Analyses, quantities, results, fields, commands, help</source>
+        <translation>Análises, grandezas, resultados, campos, comandos, ajuda</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>O que foi encontrado</translation>
     </message>
 </context>
 <context>
@@ -8524,6 +8701,57 @@ e metrologia de grandes volumes</translation>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
         <translation>O que está digitado em um campo não pode ser lido. %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ViewActions</name>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>&amp;Cena</translation>
+    </message>
+    <message>
+        <source>Save View</source>
+        <translation>Salvar vista</translation>
+    </message>
+    <message>
+        <source>Name of the view:</source>
+        <translation>Nome da vista:</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Enquadrar</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Ortográfica</translation>
+    </message>
+    <message>
+        <source>Parallel lines stay parallel, and the scale bar holds everywhere</source>
+        <translation>Linhas paralelas continuam paralelas, e a escala gráfica vale em toda parte</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>Mostrar &amp;tudo</translation>
+    </message>
+    <message>
+        <source>&amp;Save View …</source>
+        <translation>&amp;Salvar vista …</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve View</source>
+        <translation>&amp;Remover vista</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>Save View %1</source>
+        <translation>Salvar vista %1</translation>
+    </message>
+    <message>
+        <source>Remove View %1</source>
+        <translation>Remover vista %1</translation>
     </message>
 </context>
 </TS>

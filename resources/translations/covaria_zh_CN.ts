@@ -11,6 +11,10 @@
         <source>&lt;p&gt;%1 more rows; the exported table has all of them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;另有 %1 行；导出的表格包含全部行。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>旋转 %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4743,6 +4747,14 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>扩展不确定度</translation>
     </message>
     <message>
+        <source>The analysis is not complete yet: what must still be given is listed below.</source>
+        <translation>该分析尚不完整:仍需给出的内容列于下方。</translation>
+    </message>
+    <message>
+        <source>The analysis has problems; they are listed below.</source>
+        <translation>该分析有问题,列于下方。</translation>
+    </message>
+    <message>
         <source># Keys
 
 | Key | Does |
@@ -4752,8 +4764,12 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
 | F5, Ctrl+F5, Esc | run this analysis, run all, stop |
 | F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
 | Arrow keys, + and − | turn and zoom the scene |
-| 1, 2, 3, 4, F | iso, top, front, right view, fit |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
 | Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
 | F1 | help on the field, cell or entry with the focus |
 </source>
         <translation># 快捷键
@@ -4765,18 +4781,82 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
 | F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
 | F2, Ctrl+D, Delete | 重命名、复制、删除所选条目 |
 | 方向键、+ 和 − | 旋转和缩放场景 |
-| 1, 2, 3, 4, F | 等轴测、俯视、前视、右视、适合窗口 |
+| 1 至 7, F | 等轴测、俯视、前视、右视、仰视、后视、左视、适合窗口（任何位置：Ctrl+1 至 Ctrl+7） |
+| H, I, Shift+H | 在场景中隐藏所选项、仅显示所选项、显示全部 |
+| 在场景中拖动 | 移动对象，拖动轴端可旋转对象；按住 Ctrl 按整步进行 |
+| D, A | 在场景中测量距离、角度；按 Esc 退出工具 |
 | Ctrl+C, Ctrl+V | 复制和粘贴单元格块 |
+| Ctrl+K | 查找一切：分析、量、结果、字段、命令、帮助 |
 | F1 | 当前焦点处的字段、单元格或条目的帮助 |
 </translation>
     </message>
     <message>
-        <source>The analysis is not complete yet: what must still be given is listed below.</source>
-        <translation>该分析尚不完整:仍需给出的内容列于下方。</translation>
+        <source>the picture shows no result of the analysis</source>
+        <translation>图中未显示该分析的结果</translation>
     </message>
     <message>
-        <source>The analysis has problems; they are listed below.</source>
-        <translation>该分析有问题,列于下方。</translation>
+        <source>the coordinates of %1 are no quantities of the analysis</source>
+        <translation>%1 的坐标不是该分析的量</translation>
+    </message>
+    <message>
+        <source>%1 is a constant: no uncertainty is stated for it</source>
+        <translation>%1 是常量：未给出其不确定度</translation>
+    </message>
+    <message>
+        <source>the joint covariance of the points is not known</source>
+        <translation>各点的联合协方差未知</translation>
+    </message>
+    <message>
+        <source>the angle is too close to 0° or 180°, or the points are too close, for the law of propagation</source>
+        <translation>角度过于接近 0° 或 180°，或点间距过近，传播律不适用</translation>
+    </message>
+    <message>
+        <source>the points are too close to each other for the law of propagation</source>
+        <translation>点间距过近，传播律不适用</translation>
+    </message>
+    <message>
+        <source>%1, u = %2</source>
+        <translation>%1, u = %2</translation>
+    </message>
+    <message>
+        <source>Angle at %1 between %2 and %3: %4</source>
+        <translation>%1 处 %2 与 %3 之间的角度：%4</translation>
+    </message>
+    <message>
+        <source>Distance %1 to %2: %3</source>
+        <translation>%1 到 %2 的距离：%3</translation>
+    </message>
+    <message>
+        <source>; u not stated, because %1</source>
+        <translation>；未给出 u，因为%1</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>等轴测</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前视</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右视</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后视</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左视</translation>
     </message>
 </context>
 <context>
@@ -6202,6 +6282,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>&amp;About Covaria</source>
         <translation>关于 Covaria(&amp;A)</translation>
     </message>
+    <message>
+        <source>The S&amp;cene</source>
+        <translation>场景(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -6747,6 +6831,45 @@ Chosen: %2</source>
     <message>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::MeasureTool</name>
+    <message>
+        <source>Measure Distance</source>
+        <translation>测量距离</translation>
+    </message>
+    <message>
+        <source>Distance of two points, with its uncertainty (D)</source>
+        <translation>两点间的距离及其不确定度 (D)</translation>
+    </message>
+    <message>
+        <source>Measure Angle</source>
+        <translation>测量角度</translation>
+    </message>
+    <message>
+        <source>Angle at the second of three points, with its uncertainty (A)</source>
+        <translation>三点中第二点处的角度及其不确定度 (A)</translation>
+    </message>
+    <message>
+        <source>Distance: pick the first point. Esc puts the tool away.</source>
+        <translation>距离：请选取第一个点。按 Esc 退出工具。</translation>
+    </message>
+    <message>
+        <source>Distance: pick the second point.</source>
+        <translation>距离：请选取第二个点。</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the first side. Esc puts the tool away.</source>
+        <translation>角度：请选取第一条边上的点。按 Esc 退出工具。</translation>
+    </message>
+    <message>
+        <source>Angle: pick the apex.</source>
+        <translation>角度：请选取顶点。</translation>
+    </message>
+    <message>
+        <source>Angle: pick a point on the second side.</source>
+        <translation>角度：请选取第二条边上的点。</translation>
     </message>
 </context>
 <context>
@@ -7770,30 +7893,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>从右前上方观察 (1)</translation>
     </message>
     <message>
-        <source>Top</source>
-        <translation>俯视</translation>
-    </message>
-    <message>
-        <source>View from above (2)</source>
-        <translation>从上方观察 (2)</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>前视</translation>
-    </message>
-    <message>
-        <source>View from the front (3)</source>
-        <translation>从前方观察 (3)</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>右视</translation>
-    </message>
-    <message>
-        <source>View from the right (4)</source>
-        <translation>从右侧观察 (4)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>适合窗口</translation>
     </message>
@@ -7893,16 +7992,20 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>,  U = %1</source>
         <translation>,  U = %1</translation>
     </message>
+    <message>
+        <source>Views</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Standard and saved views, orthographic or perspective</source>
+        <translation>标准视图和已保存的视图，正投影或透视</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SceneView</name>
     <message>
         <source>3D scene</source>
         <translation>三维场景</translation>
-    </message>
-    <message>
-        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected point or instrument can be dragged to another place</source>
-        <translation>方向键旋转场景，加减键缩放，F 适合窗口，1 至 4 为标准视图；所选的点或仪器可拖到其他位置</translation>
     </message>
     <message>
         <source>The picture could not be written to %1</source>
@@ -7935,6 +8038,80 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>PNG picture (*.png)</source>
         <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 7 are standard views, H hides what is selected, I shows it alone, Shift+H shows all; points and instruments can be dragged to another place</source>
+        <translation>方向键旋转场景，加减键缩放，F 适合窗口，1 至 7 为标准视图，H 隐藏所选项，I 仅显示所选项，Shift+H 显示全部；点和仪器可拖到其他位置</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Show Only This</source>
+        <translation>仅显示此项</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>显示全部</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchActions</name>
+    <message>
+        <source>&amp;Find Anything …</source>
+        <translation>查找一切(&amp;F) …</translation>
+    </message>
+    <message>
+        <source>analysis</source>
+        <translation>分析</translation>
+    </message>
+    <message>
+        <source>asset</source>
+        <translation>资产</translation>
+    </message>
+    <message>
+        <source>command, menu %1</source>
+        <translation>命令，菜单 %1</translation>
+    </message>
+    <message>
+        <source>field of %1</source>
+        <translation>%1 的字段</translation>
+    </message>
+    <message>
+        <source>result of %1</source>
+        <translation>%1 的结果</translation>
+    </message>
+    <message>
+        <source>input quantity of %1</source>
+        <translation>%1 的输入量</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>选项卡</translation>
+    </message>
+    <message>
+        <source>help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>help: %1</source>
+        <translation>帮助：%1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SearchPalette</name>
+    <message>
+        <source>Find anything</source>
+        <translation>查找一切</translation>
+    </message>
+    <message>
+        <source>Analyses, quantities, results, fields, commands, help</source>
+        <translation>分析、量、结果、字段、命令、帮助</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>找到的内容</translation>
     </message>
 </context>
 <context>
@@ -8519,6 +8696,57 @@ and large-scale metrology</source>
     <message>
         <source>What is typed in a field cannot be read. %1</source>
         <translation>字段中输入的内容无法读取。%1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ViewActions</name>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>场景(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save View</source>
+        <translation>保存视图</translation>
+    </message>
+    <message>
+        <source>Name of the view:</source>
+        <translation>视图名称：</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>正投影(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Parallel lines stay parallel, and the scale bar holds everywhere</source>
+        <translation>平行线保持平行，比例尺处处有效</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>显示全部(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Save View …</source>
+        <translation>保存视图(&amp;S) …</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve View</source>
+        <translation>移除视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>视图 %1</translation>
+    </message>
+    <message>
+        <source>Save View %1</source>
+        <translation>保存视图 %1</translation>
+    </message>
+    <message>
+        <source>Remove View %1</source>
+        <translation>移除视图 %1</translation>
     </message>
 </context>
 </TS>

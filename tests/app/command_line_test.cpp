@@ -1,6 +1,7 @@
 // The contract of the command line: what scripts rely on.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -232,6 +233,39 @@ TEST(CommandLine, RenderDrawsAPicture) {
     EXPECT_EQ(unknown.status, 1);
     EXPECT_NE(unknown.err.find("pose 13"), std::string::npos)
         << "the message names the groups there are: " << unknown.err;
+}
+
+TEST(CommandLine, RenderDrawsASavedView) {
+    const fs::path folder = fresh_folder("render-view");
+    for (const auto& file : fs::directory_iterator(fs::path(stewart).parent_path()))
+        if (file.path().filename().string().starts_with("stewart-platform-")) fs::copy(file, folder);
+    const fs::path project = folder / "views.covaria";
+    json with_view = json::parse(read_text(stewart));
+    with_view["analyses"][0]["views"] =
+        json::parse(R"([{"name": "from the door", "direction": [-0.5, 1, -0.3],
+        "up": [0, 0, 1], "centre": [0, 0, 400], "width": 2000, "height": 2000, "lengthUnit": "mm",
+        "perspective": true, "hidden": ["body:base"]}])");
+    std::ofstream(project) << with_view.dump();
+    const auto render = [&](const std::vector<std::string>& words) {
+        const fs::path file = folder / "view.png";
+        std::vector<std::string> all = {"render", project.string(), "--trials", "2000", "--width",
+                                        "640",    "--height",       "400",      "-o",   file.string()};
+        all.insert(all.end(), words.begin(), words.end());
+        const Outcome run = run_program(all);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return read_text(file);
+    };
+    const std::string saved = render({"--view", "from the door"});
+    EXPECT_NE(saved, render({"--view", "from the door", "--orthographic"}));
+    EXPECT_EQ(saved, render({"--view", "from the door", "--perspective"}));
+    const std::string back = render({"--view", "back"});
+    EXPECT_EQ(back, render({"--view", "back", "--orthographic"}));
+    EXPECT_NE(back, render({"--view", "back", "--perspective"}));
+    EXPECT_NE(back, render({"--view", "front"}));
+    const Outcome unknown = run_program({"render", project.string(), "--view", "window"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("\"from the door\""), std::string::npos) << unknown.err;
+    EXPECT_EQ(run_program({"render", project.string(), "--perspective", "--orthographic"}).status, 2);
 }
 
 TEST(CommandLine, RenderDrawsWhatADesignHasFound) {

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 
 namespace covaria::include_test {
 
@@ -22,28 +21,28 @@ namespace fs = std::filesystem;
 
 const fs::path root = COVARIA_SOURCE_DIR;
 
-// The folders from the bottom up. Within core and within ui, a folder may include those above it in this
-// list.
-const std::vector<std::string> core_order = {
-    "core/base",     "core/pdf",     "core/math",    "core/text",   "core/equation",    "core/random",
-    "core/quantity", "core/setup",   "core/model",   "core/result", "core/propagation", "core/kinds",
-    "core/project",  "core/readers", "core/made",    "core/parts",  "core/study",       "core/design",
-    "core/report",   "core/manual",  "core/writers", "core/carried"};
-// The families of core/kinds, likewise; models.cpp and assets.cpp beside them list all.
-const std::vector<std::string> family_order = {"core/kinds/points",
-                                               "core/kinds/instruments",
-                                               "core/kinds/network",
-                                               "core/kinds/pose",
-                                               "core/kinds/ballbar",
-                                               "core/kinds/robot",
-                                               "core/kinds/robot_identification",
-                                               "core/kinds/force",
-                                               "core/kinds/equation",
-                                               "core/kinds/groups",
-                                               "core/kinds/curve"};
-const std::vector<std::string> ui_order = {"ui/theme",    "ui/charts",     "ui/print",  "ui/jobs",
-                                           "ui/document", "ui/run",        "ui/export", "ui/models",
-                                           "ui/forms",    "ui/scene_view", "ui/pages",  "ui/main_window"};
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The names that follow `head` in a folder's CMakeLists.txt: its folders from the bottom up, as they are
+/// built. Within core, its families and ui, a folder may include those before it.
+std::vector<std::string> order_in(const std::string& folder, const std::string& head) {
+    const std::regex list(head + R"(\s*([a-z_ ]+))"), name("[a-z_]+");
+    const std::string text = text_of(root / folder / "CMakeLists.txt");
+    std::vector<std::string> order;
+    for (std::sregex_iterator found(text.begin(), text.end(), list), end; found != end; ++found) {
+        const std::string names = (*found)[1];
+        for (std::sregex_iterator one(names.begin(), names.end(), name); one != end; ++one)
+            order.push_back(folder + "/" + one->str());
+    }
+    return order;
+}
+
+const std::vector<std::string> core_order = order_in("core", R"(set\(folders)");
+const std::vector<std::string> family_order = order_in("core/kinds", R"(\ncovaria_family\()");
+const std::vector<std::string> ui_order = order_in("ui", R"(foreach\(folder)");
 
 // What others wrote, or shall read, is known in the family that it is a part of; commands, windows and
 // writers name it.
@@ -161,8 +160,8 @@ TEST(Architecture, EveryFolderHasItsPlaceInTheOrder) {
 
 TEST(Architecture, NoFileGrowsIntoAMonster) {
     for (const fs::path& file : source_files()) {
-        std::ifstream in(file);
-        const auto lines = std::count(std::istreambuf_iterator<char>(in), {}, '\n');
+        const std::string text = text_of(file);
+        const auto lines = std::count(text.begin(), text.end(), '\n');
         EXPECT_LE(lines, 600) << fs::relative(file, root) << ": which of its parts has a life of its own?";
     }
 }
@@ -177,8 +176,7 @@ TEST(Architecture, OnlyModelsAndAssetsNameAModelOrAnAssetKind) {
         const std::string floor = floor_of(folder_of(relative));
         // Readers say what a file becomes.
         if (floor == "core/kinds" || floor == "core/readers" || relative == "app/main.cpp") continue;
-        std::ifstream in(file);
-        const std::string text((std::istreambuf_iterator<char>(in)), {});
+        const std::string text = text_of(file);
         for (const std::string& id : ids)
             EXPECT_EQ(text.find("\"" + id + "\""), std::string::npos) << relative << " names " << id;
     }

@@ -1,7 +1,6 @@
 // CSV tables read by the schemas of all kinds, and robots from URDF.
 #include "core/base/guarded.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/kinds/robot/urdf.h"
 #include "core/project/csv_table.h"
 #include "tests/fuzz/fuzz.h"

@@ -27,9 +27,10 @@ class Complaints(unittest.TestCase):
                                     ("&File", "Datei"), ("File", "&Datei"), ("<b>%1</b>", "%1"), (" of %1", "von %1")]:
             self.assertEqual(len(self.complaints(source, translation)), 1, source)
         self.assertEqual(len(self.complaints("Save", "Sichern", finished=False)), 1)
+        self.assertEqual(len(self.complaints("%n rows", "%n Zeile\x1f")), 1)
 
     def test_tables_keep_every_letter(self):
-        for text in ["a\tb\nc", "\\n", "\\", "“x”\\t\n"]:
+        for text in ["a\tb\nc", "\\n", "\\", "“x”\\t\n", "one\x1fmany"]:
             self.assertEqual(translations.unescaped(translations.escaped(text)), text)
             self.assertNotIn("\n", translations.escaped(text))
 

@@ -1,4 +1,4 @@
-// Editing, opening and saving. The history holds snapshots that neighbouring steps share.
+// Editing, opening and saving.
 #include "ui/document/document.h"
 
 #include <QFileInfo>
@@ -13,7 +13,7 @@ namespace covaria::ui {
 
 namespace {
 
-/// A step keeps what it changed, some 40 kB in a large project: the history stays below some 20 MB.
+/// A step keeps the one asset or analysis that it changed (KeptProject).
 constexpr int most_undo_steps = 500;
 
 std::filesystem::path folder_of(const QString& file) {
@@ -78,14 +78,16 @@ void Document::push_waiting() {
     push(next.text, next.after, next.merge_key);
 }
 
-void Document::set_project(ProjectSnapshot project) {
+void Document::set_project(ProjectSnapshot project, KeptProject::Pointer kept) {
     // Steps from before "save as" know the former folder.
     if (const auto folder = folder_of(file_); !file_.isEmpty() && project->directory != folder) {
         auto moved = std::make_shared<Project>(*project);
         moved->directory = folder;
         project = std::move(moved);
+        kept = KeptProject::keep(*project, kept.get());
     }
     project_ = std::move(project);
+    kept_ = std::move(kept);
     maker_.request(project_);
     const bool inside = std::exchange(changing_, true);
     emit project_changed();
@@ -117,10 +119,11 @@ void Document::adopt(ProjectSnapshot project, const QString& file, const MadePro
     maker_.forget();
     of_made_ = {};
     project_ = std::move(project);
+    kept_ = KeptProject::keep(*project_, nullptr);
     unread_.clear();
     emit project_replaced();
     if (made) maker_.take(made);
-    set_project(project_);
+    set_project(project_, kept_);
     emit modified_changed(is_modified());
 }
 
@@ -204,7 +207,7 @@ Result<void> Document::save_as(const QString& file) {
     if (auto saved = save_project(*project_, to_path(absolute)); !saved) return saved;
     report_.clear();
     set_file(absolute);
-    if (project_->directory != folder_of(absolute)) set_project(project_);
+    if (project_->directory != folder_of(absolute)) set_project(project_, kept_);
     unsaved_ = false;
     end_merging();
     undo_stack_.setClean();

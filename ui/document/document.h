@@ -12,6 +12,7 @@
 #include "core/made/load_project.h"
 #include "core/project/project.h"
 #include "ui/document/file_watch.h"
+#include "ui/document/kept_project.h"
 #include "ui/document/project_maker.h"
 #include "ui/document/unread_texts.h"
 
@@ -90,7 +91,11 @@ signals:
 
 private:
     friend class ProjectCommand;
-    void set_project(ProjectSnapshot project);
+    void set_project(ProjectSnapshot project, KeptProject::Pointer kept);
+    /// Of the history.
+    void set_project(const KeptProject::Pointer& kept) {
+        set_project(std::make_shared<const Project>(kept->project()), kept);
+    }
     void connect_parts();
     void adopt(ProjectSnapshot project, const QString& file, const MadeProject::Pointer& made);
     void take_made();
@@ -103,7 +108,8 @@ private:
     void push_waiting();
 
     ProjectSnapshot project_ = std::make_shared<const Project>();
-    bool changing_ = false;  ///< `project_changed` is being heard
+    KeptProject::Pointer kept_ = KeptProject::keep({}, nullptr);  ///< `project_`, for the history
+    bool changing_ = false;                                       ///< `project_changed` is being heard
     struct Waiting {
         QString text, merge_key;
         ProjectSnapshot after;

@@ -17,4 +17,17 @@ bool move_item(Document& document, const SetupAddress& entry, const ItemMove& mo
         QStringLiteral("move:%1%2").arg(QString::fromStdString(entry.id), QString::fromStdString(path)));
 }
 
+bool turn_item(Document& document, const SetupAddress& entry, const ItemTurn& turn) {
+    const Eigen::Matrix3d R_SF = turn.source.X_WS.linear().transpose() * turn.R_WF;
+    const std::string& path = turn.source.path;
+    return document.apply(
+        QObject::tr("Turn %1").arg(turn.name),
+        [&](Project& project) {
+            Setup* setup = find_setup(project, entry);
+            const SetupSchema* schema = find_schema(project, entry);
+            if (setup && schema) write_orientation(*schema, *setup, path, R_SF, turn.step);
+        },
+        QStringLiteral("turn:%1%2").arg(QString::fromStdString(entry.id), QString::fromStdString(path)));
+}
+
 }  // namespace covaria::ui

@@ -1,4 +1,4 @@
-// Positions changed by dragging things in a picture.
+// Positions and orientations changed by dragging things in a picture.
 #pragma once
 
 #include <QString>
@@ -19,5 +19,15 @@ struct ItemMove {
 /// Moves of one thing that follow each other merge into one undo step, until `Document::end_merging`.
 /// False where the entry has no such position or it stays where it was.
 bool move_item(Document& document, const SetupAddress& entry, const ItemMove& move);
+
+struct ItemTurn {
+    QString name;
+    LayoutSource source;  ///< where its pose is written
+    Eigen::Matrix3d R_WF = Eigen::Matrix3d::Identity();
+    double step = 1e-3;  ///< to which the orientation is meant, rad
+};
+
+/// Likewise for turns.
+bool turn_item(Document& document, const SetupAddress& entry, const ItemTurn& turn);
 
 }  // namespace covaria::ui

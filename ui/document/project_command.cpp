@@ -6,8 +6,8 @@ namespace covaria::ui {
 ProjectCommand::ProjectCommand(Document& document, const QString& text, ProjectSnapshot after, Merge merge)
     : QUndoCommand(text),
       document_(document),
-      before_(document.snapshot()),
-      after_(std::move(after)),
+      before_(document.kept_),
+      after_(KeptProject::keep(*after, before_.get())),
       merge_(std::move(merge)) {
     age_.start();
 }

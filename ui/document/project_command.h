@@ -24,8 +24,8 @@ public:
 
 private:
     Document& document_;
-    ProjectSnapshot before_;
-    ProjectSnapshot after_;
+    KeptProject::Pointer before_;
+    KeptProject::Pointer after_;
     Merge merge_;
     QElapsedTimer age_;  ///< since the last edit of the step
 };

@@ -5,8 +5,7 @@
 #include <cctype>
 #include <set>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/project/entry_graph.h"
 #include "core/project/links.h"
 #include "core/project/project_id.h"

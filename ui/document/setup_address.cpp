@@ -3,8 +3,7 @@
 
 #include <charconv>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/manual/help_page.h"
 #include "ui/theme/strings.h"
 

@@ -8,8 +8,7 @@
 #include <QMessageBox>
 
 #include "core/base/version.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/help_place.h"
 #include "ui/main_window/dock_title.h"
@@ -31,8 +30,12 @@ QString keys_text() {
         "| F5, Ctrl+F5, Esc | run this analysis, run all, stop |\n"
         "| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |\n"
         "| Arrow keys, + and − | turn and zoom the scene |\n"
-        "| 1, 2, 3, 4, F | iso, top, front, right view, fit |\n"
+        "| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |\n"
+        "| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |\n"
+        "| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |\n"
+        "| D, A | measure a distance, an angle in the scene; Esc puts the tool away |\n"
         "| Ctrl+C, Ctrl+V | copy and paste blocks of cells |\n"
+        "| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |\n"
         "| F1 | help on the field, cell or entry with the focus |\n");
 }
 
@@ -114,6 +117,7 @@ void HelpActions::add_to(QMenu& menu) {
     };
     add_page(tr("&Results and Requirements"), "results");
     add_page(tr("What Every &Analysis Has"), "analysis");
+    add_page(tr("The S&cene"), "scene");
     add_page(tr("&Glossary"), "glossary");
     menu.addAction(tr("&Keys"), this, &HelpActions::show_keys);
     menu.addSeparator();

@@ -21,6 +21,7 @@
 #include "ui/main_window/import_actions.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/run_actions.h"
+#include "ui/main_window/search_actions.h"
 #include "ui/main_window/theme_switch.h"
 #include "ui/main_window/window_state.h"
 #include "ui/pages/budget_page.h"
@@ -34,7 +35,9 @@
 #include "ui/pages/run_status.h"
 #include "ui/pages/start_page.h"
 #include "ui/pages/study_tab.h"
+#include "ui/pages/unit_button.h"
 #include "ui/scene_view/scene_panel.h"
+#include "ui/scene_view/view_actions.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
@@ -99,6 +102,8 @@ void MainWindow::make_panes() {
     scene_ = new ScenePanel(runner_);
     budget_ = new BudgetPage(document_, runner_, selection_);
     scene_->put_below_equations(budget_);
+    views_ = new ViewActions(document_, scene_->view(), this);
+    scene_->offer_views(views_->menu());
     pages_->addWidget(start_);
     pages_->addWidget(scene_);
     setCentralWidget(pages_);
@@ -251,12 +256,16 @@ void MainWindow::make_view_menu() {
                     [this] { pages_->setCurrentWidget(start_); });
     QAction* scene = menu->addAction(icon(QStringLiteral("scene")), tr("3D Scene"), this,
                                      [this] { pages_->setCurrentWidget(scene_); });
-    project_actions_ << scene;
+    project_actions_ << scene << menu->addMenu(&views_->menu());
 }
 
 void MainWindow::make_help_menu() {
     help_ = new HelpActions(*this, selection_, document_);
-    help_->add_to(*menuBar()->addMenu(tr("&Help")));
+    search_ = new SearchActions(*this, document_, selection_, *results_, *properties_, *help_,
+                                [this](const QString& path) { go_to(path); });
+    QMenu* menu = menuBar()->addMenu(tr("&Help"));
+    search_->add_to(*menu);
+    help_->add_to(*menu);
 }
 
 void MainWindow::connect_panes() {
@@ -295,23 +304,9 @@ void MainWindow::connect_panes() {
     connect(&selection_, &Selection::analysis_changed, this, [this](const QString& id) {
         runner_.set_focus(id);
         scene_->show_analysis(id);
+        views_->set_analysis(id);
     });
-    connect(scene_, &ScenePanel::group_changed, &selection_, &Selection::select_group);
-    connect(&selection_, &Selection::group_changed, scene_, &ScenePanel::show_group);
-    connect(scene_, &ScenePanel::source_picked, this, [this](const QString& asset, const QString& field) {
-        if (!field.isEmpty()) selection_.select_entry(scene_->address_in(to_std(asset)));
-        selection_.select_field(field);
-    });
-    connect(&selection_, &Selection::field_changed, scene_, [this](const QString& field) {
-        const SetupAddress& entry = selection_.entry();
-        scene_->select_source(entry.owner == SetupOwner::asset ? entry.id : std::string(), to_std(field));
-    });
-    connect(&scene_->view(), &SceneView::item_dragged, this,
-            [this](const SceneItem& item, const Eigen::Vector3d& p_W, double step) {
-                move_item(document_, scene_->address_in(item.source.asset),
-                          {to_qt(item.name), item.source, p_W, step});
-            });
-    connect(&scene_->view(), &SceneView::drag_finished, &document_, &Document::end_merging);
+    connect_scene();
     connect(&results_->study_tab(), &StudyTab::shown_changed, this, &MainWindow::show_tab_in_scene);
     connect(&results_->design_tab(), &DesignTab::shown_changed, this, &MainWindow::show_tab_in_scene);
     connect(&results_->tabs(), &QTabWidget::currentChanged, this, &MainWindow::show_tab_in_scene);
@@ -337,6 +332,36 @@ void MainWindow::connect_panes() {
     });
     set_rendering_log([this](const std::string& message) { log_->write(to_qt(message)); });
     for (QAction* action : project_actions_) action->setEnabled(false);
+}
+
+void MainWindow::connect_scene() {
+    connect(scene_, &ScenePanel::group_changed, &selection_, &Selection::select_group);
+    connect(&selection_, &Selection::group_changed, scene_, &ScenePanel::show_group);
+    connect(scene_, &ScenePanel::source_picked, this, [this](const QString& asset, const QString& field) {
+        if (!field.isEmpty()) selection_.select_entry(scene_->address_in(to_std(asset)));
+        selection_.select_field(field);
+    });
+    connect(&selection_, &Selection::field_changed, scene_, [this](const QString& field) {
+        const SetupAddress& entry = selection_.entry();
+        scene_->select_source(entry.owner == SetupOwner::asset ? entry.id : std::string(), to_std(field));
+    });
+    connect(&scene_->view(), &SceneView::item_dragged, this,
+            [this](const SceneItem& item, const Eigen::Vector3d& p_W, double step) {
+                move_item(document_, scene_->address_in(item.source.asset),
+                          {to_qt(item.name), item.source, p_W, step});
+            });
+    connect(&scene_->view(), &SceneView::item_turned, this,
+            [this](const SceneItem& item, const Eigen::Matrix3d& R_WF, double step) {
+                turn_item(document_, scene_->address_in(item.source.asset),
+                          {to_qt(item.name), item.source, R_WF, step});
+            });
+    scene_->measuring().style = [this] {
+        const std::optional<int> stated = document_.project().results.style.digits;
+        return MeasureStyle{results_->units().units(), stated.value_or(preferences_.now().digits)};
+    };
+    connect(&document_, &Document::project_changed, &scene_->measuring(), &MeasureTool::update);
+    connect(&preferences_, &PreferenceStore::changed, &scene_->measuring(), &MeasureTool::update);
+    connect(&scene_->view(), &SceneView::drag_finished, &document_, &Document::end_merging);
 }
 
 LibraryBrowser& MainWindow::library() {

@@ -28,7 +28,9 @@ class ProjectPane;
 class PropertiesPane;
 class ResultsPane;
 class RunActions;
+class SearchActions;
 class ScenePanel;
+class ViewActions;
 class StartPage;
 class ThemeSwitch;
 
@@ -46,12 +48,14 @@ public:
     Selection& selection() { return selection_; }
     FileActions& files() { return files_; }
     ScenePanel& scene() { return *scene_; }
+    ViewActions& views() { return *views_; }
     ResultsPane& results() { return *results_; }
     PropertiesPane& properties() { return *properties_; }
     BudgetPage& budget() { return *budget_; }
     ProjectPane& project_pane() { return *project_; }
     ExportActions& exports() { return *exports_; }
     HelpActions& help() { return *help_; }
+    SearchActions& search() { return *search_; }
     PreferenceStore& preferences() { return preferences_; }
     void show_preferences();
     ImportActions& imports() { return *imports_; }
@@ -82,6 +86,7 @@ private:
     void make_view_menu();
     void make_help_menu();
     void connect_panes();
+    void connect_scene();
     void show_running_design(const QString& analysis, const QString& id);
     void show_tab_in_scene();
     void show_project();
@@ -101,6 +106,7 @@ private:
     QStackedWidget* pages_ = nullptr;
     StartPage* start_ = nullptr;
     ScenePanel* scene_ = nullptr;
+    ViewActions* views_ = nullptr;
     BudgetPage* budget_ = nullptr;
     ProjectPane* project_ = nullptr;
     ResultsPane* results_ = nullptr;
@@ -112,6 +118,7 @@ private:
     LibraryBrowser* library_ = nullptr;
     RunActions* run_ = nullptr;
     HelpActions* help_ = nullptr;
+    SearchActions* search_ = nullptr;
     ThemeSwitch* theme_ = nullptr;
     QMenu* add_ = nullptr;
     QAction* undo_ = nullptr;

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/project/stated_requirements.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/project_edits.h"

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "core/made/library.h"
 #include "ui/pages/start_page.h"
 #include "ui/theme/core_text.h"

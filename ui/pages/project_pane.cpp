@@ -6,8 +6,7 @@
 #include <QMenu>
 #include <algorithm>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/made/library.h"
 #include "ui/document/project_edits.h"
 #include "ui/forms/finish_typing.h"

@@ -232,7 +232,9 @@ void StartPage::set_recent_files(const QStringList& files) {
         recent_->addWidget(button);
     }
     if (files.isEmpty()) {
-        recent_->addWidget(quiet(tr("Projects that you open are listed here.")));
+        QLabel* hint = quiet(tr("Projects that you open are listed here."));
+        hint->setWordWrap(true);
+        recent_->addWidget(hint);
     }
 }
 

@@ -22,6 +22,73 @@ QString rich(const std::string& words) {
     return to_qt(to_html(running_text(words)));
 }
 
+void append_title(std::vector<FlowItem>& items, const std::string& text, const std::string& above,
+                  const PageStyle& style, double width) {
+    RichText over(style, TextRole::body, escaped(above));
+    over.set_width(width);
+    items.push_back({over.height() + style.mm(1.0),
+                     0.0,
+                     true,
+                     [over](QPainter& p, QPointF at) { over.paint(p, at, PageStyle::quiet()); },
+                     {}});
+    RichText title(style, TextRole::title, escaped(text));
+    title.set_width(width);
+    const double rule = title.height() + style.mm(2.5), line = style.points(0.8);
+    items.push_back({rule + style.mm(3.0),
+                     0.0,
+                     true,
+                     [title, rule, line, width](QPainter& p, QPointF at) {
+                         title.paint(p, at);
+                         p.fillRect(QRectF(at.x(), at.y() + rule, width, line), PageStyle::ink());
+                     },
+                     {}});
+}
+
+void append_code(std::vector<FlowItem>& items, const CodeBlock& code, const PageStyle& style, double width) {
+    std::istringstream lines(code.text);
+    bool first = true;
+    for (std::string line; std::getline(lines, line); first = false) {
+        RichText text(style, TextRole::table,
+                      QStringLiteral("<pre style='white-space: pre-wrap'>%1</pre>").arg(escaped(line)));
+        text.set_width(width - style.mm(4.0));
+        items.push_back({text.height(),
+                         first ? style.mm(1.8) : 0.0,
+                         false,
+                         [text, indent = style.mm(4.0)](QPainter& p, QPointF at) {
+                             text.paint(p, at + QPointF(indent, 0.0));
+                         },
+                         {}});
+    }
+}
+
+void append_signature(std::vector<FlowItem>& items, const SignatureBlock& signature, const PageStyle& style,
+                      double width) {
+    RichText statement(style, TextRole::body, escaped(signature.statement));
+    statement.set_width(width);
+    const double x = 0.45 * width, room = statement.height() + style.mm(20.0), gap = style.mm(1.2);
+    RichText date(style, TextRole::body, escaped(signature.date));
+    date.set_width(x - style.mm(5.0));
+    const QString function = signature.function.empty() ? "" : "<br>" + escaped(signature.function);
+    RichText name(style, TextRole::body, escaped(signature.name) + function);
+    name.set_width(width - x);
+    RichText end(style, TextRole::note, escaped(signature.end_mark), Qt::AlignHCenter);
+    end.set_width(width);
+    const double end_y = room + gap + std::max(date.height(), name.height()) + style.mm(8.0);
+    const double line = style.points(0.6);
+    items.push_back({end_y + style.mm(2.0) + end.height(),
+                     style.mm(1.8),
+                     false,
+                     [=](QPainter& p, QPointF at) {
+                         statement.paint(p, at);
+                         date.paint(p, at + QPointF(0.0, room + gap));
+                         p.fillRect(QRectF(at.x() + x, at.y() + room, width - x, line), PageStyle::ink());
+                         name.paint(p, at + QPointF(x, room + gap));
+                         p.fillRect(QRectF(at.x(), at.y() + end_y, width, line), PageStyle::rule());
+                         end.paint(p, at + QPointF(0.0, end_y + line + gap), PageStyle::quiet());
+                     },
+                     {}});
+}
+
 class ReportLayout {
 public:
     ReportLayout(const ReportDocument& document, const PageStyle& style, const FigurePainters& figures,
@@ -31,27 +98,6 @@ public:
           figures_(figures),
           pages_(std::move(pages)),
           width_(style.text_area().width()) {}
-
-    void title(const std::string& text, const std::string& above) {
-        RichText over(style_, TextRole::body, escaped(above));
-        over.set_width(width_);
-        items.push_back({over.height() + style_.mm(1.0),
-                         0.0,
-                         true,
-                         [over](QPainter& p, QPointF at) { over.paint(p, at, PageStyle::quiet()); },
-                         {}});
-        RichText title(style_, TextRole::title, escaped(text));
-        title.set_width(width_);
-        const double rule = title.height() + style_.mm(2.5), line = style_.points(0.8);
-        items.push_back({rule + style_.mm(3.0),
-                         0.0,
-                         true,
-                         [title, rule, line, width = width_](QPainter& p, QPointF at) {
-                             title.paint(p, at);
-                             p.fillRect(QRectF(at.x(), at.y() + rule, width, line), PageStyle::ink());
-                         },
-                         {}});
-    }
 
     void operator()(const HeadingBlock& heading) {
         const bool first = heading.level == 1;
@@ -94,23 +140,8 @@ public:
             add_item(to_qt(prose.mark), html);
     }
 
-    void operator()(const CodeBlock& code) {
-        std::istringstream lines(code.text);
-        bool first = true;
-        for (std::string line; std::getline(lines, line); first = false) {
-            RichText text(style_, TextRole::table,
-                          QStringLiteral("<pre style='white-space: pre-wrap'>%1</pre>").arg(escaped(line)));
-            text.set_width(width_ - style_.mm(4.0));
-            items.push_back({text.height(),
-                             first ? style_.mm(1.8) : 0.0,
-                             false,
-                             [text, indent = style_.mm(4.0)](QPainter& p, QPointF at) {
-                                 text.paint(p, at + QPointF(indent, 0.0));
-                             },
-                             {}});
-        }
-    }
-
+    void operator()(const CodeBlock& code) { append_code(items, code, style_, width_); }
+    void operator()(const SignatureBlock& signature) { append_signature(items, signature, style_, width_); }
     void operator()(const PictureBlock& picture) {
         append_picture(items, QImage(from_path(picture.file)), picture.caption, style_);
     }
@@ -149,33 +180,6 @@ public:
                          [text, source, indent, drop, x = width_ - source_width](QPainter& p, QPointF at) {
                              text.paint(p, at + QPointF(indent, 0.0));
                              source.paint(p, at + QPointF(x, drop), PageStyle::quiet());
-                         },
-                         {}});
-    }
-
-    void operator()(const SignatureBlock& signature) {
-        RichText statement(style_, TextRole::body, escaped(signature.statement));
-        statement.set_width(width_);
-        const double x = 0.45 * width_, room = statement.height() + style_.mm(20.0), gap = style_.mm(1.2);
-        RichText date(style_, TextRole::body, escaped(signature.date));
-        date.set_width(x - style_.mm(5.0));
-        const QString function = signature.function.empty() ? "" : "<br>" + escaped(signature.function);
-        RichText name(style_, TextRole::body, escaped(signature.name) + function);
-        name.set_width(width_ - x);
-        RichText end(style_, TextRole::note, escaped(signature.end_mark), Qt::AlignHCenter);
-        end.set_width(width_);
-        const double end_y = room + gap + std::max(date.height(), name.height()) + style_.mm(8.0);
-        const double line = style_.points(0.6);
-        items.push_back({end_y + style_.mm(2.0) + end.height(),
-                         style_.mm(1.8),
-                         false,
-                         [=, width = width_](QPainter& p, QPointF at) {
-                             statement.paint(p, at);
-                             date.paint(p, at + QPointF(0.0, room + gap));
-                             p.fillRect(QRectF(at.x() + x, at.y() + room, width - x, line), PageStyle::ink());
-                             name.paint(p, at + QPointF(x, room + gap));
-                             p.fillRect(QRectF(at.x(), at.y() + end_y, width, line), PageStyle::rule());
-                             end.paint(p, at + QPointF(0.0, end_y + line + gap), PageStyle::quiet());
                          },
                          {}});
     }
@@ -284,7 +288,7 @@ private:
 std::vector<FlowItem> lay_out(const ReportDocument& document, const PageStyle& style,
                               const FigurePainters& figures, const HeadingPages& pages) {
     ReportLayout layout(document, style, figures, pages);
-    layout.title(document.title, document.over);
+    append_title(layout.items, document.title, document.over, style, style.text_area().width());
     for (std::size_t i = 0; i < document.blocks.size();) {
         std::vector<const PlotBlock*> run;
         while (i < document.blocks.size() && std::holds_alternative<PlotBlock>(document.blocks[i]))

@@ -45,6 +45,7 @@ void RenderService::make_picture(QSize size) {
         other.set_layers(renderer.layers());
         other.set_scene(renderer.scene());
         other.set_camera(renderer.camera());
+        other.set_measure(renderer.measure());
         if (const auto image = other.render(RenderQuality::fine))
             emit picture_made(to_qimage(*image));
         else

@@ -63,6 +63,8 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     over->setContentsMargins(0, 0, 0, 0);
     over->addStretch(1);
     over->addWidget(picked_);
+    measuring_ = new MeasureTool(*view_, this);
+    connect(measuring_, &MeasureTool::changed, this, &ScenePanel::show_words);
     make_toolbar();
     view_->set_empty_text(tr("Select an analysis in the project tree to see its layout here."));
     connect(view_, &SceneView::item_picked, this, &ScenePanel::take_pick);
@@ -88,13 +90,14 @@ void ScenePanel::make_toolbar() {
     group_->setAccessibleName(tr("Group"));
     group_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     toolbar_->addWidget(group_);
-    add_view_action("view-iso", tr("Iso"), tr("View from the front right, from above (1)"),
-                    StandardView::iso);
-    add_view_action("view-top", tr("Top"), tr("View from above (2)"), StandardView::top);
-    add_view_action("view-front", tr("Front"), tr("View from the front (3)"), StandardView::front);
-    add_view_action("view-right", tr("Right"), tr("View from the right (4)"), StandardView::right);
+    toolbar_
+        ->addAction(icon(QStringLiteral("view-iso")), tr("Iso"), view_,
+                    [this] { view_->set_view(StandardView::iso); })
+        ->setToolTip(tr("View from the front right, from above (1)"));
     toolbar_->addAction(icon(QStringLiteral("fit")), tr("Fit"), view_, &SceneView::fit)
         ->setToolTip(tr("Everything in the picture (F)"));
+    after_views_ = toolbar_->addSeparator();
+    measuring_->add_to(*toolbar_);
     toolbar_->addSeparator();
     make_layers_menu();
     magnification_ = new QComboBox(this);
@@ -119,11 +122,13 @@ void ScenePanel::make_toolbar() {
     });
 }
 
-void ScenePanel::add_view_action(const char* picture, const QString& text, const QString& tip,
-                                 StandardView view) {
-    toolbar_
-        ->addAction(icon(QString::fromLatin1(picture)), text, this, [this, view] { view_->set_view(view); })
-        ->setToolTip(tip);
+void ScenePanel::offer_views(QMenu& menu) {
+    auto* button = new QToolButton(this);
+    button->setText(tr("Views"));
+    button->setToolTip(tr("Standard and saved views, orthographic or perspective"));
+    button->setMenu(&menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    toolbar_->insertWidget(after_views_, button);
 }
 
 void ScenePanel::make_layers_menu() {
@@ -157,6 +162,8 @@ void ScenePanel::make_layers_menu() {
 void ScenePanel::show_analysis(const QString& id) {
     if (id == analysis_) return;
     analysis_ = id;
+    measuring_->put_away();
+    view_->set_visibility({});
     picked_->hide();
     refresh();
 }
@@ -178,6 +185,7 @@ void ScenePanel::start_over() {
     design_.reset();
     source_asset_.clear();
     source_.clear();
+    measuring_->put_away();
     picked_->hide();
     view_->start_over();
     refresh();
@@ -262,17 +270,22 @@ void ScenePanel::build_scene() {
     ++building_;
     const quint64 number = ++number_;
     jobs_.push(
-        [this, number, prepared = status.prepared, build = scene_to_build(status)]() -> JobQueue::Delivery {
+        [this, number, prepared = status.prepared, result = shown_result(status),
+         build = scene_to_build(status)]() -> JobQueue::Delivery {
             if (number != number_) return [this] { --building_; };  // a newer scene is wanted already
             auto scene = std::make_shared<Result<Scene>>(build());
-            return [this, number, scene, groups = groups_of_sources(*prepared)] {
+            return [this, number, scene, result, groups = groups_of_sources(*prepared)] {
                 groups_ = groups;
-                take_scene(number, scene);
+                take_scene(number, scene, result);
             };
         },
         [this, number](const Error& error) {
-            take_scene(number, std::make_shared<Result<Scene>>(fail(error)));
+            take_scene(number, std::make_shared<Result<Scene>>(fail(error)), nullptr);
         });
+}
+
+ResultPointer ScenePanel::shown_result(const AnalysisStatus& status) const {
+    return !design_ && !study_ && status.is_of_present() ? status.result : nullptr;
 }
 
 /// Pictures are copied and saved: each says itself when it does not show the result.
@@ -290,7 +303,7 @@ std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& 
         return [prepared, study = study_, of_study = study_options_, wanted = options()]() -> Result<Scene> {
             return study_scene(*prepared, *study, of_study, wanted);
         };
-    const ResultPointer result = status.is_of_present() ? status.result : nullptr;
+    const ResultPointer result = shown_result(status);
     return [=, wanted = options(), said = to_std(reservation(status))]() -> Result<Scene> {
         auto scene = analysis_scene(*prepared, result.get(), wanted);
         if (!scene || !result) return scene;
@@ -306,13 +319,15 @@ void ScenePanel::show_in_space(bool in_space) {
     if (!in_space) picked_->hide();
 }
 
-void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene) {
+void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene,
+                            const ResultPointer& result) {
     --building_;
     // While something is dragged there is always a newer one to come; this one is shown until then.
     if (number < shown_number_) return;
     shown_number_ = number;
     if (*scene) {
         view_->show_scene(std::make_shared<const Scene>(std::move(**scene)));
+        measuring_->set_result(result);
         if (!show_source()) describe_item(view_->selected());
         return;
     }
@@ -325,7 +340,16 @@ void ScenePanel::show_item(const QString& id) {
     describe_item(id);
 }
 
+/// What the tool in use says, else what is selected.
+void ScenePanel::show_words() {
+    const QString words = measuring_->words();
+    if (words.isEmpty()) return describe_item(view_->selected());
+    picked_->setText(words);
+    picked_->show();
+}
+
 void ScenePanel::describe_item(const QString& id) {
+    if (measuring_->is_active()) return;
     const SceneItem* item = view_->scene() ? find_item(*view_->scene(), id.toStdString()) : nullptr;
     picked_->setVisible(item != nullptr);
     if (!item) return;
@@ -352,7 +376,7 @@ bool ScenePanel::is_selected_source(const SceneItem& item) const {
 void ScenePanel::select_source(const std::string& asset, const std::string& path) {
     source_asset_ = asset;
     source_ = path;
-    if (show_source()) return;
+    if (show_source()) return measuring_->add_place(view_->selected());
     const auto group = asset.empty() ? groups_.find(path) : groups_.end();
     if (group != groups_.end() && to_qt(group->second) != this->group())
         return show_group(to_qt(group->second));

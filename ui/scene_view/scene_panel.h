@@ -10,6 +10,7 @@
 #include "ui/jobs/job_queue.h"
 #include "ui/run/analysis_runner.h"
 #include "ui/scene_view/equations_view.h"
+#include "ui/scene_view/measure_tool.h"
 #include "ui/scene_view/scene_view.h"
 #include "viz/scene/build_scene.h"
 #include "viz/scene/design_scene.h"
@@ -50,10 +51,13 @@ public:
     /// The entry in whose set-up the shown layout is written.
     SetupAddress address_in(const std::string& asset) const;
 
+    /// A button in the tool bar with these views.
+    void offer_views(QMenu& menu);
     /// A page for what is nowhere in space, under its equations; it hides where it has nothing to say.
     void put_below_equations(QWidget* page);
 
     SceneView& view() { return *view_; }
+    MeasureTool& measuring() { return *measuring_; }
     bool is_building() const { return refresh_due_ || building_ > 0; }
 
 signals:
@@ -64,18 +68,20 @@ signals:
 
 private:
     void make_toolbar();
-    void add_view_action(const char* picture, const QString& text, const QString& tip, StandardView view);
     void make_layers_menu();
     void refresh();
     void build_scene();
     std::function<Result<Scene>()> scene_to_build(const AnalysisStatus& status) const;
     void show_in_space(bool in_space);
     void refresh_groups();
-    void take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene);
+    /// The result whose points the scene shows; null: it shows none, or a map.
+    ResultPointer shown_result(const AnalysisStatus& status) const;
+    void take_scene(quint64 number, const std::shared_ptr<Result<Scene>>& scene, const ResultPointer& result);
     void show_item(const QString& id);
     bool show_source();
     bool is_selected_source(const SceneItem& item) const;
     void describe_item(const QString& id);
+    void show_words();
     void take_pick(const QString& id);
     SceneOptions options() const;
 
@@ -90,6 +96,7 @@ private:
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;
     QToolBar* toolbar_ = nullptr;
+    QAction* after_views_ = nullptr;  ///< in the tool bar
     QComboBox* group_ = nullptr;
     QComboBox* magnification_ = nullptr;
     QComboBox* probability_ = nullptr;
@@ -97,6 +104,7 @@ private:
     EquationsView* equations_ = nullptr;
     QSplitter* flat_ = nullptr;  ///< the equations and what is below them
     QWidget* below_ = nullptr;
+    MeasureTool* measuring_ = nullptr;
     QLabel* picked_ = nullptr;
     std::atomic<quint64> number_ = 0;
     quint64 shown_number_ = 0;

@@ -9,30 +9,29 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <cmath>
+#include <numbers>
 #include <utility>
+
+#include "core/text/round_numbers.h"
+#include "ui/scene_view/view_cube_painter.h"
+#include "viz/scene/pick.h"
+#include "viz/scene/saved_camera.h"
 
 namespace covaria::ui {
 namespace {
 
 constexpr double pixels_per_key = 30.0;
 constexpr qint64 least_pause_between_moves = 25;  // ms
-constexpr double reach_of_pointer = 14.0;         // pixels around a selected item in which it can be grasped
+constexpr double reach_of_pointer = 14.0;         // pixels around an item in which it can be grasped
 constexpr double zoom_per_key = 1.15;
+constexpr double pixels_per_snap = 12.0;  // about; a round number of the unit
+constexpr double degrees_per_snap = 5.0;
 constexpr QSize saved_picture_size(2560, 1600);
 
 std::optional<StandardView> view_of_key(int key) {
-    switch (key) {
-        case Qt::Key_1:
-            return StandardView::iso;
-        case Qt::Key_2:
-            return StandardView::top;
-        case Qt::Key_3:
-            return StandardView::front;
-        case Qt::Key_4:
-            return StandardView::right;
-        default:
-            return {};
-    }
+    const int number = key - Qt::Key_1;
+    if (number < 0 || number >= static_cast<int>(standard_view_count)) return {};
+    return static_cast<StandardView>(number);
 }
 
 QPointF orbit_of_key(int key) {
@@ -57,15 +56,11 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setAccessibleName(tr("3D scene"));
-    setAccessibleDescription(
-        tr("Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 4 are standard views; a selected "
-           "point or instrument can be dragged to another place"));
-    connect(&service_, &RenderService::rendered, this, [this](const QImage& image, const Camera& camera) {
-        image_ = image;
-        camera_ = camera;
-        failure_.clear();
-        update();
-    });
+    setAccessibleDescription(tr(
+        "Arrow keys turn the scene, plus and minus zoom, F fits, 1 to 7 are standard views, H hides what is "
+        "selected, I shows it alone, Shift+H shows all; points and instruments can be dragged to another "
+        "place"));
+    connect(&service_, &RenderService::rendered, this, &SceneView::take_image);
     connect(&service_, &RenderService::picked, this, [this](const QString& id) {
         select(id);
         emit item_picked(id);
@@ -79,14 +74,37 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
 
 SceneView::~SceneView() = default;
 
+void SceneView::take_image(const QImage& image, const Camera& camera) {
+    const bool other = camera.perspective != camera_.perspective;
+    image_ = image;
+    camera_ = camera;
+    failure_.clear();
+    update();
+    if (other) emit perspective_changed(camera.perspective);
+}
+
 void SceneView::show_scene(std::shared_ptr<const Scene> scene) {
-    scene_ = std::move(scene);
+    whole_ = std::move(scene);
+    send_scene();
+}
+
+void SceneView::set_visibility(const Visibility& visibility) {
+    if (visibility == visibility_) return;
+    visibility_ = visibility;
+    send_scene();
+}
+
+void SceneView::send_scene() {
+    scene_ = whole_ && !visibility_.shows_all()
+                 ? std::make_shared<const Scene>(visible_part(*whole_, visibility_))
+                 : whole_;
     if (scene_)
         service_.post(
-            [shown = scene_, framed = framed_,
+            [shown = scene_, framed = framed_, reserved = pixels_of_cube(),
              first = std::exchange(starts_over_, false)](SceneRenderer& renderer) {
                 const bool other = renderer.scene().title != shown->title;
                 renderer.set_scene(*shown);
+                renderer.set_reserved(reserved);
                 if (first)
                     renderer.set_view(StandardView::iso);
                 else if (other && framed)
@@ -101,12 +119,31 @@ void SceneView::set_palette_kind(ScenePalette palette) {
 }
 
 void SceneView::set_layers(const LayerVisibility& layers) {
+    layers_ = layers;
     service_.post([layers](SceneRenderer& renderer) { renderer.set_layers(layers); });
 }
 
 void SceneView::set_view(StandardView view) {
     framed_ = true;
     service_.post([view](SceneRenderer& renderer) { renderer.set_view(view); });
+}
+
+void SceneView::set_perspective(bool perspective) {
+    service_.post([perspective, framed = framed_](SceneRenderer& renderer) {
+        renderer.set_perspective(perspective);
+        if (framed && renderer.scene().size > 0) renderer.fit();
+    });
+}
+
+void SceneView::show_view(const SavedView& view) {
+    framed_ = false;
+    set_visibility(visibility_of(view));
+    service_.post(
+        [camera = camera_of(view, picture_size())](SceneRenderer& renderer) { renderer.set_camera(camera); });
+}
+
+SavedView SceneView::saved(const std::string& name) const {
+    return saved_view(name, camera_, picture_size(), visibility_);
 }
 
 void SceneView::fit() {
@@ -116,6 +153,8 @@ void SceneView::fit() {
 
 void SceneView::start_over() {
     starts_over_ = framed_ = true;
+    visibility_ = {};
+    if (camera_.perspective) set_perspective(false);
     select({});
 }
 
@@ -123,6 +162,15 @@ void SceneView::select(const QString& item_id) {
     if (item_id == selected_) return;
     selected_ = item_id;
     service_.post([id = item_id.toStdString()](SceneRenderer& renderer) { renderer.set_selected(id); });
+}
+
+void SceneView::set_picks_places(bool picks) {
+    picks_places_ = picks;
+    setCursor(picks ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void SceneView::set_measure(MeasureMark mark) {
+    service_.post([mark = std::move(mark)](SceneRenderer& renderer) { renderer.set_measure(mark); });
 }
 
 void SceneView::set_empty_text(const QString& text) {
@@ -151,6 +199,7 @@ void SceneView::paintEvent(QPaintEvent*) {
     if (scene_ && !image_.isNull() && failure_.isEmpty()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(rect(), image_);
+        paint_cube(painter, cube(), pointed_, palette());
         return;
     }
     painter.setPen(palette().color(QPalette::PlaceholderText));
@@ -166,9 +215,10 @@ void SceneView::post_framing(RenderService::Step step) {
 void SceneView::send_size() {
     const double ratio = devicePixelRatioF();
     const QSize pixels = (QSizeF(size()) * ratio).toSize();
-    post_moving([pixels, ratio, framed = framed_](SceneRenderer& renderer) {
+    post_moving([pixels, ratio, reserved = pixels_of_cube(), framed = framed_](SceneRenderer& renderer) {
         renderer.set_size(pixels.width(), pixels.height());
         renderer.set_pixel_ratio(ratio);
+        renderer.set_reserved(reserved);
         if (framed && renderer.scene().size > 0) renderer.fit();
     });
 }
@@ -181,45 +231,100 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
     pressed_at_ = last_at_ = event->position();
     button_ = event->button();
     dragged_ = false;
-    const SceneItem* item = button_ == Qt::LeftButton ? movable_at(event->position()) : nullptr;
-    if (!item) return;
-    moved_ = *item;
-    const Pixel at = project(camera_, picture_size(), item->position);
+    if (button_ == Qt::LeftButton) moved_ = handle_under(event->position());
+    if (!moved_) return;
+    const Pixel at = project(camera_, picture_size(), moved_->item.position);
     grip_ = QPointF(at.x, at.y) - event->position() * devicePixelRatioF();
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    if (!pressed_at_) return setCursor(movable_at(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
+    if (!pressed_at_) return follow_pointer(event->position());
     if (!dragged_ && (event->position() - *pressed_at_).manhattanLength() < 4) return;
+    if (moved_ && !dragged_) select(QString::fromStdString(moved_->item.id));
     dragged_ = true;
     if (moved_) {
         // A mouse reports more often than results can follow.
         if (since_move_.isValid() && since_move_.elapsed() < least_pause_between_moves) return;
         since_move_.start();
-        return move_item_to(event->position());
+        const bool snaps = event->modifiers().testFlag(Qt::ControlModifier);
+        return moved_->turns() ? turn_item_to(event->position(), snaps)
+                               : move_item_to(event->position(), snaps);
     }
     drag_by(event->position() - last_at_);
     last_at_ = event->position();
+}
+
+/// The cursor says what a click would do.
+void SceneView::follow_pointer(QPointF position) {
+    if (const auto face = face_under(position); face != std::exchange(pointed_, face)) update();
+    if (pointed_) return setCursor(Qt::PointingHandCursor);
+    if (picks_places_) return setCursor(place_under(position) ? Qt::PointingHandCursor : Qt::CrossCursor);
+    const auto handle = handle_under(position);
+    setCursor(!handle ? Qt::ArrowCursor : handle->turns() ? Qt::OpenHandCursor : Qt::SizeAllCursor);
+}
+
+std::optional<std::string> SceneView::place_under(QPointF position) const {
+    if (!scene_ || image_.isNull()) return std::nullopt;
+    const QPointF at = position * devicePixelRatioF();
+    return place_at(
+        *scene_, camera_, picture_size(), {at.x(), at.y()}, [this](Layer layer) { return layers_[layer]; },
+        reach_of_pointer * devicePixelRatioF());
+}
+
+QRectF SceneView::place_of_cube() const {
+    return cube_place(size(), scene_ && scene_->map);
+}
+
+ScreenRect SceneView::pixels_of_cube() const {
+    const QRectF place = place_of_cube();
+    const double ratio = devicePixelRatioF();
+    return {ratio * place.x(), ratio * place.y(), ratio * place.width(), ratio * place.height()};
+}
+
+std::vector<CubeFace> SceneView::cube() const {
+    return scene_ && scene_->size > 0 ? cube_in(place_of_cube(), camera_) : std::vector<CubeFace>{};
+}
+
+std::optional<StandardView> SceneView::face_under(QPointF position) const {
+    return face_at(cube(), {position.x(), position.y()});
 }
 
 PictureSize SceneView::picture_size() const {
     return {image_.width(), image_.height()};
 }
 
-const SceneItem* SceneView::movable_at(QPointF position) const {
-    const SceneItem* item =
-        scene_ && !image_.isNull() ? find_item(*scene_, selected_.toStdString()) : nullptr;
-    if (!item || !item->source.draggable) return nullptr;
-    const Pixel at = project(camera_, picture_size(), item->position);
-    const QPointF away = position * devicePixelRatioF() - QPointF(at.x, at.y);
-    return std::hypot(away.x(), away.y()) < reach_of_pointer * devicePixelRatioF() ? item : nullptr;
+Pixel SceneView::pixel_at(QPointF position) const {
+    const QPointF at = position * devicePixelRatioF();
+    return {at.x(), at.y()};
 }
 
-void SceneView::move_item_to(QPointF position) {
+std::optional<Handle> SceneView::handle_under(QPointF position) const {
+    if (picks_places_ || !scene_ || image_.isNull() || face_under(position)) return std::nullopt;
+    return handle_at(
+        *scene_, camera_, picture_size(), pixel_at(position), [this](Layer layer) { return layers_[layer]; },
+        selected_.toStdString(), reach_of_pointer * devicePixelRatioF());
+}
+
+void SceneView::move_item_to(QPointF position, bool snaps) {
     const QPointF at = position * devicePixelRatioF() + grip_;
     const PictureSize size = picture_size();
-    emit item_dragged(*moved_, world_at(camera_, size, {at.x(), at.y()}, moved_->position),
-                      metres_per_pixel(camera_, size));
+    const SceneItem& item = moved_->item;
+    Eigen::Vector3d p_W = world_at(camera_, size, {at.x(), at.y()}, item.position);
+    double step = metres_per_pixel(camera_, size, item.position);
+    if (snaps) {
+        step = nearest_round_number(pixels_per_snap * step);
+        p_W = snapped(item, p_W, step);
+    }
+    emit item_dragged(item, p_W, step);
+}
+
+void SceneView::turn_item_to(QPointF position, bool snaps) {
+    const PictureSize size = picture_size();
+    const SceneFrame& frame = *moved_->frame;
+    const Eigen::Matrix3d turn = turn_by(*moved_, camera_, size, pixel_at(*pressed_at_), pixel_at(position),
+                                         snaps ? degrees_per_snap * std::numbers::pi / 180 : 0.0);
+    const double step = metres_per_pixel(camera_, size, frame.item.position) / frame.length;
+    emit item_turned(moved_->item, turn * frame.R_WF, step);
 }
 
 void SceneView::drag_by(QPointF delta) {
@@ -237,13 +342,24 @@ void SceneView::drag_by(QPointF delta) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-    if (!dragged_ && event->button() == Qt::LeftButton && scene_) {
+    const bool clicked = !dragged_ && event->button() == Qt::LeftButton;
+    if (const auto face = face_under(event->position()); face && clicked) {
+        set_view(*face);
+    } else if (clicked && picks_places_) {
+        if (const auto place = place_under(event->position()))
+            emit place_picked(QString::fromStdString(*place));
+    } else if (clicked && scene_) {
         const QPointF at = event->position() * devicePixelRatioF();
         service_.pick(at.x(), at.y());
     }
     if (moved_ && dragged_) {
-        move_item_to(event->position());
+        const bool snaps = event->modifiers().testFlag(Qt::ControlModifier);
+        if (moved_->turns())
+            turn_item_to(event->position(), snaps);
+        else
+            move_item_to(event->position(), snaps);
         emit drag_finished();
+        emit item_picked(selected_);  // its values stand in the form, to be typed
     }
     since_move_.invalidate();
     moved_.reset();
@@ -251,14 +367,22 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     button_ = Qt::NoButton;
 }
 
-void SceneView::mouseDoubleClickEvent(QMouseEvent*) {
-    fit();
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (!face_under(event->position())) fit();
 }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
     const double factor = std::pow(1.0015, event->angleDelta().y());
     post_framing([factor](SceneRenderer& renderer) { renderer.zoom(factor); });
     event->accept();
+}
+
+/// While a tool is in use, Escape is for it and stops no run.
+bool SceneView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && picks_places_ &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
+        event->accept();
+    return QWidget::event(event);
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
@@ -269,17 +393,62 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
         post_moving([turn](SceneRenderer& renderer) { renderer.orbit(turn.x(), turn.y()); });
     else if (event->key() == Qt::Key_F)
         fit();
+    else if (event->key() == Qt::Key_Escape && picks_places_)
+        emit tool_left();
     else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
         post_framing([](SceneRenderer& renderer) { renderer.zoom(zoom_per_key); });
     else if (event->key() == Qt::Key_Minus)
         post_framing([](SceneRenderer& renderer) { renderer.zoom(1.0 / zoom_per_key); });
-    else
+    else if (!take_key(*event))
         QWidget::keyPressEvent(event);
+}
+
+/// Keys for what is selected.
+bool SceneView::take_key(const QKeyEvent& event) {
+    if (event.key() == Qt::Key_H && event.modifiers() == Qt::ShiftModifier)
+        set_visibility({});
+    else if (event.key() == Qt::Key_H && event.modifiers() == Qt::NoModifier)
+        hide_item(selected_);
+    else if (event.key() == Qt::Key_I && event.modifiers() == Qt::NoModifier)
+        show_alone(selected_);
+    else
+        return false;
+    return true;
+}
+
+void SceneView::hide_item(const QString& item_id) {
+    Visibility visibility = visibility_;
+    if (visibility.only == item_id.toStdString()) visibility.only.clear();
+    if (!item_id.isEmpty()) visibility.hidden.insert(item_id.toStdString());
+    set_visibility(visibility);
+}
+
+void SceneView::show_alone(const QString& item_id) {
+    if (item_id.isEmpty()) return;
+    set_visibility({{}, item_id.toStdString()});
+    fit();
+}
+
+QString SceneView::item_for_menu(const QContextMenuEvent& event) const {
+    if (!scene_ || image_.isNull()) return {};
+    if (event.reason() == QContextMenuEvent::Keyboard)
+        return find_item(*scene_, selected_.toStdString()) ? selected_ : QString();
+    const QPointF at = QPointF(event.pos()) * devicePixelRatioF();
+    const auto shown = [this](Layer layer) { return layers_[layer]; };
+    return QString::fromStdString(
+        pick_item(*scene_, camera_, picture_size(), {at.x(), at.y()}, shown, 6.0 * devicePixelRatioF())
+            .value_or(std::string()));
 }
 
 void SceneView::contextMenuEvent(QContextMenuEvent* event) {
     if (dragged_) return;  // the end of a right drag
     QMenu menu(this);
+    if (const QString item = item_for_menu(*event); !item.isEmpty()) {
+        menu.addAction(tr("Hide"), this, [this, item] { hide_item(item); });
+        menu.addAction(tr("Show Only This"), this, [this, item] { show_alone(item); });
+    }
+    if (!visibility_.shows_all()) menu.addAction(tr("Show All"), this, [this] { set_visibility({}); });
+    if (!menu.isEmpty()) menu.addSeparator();
     menu.addAction(tr("Fit"), this, &SceneView::fit);
     menu.addAction(tr("Copy Picture"), this, &SceneView::copy_picture);
     menu.addAction(tr("Save Picture …"), this, [this] {

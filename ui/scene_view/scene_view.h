@@ -7,13 +7,19 @@
 #include <memory>
 #include <optional>
 
+#include "core/project/saved_view.h"
 #include "ui/scene_view/render_service.h"
+#include "viz/scene/handles.h"
+#include "viz/scene/view_cube.h"
+#include "viz/scene/visibility.h"
 
 namespace covaria::ui {
 
 /// Left drag orbits, middle or Shift+left drag pans, wheel or right drag zooms, click selects, double click
-/// fits. A selected item whose position is written in the project is moved by dragging it, in the plane of
-/// the picture. Keys: arrows orbit, plus and minus zoom, F fits, 1 iso, 2 top, 3 front, 4 right.
+/// fits. An item whose position is written in the project is moved by dragging it, in the plane of the
+/// picture, and turned by the tips of its axes; with Ctrl in round steps. The cursor says what can be
+/// dragged. The cube in the corner turns to its faces. Keys: arrows orbit, plus and minus zoom, F fits, 1 to
+/// 7 are the standard views, H hides what is selected, I shows it alone, Shift+H shows all.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -21,16 +27,28 @@ public:
     ~SceneView() override;
 
     void show_scene(std::shared_ptr<const Scene> scene);
+    /// What is shown of it.
     const Scene* scene() const { return scene_.get(); }
+    void set_visibility(const Visibility& visibility);
+    const Visibility& visibility() const { return visibility_; }
     void set_palette_kind(ScenePalette palette);
     void set_layers(const LayerVisibility& layers);
     void set_view(StandardView view);
+    void set_perspective(bool perspective);
+    void show_view(const SavedView& view);
+    /// As it looks now.
+    SavedView saved(const std::string& name) const;
     void fit();
+    /// The faces of the cube in the corner that can be seen.
+    std::vector<CubeFace> cube() const;
     /// The next scene is of something else: seen from the usual side, with nothing selected.
     void start_over();
     /// Marks an item without telling anybody; empty = none.
     void select(const QString& item_id);
     const QString& selected() const { return selected_; }
+    /// While a tool asks for places, a click picks one and moves nothing.
+    void set_picks_places(bool picks);
+    void set_measure(MeasureMark mark);
     /// What is shown instead of a picture while there is no scene: what to do next.
     void set_empty_text(const QString& text);
     const QString& empty_text() const { return empty_text_; }
@@ -47,12 +65,19 @@ public:
 signals:
     /// The user clicked on an item (empty: on nothing).
     void item_picked(const QString& item_id);
+    /// Likewise, while places are picked.
+    void place_picked(const QString& item_id);
+    void tool_left();  ///< Escape
+    void perspective_changed(bool perspective);
     void picture_saved(const QString& file, const QString& problem);
     /// The user drags an item (as it was when the drag began) to a point of W, known to about `step` m.
     void item_dragged(const covaria::SceneItem& item, const Eigen::Vector3d& p_W, double step);
+    /// Likewise to an orientation in W, known to about `step` rad.
+    void item_turned(const covaria::SceneItem& item, const Eigen::Matrix3d& R_WF, double step);
     void drag_finished();
 
 protected:
+    bool event(QEvent*) override;
     void paintEvent(QPaintEvent*) override;
     void resizeEvent(QResizeEvent*) override;
     void mousePressEvent(QMouseEvent*) override;
@@ -65,21 +90,40 @@ protected:
 
 private:
     void send_size();
+    void send_scene();
+    void take_image(const QImage& image, const Camera& camera);
+    void hide_item(const QString& item_id);
+    void show_alone(const QString& item_id);
+    /// The item that a context menu is about; empty: none.
+    QString item_for_menu(const QContextMenuEvent& event) const;
+    QRectF place_of_cube() const;
+    ScreenRect pixels_of_cube() const;
+    std::optional<StandardView> face_under(QPointF position) const;
+    bool take_key(const QKeyEvent& event);
     void drag_by(QPointF delta);
-    /// The selected item, if it can be moved and is under the pointer.
-    const SceneItem* movable_at(QPointF position) const;
-    void move_item_to(QPointF position);
+    /// What a drag from there would move or turn.
+    std::optional<Handle> handle_under(QPointF position) const;
+    void move_item_to(QPointF position, bool snaps);
+    void turn_item_to(QPointF position, bool snaps);
+    Pixel pixel_at(QPointF position) const;
     PictureSize picture_size() const;
+    std::optional<std::string> place_under(QPointF position) const;
+    void follow_pointer(QPointF position);
     void post_moving(RenderService::Step step) { service_.post(std::move(step), RenderQuality::moving); }
     /// Pan and zoom: from then on the user decides what is in the picture.
     void post_framing(RenderService::Step step);
     void finish_save(const QImage& image);
 
-    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const Scene> whole_;
+    std::shared_ptr<const Scene> scene_;  ///< what is shown of it
+    Visibility visibility_;
+    std::optional<StandardView> pointed_;  ///< face of the cube under the pointer
     QImage image_;
     Camera camera_;  ///< of the image
     bool starts_over_ = false;
     QString selected_;
+    LayerVisibility layers_;
+    bool picks_places_ = false;
     QString empty_text_;
     QString failure_;
     QString file_to_save_;
@@ -87,7 +131,7 @@ private:
     QPointF last_at_;
     Qt::MouseButton button_ = Qt::NoButton;
     bool dragged_ = false;
-    std::optional<SceneItem> moved_;  ///< being dragged: as it was
+    std::optional<Handle> moved_;  ///< being dragged: as it was
     QElapsedTimer since_move_;
     QPointF grip_;        ///< from the pointer to its middle, device pixels
     bool framed_ = true;  ///< everything is in the picture, and stays so when the pane changes its size

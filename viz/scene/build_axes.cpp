@@ -35,7 +35,7 @@ std::vector<AxisTick> ticks_between(double low, double high, double step, Length
 
 void label(Scene& scene, const SceneItem& item, double clearance, int priority, Role role = Role::text) {
     if (!item.name.empty())
-        scene.labels.push_back({running_text(item.name), item.position, clearance, role, priority});
+        scene.labels.push_back({running_text(item.name), item.position, clearance, role, priority, item.id});
 }
 
 /// Radius that the label of a point keeps clear: the point, and its ellipsoid where it is small.

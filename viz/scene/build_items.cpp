@@ -98,6 +98,7 @@ void add_points(SceneBuild& build) {
         added.kind = point.kind;
         added.radius = radius_of(point.kind) * scale;
         added.axis = seat_axis(build, point.p_W);
+        added.coordinates = coordinates_of(point);
     }
 }
 
@@ -221,6 +222,32 @@ void add_vectors(SceneBuild& build) {
     }
 }
 
+/// Points on the outline of a body, axes at its place, and lines that start from it and from no other.
+void attach_to_bodies(SceneBuild& build) {
+    Scene& scene = build.scene;
+    const double near = 1e-6 * scene.size;
+    std::size_t next = 0;
+    for (const LayoutBody& body : build.source.layout->bodies) {
+        if (!build.shows(body.group) || next >= scene.bodies.size()) continue;
+        const std::string& id = scene.bodies[next++].item.id;
+        std::vector<Eigen::Vector3d> places = body.outline_W;
+        if (places.empty()) places = {body.X_WB.translation()};
+        const auto is_at = [&](const Eigen::Vector3d& p) {
+            return std::any_of(places.begin(), places.end(),
+                               [&](const Eigen::Vector3d& place) { return (place - p).norm() <= near; });
+        };
+        const auto attach = [&](SceneItem& item) {
+            if (item.body.empty()) item.body = id;
+        };
+        for (ScenePoint& point : scene.points)
+            if (is_at(point.item.position)) attach(point.item);
+        for (SceneFrame& frame : scene.frames)
+            if (is_at(frame.item.position)) attach(frame.item);
+        for (SceneLink& link : scene.links)
+            if (is_at(link.from)) attach(link.item);
+    }
+}
+
 }  // namespace
 
 void add_items(SceneBuild& build) {
@@ -231,6 +258,7 @@ void add_items(SceneBuild& build) {
     if (build.options.bodies) add_bodies(build);
     if (build.options.links) add_links(build);
     add_vectors(build);
+    attach_to_bodies(build);
 }
 
 }  // namespace covaria::detail

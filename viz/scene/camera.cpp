@@ -1,4 +1,4 @@
-// Parallel projection: standard views, fit, orbit, pan, zoom.
+// Projection: standard views, fit, orbit, pan, zoom.
 #include "viz/scene/camera.h"
 
 #include <Eigen/Geometry>
@@ -6,11 +6,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/project/saved_view.h"
+
 namespace covaria {
 namespace {
 
 constexpr double smallest_half_height = 1e-9;
 constexpr double largest_half_height = 1e9;
+constexpr double tangent_of_view = 0.26794919243112270;  // of 15 degrees
+constexpr double nearest_to_eye = 1e-3;                  // of the eye's distance from the focal point
 
 double aspect(PictureSize size) {
     return static_cast<double>(size.width) / std::max(1, size.height);
@@ -23,32 +27,77 @@ Camera looking_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& up
     return camera;
 }
 
+/// How much taller the picture of a perspective must be: of a box, what is nearest to the eye is drawn
+/// largest.
+double nearer_in_perspective(const Camera& camera, const SceneBounds& bounds) {
+    return tangent_of_view * (bounds.high - bounds.low).dot(camera.direction.cwiseAbs()) / 2;
+}
+
 }  // namespace
 
 std::optional<StandardView> standard_view_from(std::string_view key) {
-    if (key == "iso") return StandardView::iso;
-    if (key == "top") return StandardView::top;
-    if (key == "front") return StandardView::front;
-    if (key == "right") return StandardView::right;
-    return std::nullopt;
+    const auto& names = standard_view_names();
+    const auto found = std::find(names.begin(), names.end(), key);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<StandardView>(found - names.begin());
+}
+
+ViewDirections directions_of(StandardView view) {
+    const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                          z = Eigen::Vector3d::UnitZ();
+    switch (view) {
+        case StandardView::top:
+            return {-z, y};
+        case StandardView::front:
+            return {y, z};
+        case StandardView::right:
+            return {-x, z};
+        case StandardView::bottom:
+            return {z, -y};
+        case StandardView::back:
+            return {-y, z};
+        case StandardView::left:
+            return {x, z};
+        case StandardView::iso:
+            break;
+    }
+    // Not quite isometric: from 25 degrees right of front, so that equal triangles do not fall on a line.
+    return {{-0.62, 1.0, -0.52}, z};
+}
+
+double Camera::eye_distance() const {
+    return half_height / tangent_of_view;
 }
 
 double metres_per_pixel(const Camera& camera, PictureSize size) {
     return 2 * camera.half_height / std::max(1, size.height);
 }
 
+double metres_per_pixel(const Camera& camera, PictureSize size, const Eigen::Vector3d& p_W) {
+    if (!camera.perspective) return metres_per_pixel(camera, size);
+    const double eye = camera.eye_distance(), depth = (p_W - camera.focal_point).dot(camera.direction);
+    return metres_per_pixel(camera, size) * std::max(nearest_to_eye, 1 + depth / eye);
+}
+
 Pixel project(const Camera& camera, PictureSize size, const Eigen::Vector3d& p_W) {
     const Eigen::Vector3d d = p_W - camera.focal_point;
-    const double scale = 1 / metres_per_pixel(camera, size);
+    const double scale = 1 / metres_per_pixel(camera, size, p_W);
     return {size.width / 2.0 + scale * d.dot(camera.right()), size.height / 2.0 - scale * d.dot(camera.up)};
 }
 
 Eigen::Vector3d world_at(const Camera& camera, PictureSize size, Pixel pixel,
                          const Eigen::Vector3d& through_W) {
-    const double scale = metres_per_pixel(camera, size);
+    const double scale = metres_per_pixel(camera, size, through_W);
     const double depth = (through_W - camera.focal_point).dot(camera.direction);
     return camera.focal_point + scale * (pixel.x - size.width / 2.0) * camera.right() -
            scale * (pixel.y - size.height / 2.0) * camera.up + depth * camera.direction;
+}
+
+Ray ray_through(const Camera& camera, PictureSize size, Pixel pixel) {
+    const Eigen::Vector3d at = world_at(camera, size, pixel, camera.focal_point);
+    if (!camera.perspective) return {at, camera.direction};
+    const Eigen::Vector3d eye = camera.focal_point - camera.eye_distance() * camera.direction;
+    return {at, (at - eye).normalized()};
 }
 
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room) {
@@ -66,23 +115,16 @@ Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size,
     Camera result = camera;
     result.focal_point = (bounds.low + bounds.high) / 2;
     result.half_height = half > smallest_half_height ? std::max(margin * half, needed) : 1.0;
+    if (camera.perspective) result.half_height += nearer_in_perspective(result, bounds);
     return result;
 }
 
-Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room) {
-    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-    switch (view) {
-        case StandardView::top:
-            return fitted(looking_along(-z, Eigen::Vector3d::UnitY()), bounds, size, room);
-        case StandardView::front:
-            return fitted(looking_along(Eigen::Vector3d::UnitY(), z), bounds, size, room);
-        case StandardView::right:
-            return fitted(looking_along(-Eigen::Vector3d::UnitX(), z), bounds, size, room);
-        case StandardView::iso:
-            break;
-    }
-    // Not quite isometric: from 25 degrees right of front, so that equal triangles do not fall on a line.
-    return fitted(looking_along({-0.62, 1.0, -0.52}, z), bounds, size, room);
+Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room,
+               bool perspective) {
+    const ViewDirections directions = directions_of(view);
+    Camera camera = looking_along(directions.direction, directions.up);
+    camera.perspective = perspective;
+    return fitted(camera, bounds, size, room);
 }
 
 bool far_side_is_high(const Camera& camera, int axis) {

@@ -1,23 +1,35 @@
-// The camera of a scene: parallel projection, so that the scale bar holds everywhere in the picture.
+// The camera of a scene: orthographic (a parallel projection, so that the scale bar holds everywhere in the
+// picture), or perspective.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "viz/scene/scene.h"
 
 namespace covaria {
 
-/// Standard views; iso looks from the front right, from above; the others along -z, +y, -x.
-enum class StandardView { iso, top, front, right };
-std::optional<StandardView> standard_view_from(std::string_view key);  ///< "iso", "top", "front", "right"
+/// Standard views; iso looks from the front right, from above; the others along -z, +y, -x, +z, -y, +x.
+enum class StandardView { iso, top, front, right, bottom, back, left };
+inline constexpr std::size_t standard_view_count = 7;
+std::optional<StandardView> standard_view_from(std::string_view key);  ///< "iso", "top", "front" ...
+/// Of the picture of a standard view: direction from the eye and the one that is up.
+struct ViewDirections {
+    Eigen::Vector3d direction, up;
+};
+ViewDirections directions_of(StandardView view);
 
 struct Camera {
     Eigen::Vector3d focal_point = Eigen::Vector3d::Zero();  ///< seen in the middle of the picture, m
     Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  ///< unit vector, from the eye into the scene
     Eigen::Vector3d up = Eigen::Vector3d::UnitY();          ///< unit vector, perpendicular to direction
-    double half_height = 1.0;                               ///< of the picture, m at the scale of the scene
+    double half_height = 1.0;                               ///< of the picture, m at the focal point
+    bool perspective = false;  ///< with an angle of view of 30 degrees from its bottom to its top
+    /// In a perspective: of the eye from the focal point, m.
+    double eye_distance() const;
     Eigen::Vector3d right() const { return direction.cross(up); }
     bool operator==(const Camera&) const = default;
 };
@@ -34,14 +46,23 @@ struct PictureSize {
     bool operator==(const PictureSize&) const = default;
 };
 
+/// At the focal point; in a perspective less before it and more behind it, as at `p_W`.
 double metres_per_pixel(const Camera& camera, PictureSize size);
+double metres_per_pixel(const Camera& camera, PictureSize size, const Eigen::Vector3d& p_W);
 Pixel project(const Camera& camera, PictureSize size, const Eigen::Vector3d& p_W);
 /// The point of W under a pixel, in the plane through `through_W` parallel to the picture (for dragging).
 Eigen::Vector3d world_at(const Camera& camera, PictureSize size, Pixel pixel,
                          const Eigen::Vector3d& through_W);
 
+/// Whence and whither one looks through a pixel: towards the scene.
+struct Ray {
+    Eigen::Vector3d origin, direction;
+};
+Ray ray_through(const Camera& camera, PictureSize size, Pixel pixel);
+
 /// Looking along a standard direction with the whole box in the picture.
-Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room = 0.0);
+Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room = 0.0,
+               bool perspective = false);
 /// Same direction, the whole box in the picture with a margin for captions: `room` pixels at least (letters
 /// do not shrink with the picture), though never more than a quarter of a side.
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room = 0.0);

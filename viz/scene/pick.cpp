@@ -13,16 +13,19 @@ namespace {
 class View {
 public:
     View(const Camera& camera, PictureSize size, Pixel pixel)
-        : camera_(camera), size_(size), pixel_(pixel), scale_(1 / metres_per_pixel(camera, size)) {}
+        : camera_(camera), size_(size), pixel_(pixel), ray_(ray_through(camera, size, pixel)) {}
 
     Eigen::Vector2d offset(const Eigen::Vector3d& p) const {
         const Pixel at = project(camera_, size_, p);
         return {at.x - pixel_.x, at.y - pixel_.y};
     }
     double depth(const Eigen::Vector3d& p) const { return (p - camera_.focal_point).dot(camera_.direction); }
-    double pixels(double metres) const { return metres * scale_; }
-    Eigen::Vector3d origin() const { return world_at(camera_, size_, pixel_, camera_.focal_point); }
-    const Eigen::Vector3d& direction() const { return camera_.direction; }
+    /// Of a length at a place.
+    double pixels(double metres, const Eigen::Vector3d& p) const {
+        return metres / metres_per_pixel(camera_, size_, p);
+    }
+    const Eigen::Vector3d& origin() const { return ray_.origin; }
+    const Eigen::Vector3d& direction() const { return ray_.direction; }
 
     /// Distance in pixels from the pixel to the projected segment, and the depth of the nearest place.
     std::pair<double, double> to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
@@ -35,7 +38,7 @@ private:
     Camera camera_;
     PictureSize size_;
     Pixel pixel_;
-    double scale_;
+    Ray ray_;
 };
 
 /// Keeps the nearest of the best rank.
@@ -89,7 +92,7 @@ double depth_in_plane(const View& view, const SceneBody& body) {
 void offer_bodies(const Scene& scene, const View& view, Best& best) {
     for (const SceneBody& body : scene.bodies) {
         if (body.outline.empty()) {
-            if (view.offset(body.item.position).norm() <= view.pixels(body.size / 2))
+            if (view.offset(body.item.position).norm() <= view.pixels(body.size / 2, body.item.position))
                 best.offer(4, view.depth(body.item.position), body.item.id);
         } else if (inside(view, body.outline)) {
             best.offer(6, depth_in_plane(view, body), body.item.id);
@@ -105,7 +108,8 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
     Best best;
     if (shown(Layer::points))
         for (const ScenePoint& point : scene.points)
-            if (view.offset(point.item.position).norm() <= std::max(reach, view.pixels(point.radius)))
+            if (view.offset(point.item.position).norm() <=
+                std::max(reach, view.pixels(point.radius, point.item.position)))
                 best.offer(0, view.depth(point.item.position), point.item.id);
     if (shown(Layer::frames))
         for (const SceneFrame& frame : scene.frames) {
@@ -121,7 +125,8 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
         for (const SceneVector& vector : scene.vectors) {
             const auto [away, depth] =
                 view.to_segment(vector.item.position, vector.item.position + vector.arrow);
-            if (away <= std::max(reach, view.pixels(vector.radius))) best.offer(2, depth, vector.item.id);
+            if (away <= std::max(reach, view.pixels(vector.radius, vector.item.position)))
+                best.offer(2, depth, vector.item.id);
         }
     if (shown(Layer::ellipsoids))
         for (const SceneEllipsoid& ellipsoid : scene.ellipsoids)
@@ -129,7 +134,8 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
     if (shown(Layer::links))
         for (const SceneLink& link : scene.links) {
             const auto [away, depth] = view.to_segment(link.from, link.to);
-            if (away <= std::max(reach / 2, view.pixels(link.radius))) best.offer(5, depth, link.item.id);
+            if (away <= std::max(reach / 2, view.pixels(link.radius, link.item.position)))
+                best.offer(5, depth, link.item.id);
         }
     if (shown(Layer::bodies)) offer_bodies(scene, view, best);
     return best.id();

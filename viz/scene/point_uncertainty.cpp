@@ -15,23 +15,10 @@ bool in_range(const std::array<std::size_t, 3>& index, const Range& range) {
     return std::all_of(index.begin(), index.end(), [&](std::size_t i) { return i < range.size(); });
 }
 
-/// dx_i/d epsilon_j of three quantities.
-Eigen::Matrix3Xd sensitivities(const InputSet& inputs, const std::array<std::size_t, 3>& index) {
-    Eigen::Matrix3Xd c = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(inputs.components.size()));
-    for (int i = 0; i < 3; ++i)
-        for (const Share& share : inputs.quantities[index[static_cast<std::size_t>(i)]].shares)
-            if (share.component < inputs.components.size())
-                c(i, static_cast<Eigen::Index>(share.component)) += share.factor;
-    return c;
-}
-
 }  // namespace
 
 PointUncertainties::PointUncertainties(const UncertaintyResult* result) : result_(result) {
-    if (!result_) return;
-    for (const UncertaintyComponent& component : result_->inputs.components)
-        u_.push_back(component.held ? 0.0 : component.distribution.standard_uncertainty());
-    if (auto correlations = resolved_correlations(result_->inputs)) correlations_ = std::move(*correlations);
+    if (result_) joint_.emplace(*result_);
 }
 
 std::optional<PointUncertainty> PointUncertainties::of(const LayoutPoint& point) const {
@@ -81,24 +68,21 @@ std::optional<PointUncertainty> PointUncertainties::of_outputs(
 }
 
 std::optional<PointUncertainty> PointUncertainties::of_inputs(const std::array<std::size_t, 3>& index) const {
-    Eigen::Matrix3Xd c = sensitivities(result_->inputs, index);
-    for (Eigen::Index j = 0; j < c.cols(); ++j) {
-        const double u = u_[static_cast<std::size_t>(j)];
-        c.col(j) *= c.col(j).isZero(0) ? 0.0 : u;  // an infinite u elsewhere must not give NaN here
-    }
-    c = c.unaryExpr([](double x) { return std::isnan(x) ? 0.0 : x; });
+    const auto covariance = joint_->of({{PointCoordinates::Kind::inputs, index}});
+    if (!covariance) return std::nullopt;
     PointUncertainty found;
-    found.covariance = c * c.transpose();
-    for (const ComponentCorrelation& r : correlations_) {
-        const auto first = static_cast<Eigen::Index>(r.first), second = static_cast<Eigen::Index>(r.second);
-        if (std::max(first, second) >= c.cols()) continue;
-        const Eigen::Matrix3d cross = r.coefficient * c.col(first) * c.col(second).transpose();
-        found.covariance += cross + cross.transpose();
-    }
+    found.covariance = *covariance;
     found.u = found.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     const double p = std::clamp(result_->coverage_probability, 0.01, 0.999999);
     found.U = found.u * t_quantile((1 + p) / 2, infinity);
     return found;
+}
+
+std::optional<PointCoordinates> coordinates_of(const LayoutPoint& point) {
+    using Kind = PointCoordinates::Kind;
+    if (point.outputs) return PointCoordinates{Kind::outputs, *point.outputs, point.R_WQ};
+    if (point.inputs) return PointCoordinates{Kind::inputs, *point.inputs, point.R_WQ};
+    return std::nullopt;
 }
 
 CoverageEllipsoid coverage_ellipsoid(const Eigen::Matrix3d& covariance, double probability) {

@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <vector>
 
 #include "core/model/layout.h"
+#include "core/result/joint_covariance.h"
 #include "core/result/uncertainty_result.h"
 
 namespace covaria {
@@ -17,7 +17,7 @@ struct PointUncertainty {
     bool of_outputs = false;
 };
 
-/// Reads many points of one result; correlations between components are resolved once.
+/// Reads many points of one result.
 class PointUncertainties {
 public:
     explicit PointUncertainties(const UncertaintyResult* result);  ///< may be null
@@ -30,9 +30,11 @@ private:
     std::optional<PointUncertainty> of_outputs(const std::array<std::size_t, 3>& index) const;
     std::optional<PointUncertainty> of_inputs(const std::array<std::size_t, 3>& index) const;
     const UncertaintyResult* result_;
-    std::vector<double> u_;  ///< of the components; 0 where held
-    std::vector<ComponentCorrelation> correlations_;
+    std::optional<JointCovariance> joint_;
 };
+
+/// The quantities that are a point's coordinates; empty: it has none.
+std::optional<PointCoordinates> coordinates_of(const LayoutPoint& point);
 
 /// Ellipsoid { axes * s, |s| <= 1 } that holds a normal vector with this covariance with probability p
 /// (JCGM 102 7.7.2, k_p^2 = quantile of chi-squared with as many degrees of freedom as the rank).

@@ -64,8 +64,8 @@ bool SceneMap::operator==(const SceneMap& other) const {
 }
 
 bool SceneItem::operator==(const SceneItem& other) const {
-    return id == other.id && name == other.name && group == other.group && position == other.position &&
-           u == other.u && U == other.U && source.path == other.source.path &&
+    return id == other.id && body == other.body && name == other.name && group == other.group &&
+           position == other.position && u == other.u && U == other.U && source.path == other.source.path &&
            source.asset == other.source.asset && source.draggable == other.source.draggable &&
            source.X_WS.matrix() == other.source.X_WS.matrix();
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/model/layout.h"
+#include "core/result/joint_covariance.h"
 #include "core/text/text.h"
 
 namespace covaria {
@@ -61,6 +62,7 @@ struct SceneItem {
     std::optional<Eigen::Vector3d> u = {};
     std::optional<Eigen::Vector3d> U = {};
     LayoutSource source = {};  ///< the set-up field it comes from
+    std::string body = {};     ///< id of the body that it stands on or starts from
     bool operator==(const SceneItem& other) const;
 };
 
@@ -74,8 +76,9 @@ struct SceneFrame {
 struct ScenePoint {
     SceneItem item;
     PointKind kind = PointKind::other;
-    double radius = 0.0;                              ///< m
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of its seat: the normal of the plate it sits on
+    double radius = 0.0;                               ///< m
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< of its seat: the normal of the plate it sits on
+    std::optional<PointCoordinates> coordinates = {};  ///< its quantities, in the result of the scene
     bool operator==(const ScenePoint&) const = default;
 };
 
@@ -148,7 +151,8 @@ struct SceneLabel {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     double clearance = 0.0;  ///< radius of what it must not cover, m
     Role role = Role::text;
-    int priority = 0;  ///< higher is placed first; a label without room is left out
+    int priority = 0;       ///< higher is placed first; a label without room is left out
+    std::string item = {};  ///< id of what it names; empty: no item
     bool operator==(const SceneLabel&) const = default;
 };
 

@@ -16,14 +16,20 @@ constexpr double margin = 14.0;
 }  // namespace
 
 Overlay::Overlay(const Scene& scene, const OverlayView& view, Image& image, TextMasks& masks)
-    : scene_(scene), view_(view), canvas_(image), masks_(masks) {}
+    : scene_(scene), view_(view), canvas_(image), masks_(masks), taken_{view.reserved} {}
 
 void Overlay::paint() {
+    // What has its place in a corner comes first, as far as room is concerned: the words along the axes and
+    // the labels go round it. It is painted after the lines that it covers.
+    const std::vector<HeadLine> head = head_lines();
+    for (const HeadLine& line : head) claim(line.word, line.x, line.y);
+    const double bar_top = view_.layers[Layer::map] ? claim_colour_bar() : 0.0;
     paint_caption();
     if (view_.layers[Layer::axes]) paint_scale_bar();
     if (view_.layers[Layer::axes]) paint_axes();
-    if (view_.layers[Layer::map]) paint_colour_bar();
-    paint_heading();
+    if (view_.layers[Layer::map]) paint_colour_bar(bar_top);
+    paint_head(head);
+    paint_measure();
     paint_selection();
     if (view_.layers[Layer::frames] && view_.layers[Layer::labels]) paint_triad_letters();
     if (view_.layers[Layer::labels]) paint_labels();
@@ -33,47 +39,68 @@ const TextMask& Overlay::mask_of(const Word& word) {
     return masks_.of(word.text, px(letter_size * word.scale), word.bold);
 }
 
-void Overlay::put(const Word& word, double x, double y, bool claim) {
+void Overlay::claim(const Word& word, double x, double y) {
+    const Mask& letters = mask_of(word).letters;
+    taken_.push_back({x - 2, y - 1, letters.width + 4.0, letters.height + 2.0});
+}
+
+void Overlay::write(const Word& word, double x, double y) {
     const TextMask& mask = mask_of(word);
     canvas_.text(mask, x, y, colour(word.role), ground_top(view_.palette));
-    if (claim) taken_.push_back({x - 2, y - 1, mask.letters.width + 4.0, mask.letters.height + 2.0});
+    placed_.push_back({word.text, {x, y, double(mask.letters.width), double(mask.letters.height)}});
+}
+
+void Overlay::put(const Word& word, double x, double y) {
+    write(word, x, y);
+    claim(word, x, y);
 }
 
 bool Overlay::is_free(const ScreenRect& rect) const {
     return std::none_of(taken_.begin(), taken_.end(), [&](const ScreenRect& t) { return t.overlaps(rect); });
 }
 
-void Overlay::paint_heading() {
+std::vector<Overlay::HeadLine> Overlay::head_lines() {
+    std::vector<HeadLine> lines;
     double y = px(margin - 4);
-    const double x = px(margin);
+    const double x = px(margin), indent = px(24), gap = px(3);
     for (const Word& word : {Word{running_text(scene_.title), Role::text, true, 1.15},
                              Word{running_text(scene_.group), Role::text, false, 1.0}}) {
         if (word.text.empty()) continue;
-        put(word, x, y);
+        lines.push_back({word, x, y});
         y += mask_of(word).letters.height + px(2);
     }
-    if (view_.layers[Layer::legend]) paint_legend(y + px(6));
-}
-
-void Overlay::paint_legend(double y) {
-    const double x = px(margin), indent = px(24), gap = px(3);
-    const auto word_of = [](const LegendLine& line) {
-        return Word{line.text, Role::quiet_text, false, 0.92};
-    };
-    double widest = 0.0, height = 0.0;
+    if (!view_.layers[Layer::legend]) return lines;
+    const std::size_t titles = lines.size();
+    y += px(6);
+    double widest = 0.0;
     for (const LegendLine& line : scene_.legend) {
-        widest = std::max(widest, indent + mask_of(word_of(line)).letters.width);
-        height += mask_of(word_of(line)).letters.height + gap;
+        const Word word{line.text, Role::quiet_text, false, 0.92};
+        widest = std::max(widest, indent + mask_of(word).letters.width);
+        lines.push_back({word, x + (line.mark == LegendMark::none ? 0.0 : indent), y, &line});
+        y += mask_of(word).letters.height + gap;
     }
     // A small picture has no room beside the scene; the caption says what matters most.
-    if (widest > 0.3 * canvas_.size().width) return;
+    if (widest > 0.3 * canvas_.size().width) lines.resize(titles);
+    return lines;
+}
+
+void Overlay::paint_head(const std::vector<HeadLine>& lines) {
     // Where the scene reaches under the legend, it steps back.
-    canvas_.rectangle({x - gap, y - gap, widest + 3 * gap, height + gap}, ground_top(view_.palette), 0.8);
-    for (const LegendLine& line : scene_.legend) {
-        const TextMask& mask = mask_of(word_of(line));
-        put(word_of(line), x + (line.mark == LegendMark::none ? 0.0 : indent), y);
-        paint_legend_mark(line, x, y + mask.letters.height / 2.0);
-        y += mask.letters.height + gap;
+    const double x = px(margin), gap = px(3);
+    double widest = 0.0, top = 0.0, bottom = 0.0;
+    for (const HeadLine& line : lines) {
+        if (!line.legend) continue;
+        const Mask& letters = mask_of(line.word).letters;
+        if (widest == 0.0) top = line.y;
+        widest = std::max(widest, line.x - x + letters.width);
+        bottom = line.y + letters.height;
+    }
+    if (widest > 0.0)
+        canvas_.rectangle({x - gap, top - gap, widest + 3 * gap, bottom - top + 2 * gap},
+                          ground_top(view_.palette), 0.8);
+    for (const HeadLine& line : lines) {
+        write(line.word, line.x, line.y);
+        if (line.legend) paint_legend_mark(*line.legend, x, line.y + mask_of(line.word).letters.height / 2.0);
     }
 }
 
@@ -120,7 +147,7 @@ void Overlay::paint_caption() {
 }
 
 void Overlay::paint_scale_bar() {
-    if (!scene_.scale_bar) return;
+    if (!scene_.scale_bar || view_.camera.perspective) return;  // it would hold at one depth only
     const double scale = metres_per_pixel(view_.camera, canvas_.size());
     const double longest = std::min(0.18 * canvas_.size().width, px(220)) * scale * scene_.unit.per_metre;
     if (!(longest > 0) || !std::isfinite(longest)) return;
@@ -128,7 +155,10 @@ void Overlay::paint_scale_bar() {
     const double length = shown / scene_.unit.per_metre / scale;
     const Word word{round_number_text(shown) + " " + scene_.unit.text, Role::text, false, 0.92};
     const TextMask& mask = mask_of(word);
-    const double right = canvas_.size().width - px(margin), y = canvas_.size().height - px(margin);
+    const double right = canvas_.size().width - px(margin), height = mask.letters.height + px(14);
+    double y = canvas_.size().height - px(margin);
+    // In a narrow picture it stands above the caption.
+    if (!is_free({right - length - px(3), y - height, length + px(6), height})) y -= height;
     const Colour ink = colour(Role::text);
     canvas_.rectangle({right - length - px(3), y - px(7), length + px(6), px(10)}, ground_top(view_.palette),
                       0.7);
@@ -139,17 +169,36 @@ void Overlay::paint_scale_bar() {
     taken_.push_back({right - length - px(3), y - px(7), length + px(6), px(10)});
 }
 
-void Overlay::paint_colour_bar() {
+double Overlay::colour_bar_height() const {
+    return std::min(0.42 * canvas_.size().height, px(260));
+}
+
+/// Its upper edge; below the title of the picture where both have no room beside each other.
+double Overlay::claim_colour_bar() {
+    if (!scene_.map || !(scene_.map->high > scene_.map->low)) return 0.0;
+    const Mask& title = mask_of({scene_.map->title, Role::text, false, 1.0}).letters;
+    const double right = canvas_.size().width - px(margin);
+    double top = px(margin - 4);
+    const double first = top;
+    while (!is_free({right - title.width - px(8), top, title.width + px(8), double(title.height)}) &&
+           top < first + 0.3 * canvas_.size().height)
+        top += px(4);
+    const double widest = std::max(double(title.width), px(70));
+    taken_.push_back({right - widest, top, widest + px(margin), px(26) + colour_bar_height() + px(8)});
+    return top;
+}
+
+void Overlay::paint_colour_bar(double title_top) {
     if (!scene_.map || !(scene_.map->high > scene_.map->low)) return;
     const SceneMap& map = *scene_.map;
-    const double height = std::min(0.42 * canvas_.size().height, px(260)), width = px(14);
-    const double right = canvas_.size().width - px(margin), top = px(margin + 22);
+    const double height = colour_bar_height(), width = px(14);
+    const double right = canvas_.size().width - px(margin), top = title_top + px(26);
     double widest = 0.0;
     for (const AxisTick& tick : map.ticks)
         widest = std::max(widest, double(mask_of({tick.text, Role::text, false, 0.92}).letters.width));
     const double left = right - widest - px(6) - width;
     const Word title{map.title, Role::text, false, 1.0};
-    put(title, right - mask_of(title).letters.width, px(margin - 4));
+    write(title, right - mask_of(title).letters.width, title_top);
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i)
         canvas_.rectangle({left, top + i * height / steps, width, height / steps + 1.0},
@@ -159,9 +208,8 @@ void Overlay::paint_colour_bar() {
         const TextMask& mask = mask_of(word);
         const double y = top + height * (map.high - tick.at) / (map.high - map.low);
         canvas_.line({left + width, y}, {left + width + px(3), y}, px(1.0), colour(Role::text));
-        put(word, left + width + px(6), y - mask.letters.height / 2.0);
+        write(word, left + width + px(6), y - mask.letters.height / 2.0);
     }
-    taken_.push_back({left, top, right - left, height});
 }
 
 void Overlay::paint_triad_letters() {
@@ -187,7 +235,7 @@ void Overlay::paint_selection() {
     const SceneItem* item = view_.selected.empty() ? nullptr : find_item(scene_, view_.selected);
     if (!item) return;
     double radius = px(9);
-    const double scale = metres_per_pixel(view_.camera, canvas_.size());
+    const double scale = metres_per_pixel(view_.camera, canvas_.size(), item->position);
     for (const ScenePoint& point : scene_.points)
         if (point.item.id == item->id) radius = std::max(radius, point.radius / scale + px(5));
     const Pixel at = pixel_of(item->position);
@@ -196,18 +244,28 @@ void Overlay::paint_selection() {
     canvas_.ring(at, radius, px(2.2), selection_colour(view_.palette));
 }
 
+/// From a label that stands apart to what it names.
+void Overlay::paint_leader(const LabelRequest& request, const ScreenRect& rect) {
+    const Pixel end{std::clamp(request.anchor.x, rect.x, rect.x + rect.width),
+                    std::clamp(request.anchor.y, rect.y, rect.y + rect.height)};
+    const double dx = end.x - request.anchor.x, dy = end.y - request.anchor.y, length = std::hypot(dx, dy);
+    if (length < request.clearance + 0.7 * request.height) return;
+    const double begin = request.clearance / length;
+    canvas_.line({request.anchor.x + begin * dx, request.anchor.y + begin * dy}, end, px(0.9),
+                 colour(Role::quiet_text), 0.8);
+}
+
 void Overlay::paint_labels() {
     const SceneItem* selected = view_.selected.empty() ? nullptr : find_item(scene_, view_.selected);
-    const double scale = metres_per_pixel(view_.camera, canvas_.size());
     std::vector<Word> words;
     std::vector<LabelRequest> requests;
     std::vector<ScreenRect> taken = taken_;
     for (const SceneLabel& label : scene_.labels) {
-        const bool is_selected =
-            selected && running_text(selected->name) == label.text && selected->position == label.at;
+        const bool is_selected = selected && selected->id == label.item;
         const Word word{label.text, label.role, is_selected, 1.0};
         const TextMask& mask = mask_of(word);
         const Pixel at = pixel_of(label.at);
+        const double scale = metres_per_pixel(view_.camera, canvas_.size(), label.at);
         const double clearance = label.clearance / scale + px(is_selected ? 10 : 4);
         words.push_back(word);
         requests.push_back({at, mask.letters.width + px(2), double(mask.letters.height), clearance,
@@ -217,8 +275,11 @@ void Overlay::paint_labels() {
     }
     const ScreenRect inside{2, 2, canvas_.size().width - 4.0, canvas_.size().height - 4.0};
     const auto placed = place_labels(requests, inside, std::move(taken));
-    for (std::size_t i = 0; i < placed.size(); ++i)
-        if (placed[i]) put(words[i], placed[i]->x + px(1), placed[i]->y);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (!placed[i]) continue;
+        paint_leader(requests[i], *placed[i]);
+        put(words[i], placed[i]->x + px(1), placed[i]->y);
+    }
 }
 
 }  // namespace covaria::detail

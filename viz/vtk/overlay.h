@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "viz/scene/measurement.h"
 #include "viz/vtk/canvas.h"
 
 namespace covaria::detail {
@@ -13,6 +14,8 @@ struct OverlayView {
     ScenePalette palette = ScenePalette::light;
     double ratio = 1.0;
     std::string selected = {};
+    MeasureMark measure = {};
+    ScreenRect reserved = {};  ///< where something else will be painted
 };
 
 /// Paints on `image` and remembers what is taken, so that later words avoid earlier ones.
@@ -20,6 +23,12 @@ class Overlay {
 public:
     Overlay(const Scene& scene, const OverlayView& view, Image& image, TextMasks& masks);
     void paint();
+    /// Where each word was written.
+    struct PlacedWord {
+        Text text;
+        ScreenRect rect;
+    };
+    const std::vector<PlacedWord>& words() const { return placed_; }
 
 private:
     struct Word {
@@ -29,21 +38,36 @@ private:
         double scale = 1.0;  ///< of the size of letters
     };
     const TextMask& mask_of(const Word& word);
-    void put(const Word& word, double x, double y, bool claim = true);
+    /// A line of the title, or of the legend.
+    struct HeadLine {
+        Word word;
+        double x = 0.0, y = 0.0;
+        const LegendLine* legend = nullptr;
+    };
+    void claim(const Word& word, double x, double y);
+    void write(const Word& word, double x, double y);
+    void put(const Word& word, double x, double y);  ///< claims its place, and writes it
     bool is_free(const ScreenRect& rect) const;
     Colour colour(Role role) const { return colour_of(role, view_.palette); }
     Pixel pixel_of(const Eigen::Vector3d& p_W) const { return project(view_.camera, canvas_.size(), p_W); }
     double px(double points) const { return points * view_.ratio; }
 
-    void paint_heading();
-    void paint_legend(double y);
+    std::vector<HeadLine> head_lines();
+    void paint_head(const std::vector<HeadLine>& lines);
     void paint_legend_mark(const LegendLine& line, double x, double middle);
     void paint_caption();
     void paint_scale_bar();
-    void paint_colour_bar();
+    double colour_bar_height() const;
+    double claim_colour_bar();
+    void paint_colour_bar(double title_top);
     void paint_triad_letters();
     void paint_selection();
     void paint_labels();
+    void paint_leader(const LabelRequest& request, const ScreenRect& rect);
+    // measure_mark.cpp
+    void paint_measure();
+    void paint_arc(Pixel from, Pixel apex, Pixel to);
+    void paint_measured_value(Pixel at);
     // axis_words.cpp
     void paint_axes();
     void paint_axis(int axis, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
@@ -53,6 +77,7 @@ private:
     Canvas canvas_;
     TextMasks& masks_;
     std::vector<ScreenRect> taken_;
+    std::vector<PlacedWord> placed_;
 };
 
 }  // namespace covaria::detail

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <numbers>
 
 #include "viz/scene/pick.h"
 #include "viz/vtk/layer_actors.h"
@@ -31,6 +32,8 @@ struct SceneRenderer::Implementation {
     double ratio = 0.0;
     LayerVisibility layers;
     std::string selected;
+    MeasureMark measure;
+    ScreenRect reserved;
     Camera camera;
     bool camera_set = false;
 
@@ -99,14 +102,18 @@ void SceneRenderer::Implementation::aim(double scale, RenderQuality quality) {
     const double radius = std::max(1e-9, (bounds.high - bounds.low).norm());
     const double middle = ((bounds.low + bounds.high) / 2 - camera.focal_point).dot(camera.direction);
     const Eigen::Vector3d focal = camera.focal_point - actors.origin();
-    const Eigen::Vector3d eye = focal + (middle - 2 * radius) * camera.direction;
+    const double distance = camera.perspective ? camera.eye_distance() : 2 * radius - middle;
+    const Eigen::Vector3d eye = focal - distance * camera.direction;
     vtkCamera* view = renderer->GetActiveCamera();
     view->SetFocalPoint(eye.x() + camera.direction.x(), eye.y() + camera.direction.y(),
                         eye.z() + camera.direction.z());
     view->SetPosition(eye.x(), eye.y(), eye.z());
     view->SetViewUp(camera.up.x(), camera.up.y(), camera.up.z());
+    view->SetParallelProjection(!camera.perspective);
     view->SetParallelScale(camera.half_height);
-    view->SetClippingRange(radius, 3 * radius);
+    view->SetViewAngle(2 * std::atan(camera.half_height / camera.eye_distance()) * 180 / std::numbers::pi);
+    const double near = std::max(distance + middle - radius, 1e-3 * distance);
+    view->SetClippingRange(near, std::max(distance + middle + radius, 2 * near));
 }
 
 Result<Image> SceneRenderer::Implementation::draw(RenderQuality quality) {
@@ -119,7 +126,7 @@ Result<Image> SceneRenderer::Implementation::draw(RenderQuality quality) {
     auto image = window.picture(scale * size.width, scale * size.height);
     if (!image) return image;
     if (twice) *image = detail::half_size(*image);
-    const detail::OverlayView view{camera, layers, palette, pixel_ratio(), selected};
+    const detail::OverlayView view{camera, layers, palette, pixel_ratio(), selected, measure, reserved};
     detail::Overlay(scene, view, *image, masks).paint();
     return image;
 }
@@ -157,13 +164,27 @@ void SceneRenderer::set_selected(const std::string& item_id) {
     implementation_->selected = item_id;
 }
 
+void SceneRenderer::set_measure(MeasureMark mark) {
+    implementation_->measure = std::move(mark);
+}
+void SceneRenderer::set_reserved(const ScreenRect& rect) {
+    implementation_->reserved = rect;
+}
+const MeasureMark& SceneRenderer::measure() const {
+    return implementation_->measure;
+}
+
 void SceneRenderer::set_view(StandardView view) {
     const Implementation& self = *implementation_;
-    set_camera(view_of(bounds_of(self.scene), view, self.size, self.room_for_words()));
+    set_camera(
+        view_of(bounds_of(self.scene), view, self.size, self.room_for_words(), self.camera.perspective));
 }
 void SceneRenderer::fit() {
     const Implementation& self = *implementation_;
     set_camera(fitted(self.camera, bounds_of(self.scene), self.size, self.room_for_words()));
+}
+void SceneRenderer::set_perspective(bool perspective) {
+    implementation_->camera.perspective = perspective;
 }
 void SceneRenderer::orbit(double dx, double dy) {
     set_camera(orbited(implementation_->camera, implementation_->size, dx, dy));

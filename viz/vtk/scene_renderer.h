@@ -9,6 +9,8 @@
 
 #include "core/base/error.h"
 #include "viz/scene/camera.h"
+#include "viz/scene/label_placement.h"
+#include "viz/scene/measurement.h"
 #include "viz/scene/scene.h"
 #include "viz/vtk/image.h"
 
@@ -59,10 +61,15 @@ public:
     void set_layers(const LayerVisibility& layers);
     LayerVisibility layers() const;
     void set_selected(const std::string& item_id);  ///< empty = none
+    void set_measure(MeasureMark mark);             ///< without places: none
+    const MeasureMark& measure() const;
+    /// Pixels that are painted over: words stay clear of them.
+    void set_reserved(const ScreenRect& rect);
 
     void set_view(StandardView view);  ///< direction, and everything in the picture
     void fit();
-    void orbit(double dx, double dy);  ///< pixels of a drag
+    void set_perspective(bool perspective);  ///< of the same direction and height
+    void orbit(double dx, double dy);        ///< pixels of a drag
     void pan(double dx, double dy);
     void zoom(double factor);
     Camera camera() const;

@@ -15,6 +15,30 @@ using curve::CurveSetup;
 using curve::Fit;
 using curve::InversePlace;
 
+/// A share of the one s of the residuals.
+UncertaintyComponent scatter(const CurveSetup& setup, std::string id, double u) {
+    UncertaintyComponent component;
+    component.id = std::move(id);
+    component.name = "scatter of the points about the curve";
+    component.unit = setup.y_unit.interval();
+    component.distribution = Distribution::of(StudentT{0.0, u, setup.degrees_of_freedom()});
+    component.type = EvaluationType::type_a;
+    component.degrees_of_freedom = setup.degrees_of_freedom();
+    component.origin = "least squares, residuals of " + std::to_string(setup.points.size()) + " points";
+    return component;
+}
+
+UncertaintyComponent stated(std::string id, std::string name, const Unit& unit, double u,
+                            const char* origin) {
+    UncertaintyComponent component;
+    component.id = std::move(id);
+    component.name = std::move(name);
+    component.unit = unit.interval();
+    component.distribution = Distribution::normal(u);
+    component.origin = origin;
+    return component;
+}
+
 class CalibrationCurve : public EquationModel<CalibrationCurve> {
 public:
     CalibrationCurve(CurveSetup setup, Fit fit, std::vector<InversePlace> inverse)
@@ -101,18 +125,6 @@ private:
         return settled;
     }
 
-    UncertaintyComponent scatter(std::string id, double u) const {
-        UncertaintyComponent component;
-        component.id = std::move(id);
-        component.name = "scatter of the points about the curve";
-        component.unit = setup_.y_unit.interval();
-        component.distribution = Distribution::of(StudentT{0.0, u, setup_.degrees_of_freedom()});
-        component.type = EvaluationType::type_a;
-        component.degrees_of_freedom = setup_.degrees_of_freedom();
-        component.origin = "least squares, residuals of " + std::to_string(setup_.points.size()) + " points";
-        return component;
-    }
-
     /// As JCGM 100 H.3, with terms that are not correlated (H.3.5); all have the one s of the residuals.
     void add_terms_as_inputs() {
         for (std::size_t j = 0; j < fit_.q.size(); ++j) {
@@ -133,20 +145,9 @@ private:
 
     void share_of_scatter(InputQuantity& quantity, std::string id, double u) {
         if (!(u > 0.0)) return;
-        const std::size_t component = inputs_.add(scatter(std::move(id), u));
+        const std::size_t component = inputs_.add(scatter(setup_, std::move(id), u));
         quantity.shares.push_back({component, 1.0});
         estimate_.components.push_back(component);
-    }
-
-    static UncertaintyComponent stated(std::string id, std::string name, const Unit& unit, double u,
-                                       const char* origin) {
-        UncertaintyComponent component;
-        component.id = std::move(id);
-        component.name = std::move(name);
-        component.unit = unit.interval();
-        component.distribution = Distribution::normal(u);
-        component.origin = origin;
-        return component;
     }
 
     void add_coordinate(std::size_t i, const char* axis, double value, double u, const Unit& unit) {

@@ -37,6 +37,39 @@ struct Draft {
     std::string estimate_of_variance;     ///< with quantities observed at the same time
 };
 
+/// Means of simultaneous observations have one estimate of their covariance matrix: c^T S c has n - 1
+/// degrees of freedom for any c.
+void rest_together(Draft& first, Draft& second, InputSet& inputs) {
+    std::string& of_first = first.estimate_of_variance;
+    std::string& of_second = second.estimate_of_variance;
+    if (of_first.empty()) {
+        of_first = first.quantity.symbol + ".observations";
+        inputs.rest_on_estimate(of_first, *first.observed);
+    }
+    if (!of_second.empty()) return;
+    of_second = of_first;
+    inputs.rest_on_estimate(of_second, *second.observed);
+}
+
+/// Quantities that were observed at the same time.
+void correlate_observed(std::vector<Draft>& drafts, const Observations& observations, InputSet& inputs) {
+    for (std::size_t i = 0; i < drafts.size(); ++i)
+        for (std::size_t j = i + 1; j < drafts.size(); ++j) {
+            Draft &first = drafts[i], &second = drafts[j];
+            if (!first.observed || !second.observed) continue;
+            const auto r = observations.correlation(first.quantity.symbol, second.quantity.symbol);
+            if (!r) continue;
+            if (*r != 0.0) inputs.correlations.push_back({*first.observed, *second.observed, *r});
+            rest_together(first, second, inputs);
+        }
+}
+
+void credit(UncertaintyComponent& component, const Referred& instrument) {
+    component.origin = instrument.name + " (" + component.origin + ")";
+    component.contributor = instrument.id;
+    component.contributor_name = instrument.name;
+}
+
 class QuantityReader {
 public:
     QuantityReader(const StatedEquations& stated, Problems& problems)
@@ -46,7 +79,7 @@ public:
         for (std::size_t row = 0; row < stated_.components.size(); ++row) read(row);
         for (Draft& draft : drafts_) finish(draft);
         check_observations();
-        correlate();
+        correlate_observed(drafts_, observations_, result_.inputs);
         return std::move(result_);
     }
 
@@ -190,12 +223,6 @@ private:
         }
     }
 
-    static void credit(UncertaintyComponent& component, const Referred& instrument) {
-        component.origin = instrument.name + " (" + component.origin + ")";
-        component.contributor = instrument.id;
-        component.contributor_name = instrument.name;
-    }
-
     void own_reading(Draft& draft, std::size_t row, UncertaintyComponent own) {
         credit(own, at(row).instrument);
         add(draft, row, std::move(own));
@@ -229,33 +256,6 @@ private:
             if (!index_.contains(quantity))
                 problems_.error(equation_fields().place(&StatedEquations::observations),
                                 "'" + quantity + "' has observations and no row in the table of quantities");
-    }
-
-    /// Means of simultaneous observations have one estimate of their covariance matrix: c^T S c has n - 1
-    /// degrees of freedom for any c.
-    void observed_together(std::size_t i, std::size_t j) {
-        std::string& of_first = drafts_[i].estimate_of_variance;
-        std::string& of_second = drafts_[j].estimate_of_variance;
-        if (of_first.empty()) {
-            of_first = drafts_[i].quantity.symbol + ".observations";
-            result_.inputs.rest_on_estimate(of_first, *drafts_[i].observed);
-        }
-        if (!of_second.empty()) return;
-        of_second = of_first;
-        result_.inputs.rest_on_estimate(of_second, *drafts_[j].observed);
-    }
-
-    void correlate() {
-        for (std::size_t i = 0; i < drafts_.size(); ++i)
-            for (std::size_t j = i + 1; j < drafts_.size(); ++j) {
-                if (!drafts_[i].observed || !drafts_[j].observed) continue;
-                const auto r =
-                    observations_.correlation(drafts_[i].quantity.symbol, drafts_[j].quantity.symbol);
-                if (!r) continue;
-                if (*r != 0.0)
-                    result_.inputs.correlations.push_back({*drafts_[i].observed, *drafts_[j].observed, *r});
-                observed_together(i, j);
-            }
     }
 
     const StatedEquations& stated_;

@@ -19,6 +19,24 @@ std::string text_in_millivolts(double ratio) {
     return readable_number(std::round(1e8 * ratio) / 1e5) + " mV/V";
 }
 
+double mean_of(const std::vector<double>& values) {
+    if (values.empty()) return std::nan("");
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+/// Those of all runs by rising load, without figures.
+std::vector<StepStatistics> steps_of(const std::vector<Run>& runs) {
+    std::vector<StepStatistics> steps;
+    for (const Run& run : runs)
+        for (const StepReading& reading : run.increasing)
+            if (std::ranges::find(steps, reading.step, &StepStatistics::step) == steps.end())
+                steps.push_back({reading.step, reading.load, 0.0, 0.0, 0.0, 0.0});
+    std::ranges::sort(steps, {}, &StepStatistics::load);
+    return steps;
+}
+
 class SeriesEvaluation {
 public:
     SeriesEvaluation(Calibration& calibration, std::size_t channel, Problems& problems)
@@ -26,7 +44,7 @@ public:
 
     void run() {
         if (!check_runs()) return;
-        collect_steps();
+        steps() = steps_of(series().runs);
         statistics();
         check_steps();
         if (!check_rated_load()) return;
@@ -73,18 +91,6 @@ private:
         problems_.warning(sensor_fields().place(&StatedSensor::readings), message);
     }
 
-    void collect_steps() {
-        for (const Run& run : series().runs)
-            for (const StepReading& reading : run.increasing) {
-                const bool known = std::any_of(steps().begin(), steps().end(), [&](const StepStatistics& s) {
-                    return s.step == reading.step;
-                });
-                if (!known) steps().push_back({reading.step, reading.load, 0.0, 0.0, 0.0, 0.0});
-            }
-        std::sort(steps().begin(), steps().end(),
-                  [](const StepStatistics& a, const StepStatistics& b) { return a.load < b.load; });
-    }
-
     /// Eqs 2 to 4, and the deviations of all steps pooled.
     void statistics() {
         double squares = 0.0, freedom = 0.0;
@@ -110,13 +116,6 @@ private:
         }
         channel().pooled_degrees_of_freedom = freedom;
         channel().s_pooled = freedom > 0.0 ? std::sqrt(squares / freedom) : 0.0;
-    }
-
-    static double mean_of(const std::vector<double>& values) {
-        if (values.empty()) return std::nan("");
-        double sum = 0.0;
-        for (const double value : values) sum += value;
-        return sum / static_cast<double>(values.size());
     }
 
     void check_steps() {

@@ -22,163 +22,33 @@ std::string place(std::vector<Row> Stated::*table, std::size_t row) {
     return network_fields().place(table, row);
 }
 
-class SetupReading {
-public:
-    SetupReading(const Stated& stated, Problems& problems) : stated_(stated), problems_(problems) {}
+/// Where sensors (by id) and targets (by name) are in the network.
+struct Names {
+    std::map<std::string, std::size_t> sensors, targets;
 
-    std::optional<NetworkSetup> read() {
-        take_choices();
-        take_sensors();
-        take_targets();
-        take_distances();
-        take_angles();
-        take_frames();
-        take_scale_bars();
-        if (problems_.has_errors()) return {};
+    std::size_t target_called(const std::string& name, const std::string& path, Problems& problems) const {
+        const auto found = targets.find(name);
+        if (found != targets.end()) return found->second;
+        problems.error(path, "there is no target " + name);
+        return 0;
+    }
+};
+
+/// The sights of all targets: as read, or as the sensors would see the nominal targets.
+class SightReading {
+public:
+    SightReading(const Stated& stated, const Names& names, NetworkSetup& network, Problems& problems)
+        : stated_(stated), names_(names), network_(network), problems_(problems) {}
+
+    void read() {
         if (network_.measured)
             take_readings();
         else
             predict_readings();
         for (Target& target : network_.targets) finish(target);
-        if (problems_.has_errors()) return {};
-        return std::move(network_);
     }
 
 private:
-    void take_choices() {
-        network_.estimator = stated_.estimator;
-        network_.weights =
-            stated_.estimator == Estimator::nonlinear ? stated_.weights : Weights::observations_only;
-        network_.measured = stated_.measured;
-    }
-
-    void take_sensors() {
-        if (stated_.sensors.rows.size() > most_sensors)
-            return problems_.error(sensor_list_fields().place(&SensorList::rows),
-                                   "a network has at most " + std::to_string(most_sensors) +
-                                       " sensors; divide it into several analyses");
-        network_.sensors = sensors_of(stated_.sensors, problems_);
-        for (std::size_t s = 0; s < network_.sensors.size(); ++s)
-            sensor_index_.emplace(network_.sensors[s].id, s);
-    }
-
-    void take_targets() {
-        std::size_t set_up = 0;
-        for (std::size_t row = 0; row < stated_.targets.size(); ++row) {
-            const Stated::Target& stated = stated_.targets[row];
-            if (row > 0 && stated.new_set_up) ++set_up;
-            if (!target_index_.try_emplace(stated.name, row).second)
-                problems_.error(place(&Stated::targets, row), "two targets are called " + stated.name);
-            network_.targets.push_back({.name = stated.name, .nominal = stated.nominal, .set_up = set_up});
-        }
-        for (std::size_t t = 0; t < network_.targets.size(); ++t) {
-            if (network_.set_ups.size() <= network_.targets[t].set_up)
-                network_.set_ups.push_back({network_.targets[t].set_up, t, 0, {}});
-            ++network_.set_ups.back().targets;
-        }
-        network_.stations = network_.set_ups.size();
-    }
-
-    std::size_t target_called(const std::string& name, const std::string& path) {
-        const auto found = target_index_.find(name);
-        if (found != target_index_.end()) return found->second;
-        problems_.error(path, "there is no target " + name);
-        return 0;
-    }
-
-    void take_distances() {
-        for (std::size_t row = 0; row < stated_.distances.size(); ++row) {
-            const std::string path = place(&Stated::distances, row);
-            const std::size_t from = target_called(stated_.distances[row].from, path);
-            const std::size_t to = target_called(stated_.distances[row].to, path);
-            if (!problems_.has_errors() && (from == to || (nominal(from) - nominal(to)).norm() == 0.0))
-                problems_.error(path, "a distance needs two targets at different places");
-            network_.distances.push_back({from, to});
-        }
-    }
-
-    void take_scale_bars() {
-        for (std::size_t row = 0; row < stated_.bars.size(); ++row) {
-            const Stated::Bar& stated = stated_.bars[row];
-            ScaleBar bar{.u = stated.u,
-                         .distribution = stated.distribution,
-                         .constrains = stated.constrains,
-                         .name = "scale bar " + stated.from + " – " + stated.to,
-                         .source = place(&Stated::bars, row)};
-            bar.from = target_called(stated.from, bar.source);
-            bar.to = target_called(stated.to, bar.source);
-            if (!problems_.has_errors()) take_length(bar, stated.length);
-            if (bar.constrains) check_constraint(bar);
-            network_.bars.push_back(std::move(bar));
-        }
-    }
-
-    void take_length(ScaleBar& bar, const std::optional<double>& length) {
-        const double nominal_length = (nominal(bar.to) - nominal(bar.from)).norm();
-        bar.length = nominal_length;
-        if (nominal_length == 0.0)
-            return problems_.error(bar.source, "a calibrated length needs two targets at different places");
-        if (!length) {
-            if (network_.measured) problems_.error(bar.source, "the calibrated length is missing");
-            return;
-        }
-        if (network_.measured)
-            bar.length = *length;
-        else if (std::abs(*length - nominal_length) > std::max(5.0 * bar.u, 1e-3 * *length))
-            problems_.warning(bar.source, "the nominal targets of the " + bar.name +
-                                              " are at another distance than its calibrated length; the "
-                                              "design takes their distance");
-    }
-
-    void check_constraint(const ScaleBar& bar) {
-        if (network_.weights != Weights::with_stations)
-            return problems_.error(bar.source,
-                                   "a calibrated length can be a constraint only of the non-linear estimator "
-                                   "with weights from readings and stations");
-        if (!problems_.has_errors() && network_.targets[bar.from].set_up != network_.targets[bar.to].set_up)
-            problems_.error(bar.source, "the targets of the " + bar.name +
-                                            " belong to two set-ups, which are estimated one after the "
-                                            "other: it can only be a check");
-    }
-
-    const Eigen::Vector3d& nominal(std::size_t target) const { return network_.targets[target].nominal; }
-
-    void take_angles() {
-        for (std::size_t row = 0; row < stated_.angles.size(); ++row) {
-            const std::string path = place(&Stated::angles, row);
-            const auto& [from, at, to] = stated_.angles[row];
-            const Angle angle{target_called(from, path), target_called(at, path), target_called(to, path)};
-            if (problems_.has_errors()) continue;
-            const double sine = sine_of_corner(nominal(angle.at), nominal(angle.from), nominal(angle.to));
-            if (!(sine > least_sine))
-                problems_.error(path,
-                                "the targets of an angle must be at three places off one line: at 0° "
-                                "and 180° an angle has no sign and no derivative");
-            network_.angles.push_back(angle);
-        }
-    }
-
-    void take_frames() {
-        std::set<std::string> names;
-        for (std::size_t row = 0; row < stated_.frames.size(); ++row) {
-            const std::string path = place(&Stated::frames, row);
-            const auto& [name, origin, on_x, in_xy] = stated_.frames[row];
-            TargetFrame frame{
-                name, {target_called(origin, path), target_called(on_x, path), target_called(in_xy, path)}};
-            if (!names.insert(frame.name).second || target_index_.count(frame.name) > 0)
-                problems_.error(path, "the name " + frame.name + " is taken by another frame or a target");
-            if (problems_.has_errors()) continue;
-            const auto& t = frame.targets;
-            if (!(sine_of_corner(nominal(t[0]), nominal(t[1]), nominal(t[2])) > least_sine))
-                problems_.error(path, "the three targets of frame " + frame.name +
-                                          " lie on one line: its axes are undefined");
-            else if (std::abs(frame_of(network_, frame).linear()(2, 0)) > 1.0 - least_sine)
-                problems_.warning(path, "the x-axis of frame " + frame.name +
-                                            " is vertical: its Z-Y-X angles are undefined (gimbal lock)");
-            network_.frames.push_back(std::move(frame));
-        }
-    }
-
     void predict_readings() {
         for (std::size_t t = 0; t < network_.targets.size(); ++t) {
             const std::string path = place(&Stated::targets, t);
@@ -228,9 +98,9 @@ private:
         for (std::size_t row = 0; row < stated_.readings.size(); ++row) {
             const Stated::Reading& stated = stated_.readings[row];
             const std::string path = place(&Stated::readings, row);
-            const std::size_t target = target_called(stated.target, path);
-            const auto sensor = sensor_index_.find(stated.sensor.id);
-            if (sensor == sensor_index_.end()) {
+            const std::size_t target = names_.target_called(stated.target, path, problems_);
+            const auto sensor = names_.sensors.find(stated.sensor.id);
+            if (sensor == names_.sensors.end()) {
                 problems_.error(path, "the sensor " + stated.sensor.id + " is not listed in the network");
                 continue;
             }
@@ -283,10 +153,165 @@ private:
     }
 
     const Stated& stated_;
+    const Names& names_;
+    NetworkSetup& network_;
+    Problems& problems_;
+    std::vector<std::pair<std::size_t, std::size_t>> unseen_;  ///< sensor, target
+};
+
+class SetupReading {
+public:
+    SetupReading(const Stated& stated, Problems& problems) : stated_(stated), problems_(problems) {}
+
+    std::optional<NetworkSetup> read() {
+        take_choices();
+        take_sensors();
+        take_targets();
+        take_distances();
+        take_angles();
+        take_frames();
+        take_scale_bars();
+        if (problems_.has_errors()) return {};
+        SightReading(stated_, names_, network_, problems_).read();
+        if (problems_.has_errors()) return {};
+        return std::move(network_);
+    }
+
+private:
+    void take_choices() {
+        network_.estimator = stated_.estimator;
+        network_.weights =
+            stated_.estimator == Estimator::nonlinear ? stated_.weights : Weights::observations_only;
+        network_.measured = stated_.measured;
+    }
+
+    void take_sensors() {
+        if (stated_.sensors.rows.size() > most_sensors)
+            return problems_.error(sensor_list_fields().place(&SensorList::rows),
+                                   "a network has at most " + std::to_string(most_sensors) +
+                                       " sensors; divide it into several analyses");
+        network_.sensors = sensors_of(stated_.sensors, problems_);
+        for (std::size_t s = 0; s < network_.sensors.size(); ++s)
+            names_.sensors.emplace(network_.sensors[s].id, s);
+    }
+
+    void take_targets() {
+        std::size_t set_up = 0;
+        for (std::size_t row = 0; row < stated_.targets.size(); ++row) {
+            const Stated::Target& stated = stated_.targets[row];
+            if (row > 0 && stated.new_set_up) ++set_up;
+            if (!names_.targets.try_emplace(stated.name, row).second)
+                problems_.error(place(&Stated::targets, row), "two targets are called " + stated.name);
+            network_.targets.push_back({.name = stated.name, .nominal = stated.nominal, .set_up = set_up});
+        }
+        for (std::size_t t = 0; t < network_.targets.size(); ++t) {
+            if (network_.set_ups.size() <= network_.targets[t].set_up)
+                network_.set_ups.push_back({network_.targets[t].set_up, t, 0, {}});
+            ++network_.set_ups.back().targets;
+        }
+        network_.stations = network_.set_ups.size();
+    }
+
+    std::size_t called(const std::string& name, const std::string& path) {
+        return names_.target_called(name, path, problems_);
+    }
+
+    void take_distances() {
+        for (std::size_t row = 0; row < stated_.distances.size(); ++row) {
+            const std::string path = place(&Stated::distances, row);
+            const std::size_t from = called(stated_.distances[row].from, path);
+            const std::size_t to = called(stated_.distances[row].to, path);
+            if (!problems_.has_errors() && (from == to || (nominal(from) - nominal(to)).norm() == 0.0))
+                problems_.error(path, "a distance needs two targets at different places");
+            network_.distances.push_back({from, to});
+        }
+    }
+
+    void take_scale_bars() {
+        for (std::size_t row = 0; row < stated_.bars.size(); ++row) {
+            const Stated::Bar& stated = stated_.bars[row];
+            ScaleBar bar{.u = stated.u,
+                         .distribution = stated.distribution,
+                         .constrains = stated.constrains,
+                         .name = "scale bar " + stated.from + " – " + stated.to,
+                         .source = place(&Stated::bars, row)};
+            bar.from = called(stated.from, bar.source);
+            bar.to = called(stated.to, bar.source);
+            if (!problems_.has_errors()) take_length(bar, stated.length);
+            if (bar.constrains) check_constraint(bar);
+            network_.bars.push_back(std::move(bar));
+        }
+    }
+
+    void take_length(ScaleBar& bar, const std::optional<double>& length) {
+        const double nominal_length = (nominal(bar.to) - nominal(bar.from)).norm();
+        bar.length = nominal_length;
+        if (nominal_length == 0.0)
+            return problems_.error(bar.source, "a calibrated length needs two targets at different places");
+        if (!length) {
+            if (network_.measured) problems_.error(bar.source, "the calibrated length is missing");
+            return;
+        }
+        if (network_.measured)
+            bar.length = *length;
+        else if (std::abs(*length - nominal_length) > std::max(5.0 * bar.u, 1e-3 * *length))
+            problems_.warning(bar.source, "the nominal targets of the " + bar.name +
+                                              " are at another distance than its calibrated length; the "
+                                              "design takes their distance");
+    }
+
+    void check_constraint(const ScaleBar& bar) {
+        if (network_.weights != Weights::with_stations)
+            return problems_.error(bar.source,
+                                   "a calibrated length can be a constraint only of the non-linear estimator "
+                                   "with weights from readings and stations");
+        if (!problems_.has_errors() && network_.targets[bar.from].set_up != network_.targets[bar.to].set_up)
+            problems_.error(bar.source, "the targets of the " + bar.name +
+                                            " belong to two set-ups, which are estimated one after the "
+                                            "other: it can only be a check");
+    }
+
+    const Eigen::Vector3d& nominal(std::size_t target) const { return network_.targets[target].nominal; }
+
+    void take_angles() {
+        for (std::size_t row = 0; row < stated_.angles.size(); ++row) {
+            const std::string path = place(&Stated::angles, row);
+            const auto& [from, at, to] = stated_.angles[row];
+            const Angle angle{called(from, path), called(at, path), called(to, path)};
+            if (problems_.has_errors()) continue;
+            const double sine = sine_of_corner(nominal(angle.at), nominal(angle.from), nominal(angle.to));
+            if (!(sine > least_sine))
+                problems_.error(path,
+                                "the targets of an angle must be at three places off one line: at 0° "
+                                "and 180° an angle has no sign and no derivative");
+            network_.angles.push_back(angle);
+        }
+    }
+
+    void take_frames() {
+        std::set<std::string> names;
+        for (std::size_t row = 0; row < stated_.frames.size(); ++row) {
+            const std::string path = place(&Stated::frames, row);
+            const auto& [name, origin, on_x, in_xy] = stated_.frames[row];
+            TargetFrame frame{name, {called(origin, path), called(on_x, path), called(in_xy, path)}};
+            if (!names.insert(frame.name).second || names_.targets.count(frame.name) > 0)
+                problems_.error(path, "the name " + frame.name + " is taken by another frame or a target");
+            if (problems_.has_errors()) continue;
+            const auto& t = frame.targets;
+            if (!(sine_of_corner(nominal(t[0]), nominal(t[1]), nominal(t[2])) > least_sine))
+                problems_.error(path, "the three targets of frame " + frame.name +
+                                          " lie on one line: its axes are undefined");
+            else if (std::abs(frame_of(network_, frame).linear()(2, 0)) > 1.0 - least_sine)
+                problems_.warning(path, "the x-axis of frame " + frame.name +
+                                            " is vertical: its Z-Y-X angles are undefined (gimbal lock)");
+            network_.frames.push_back(std::move(frame));
+        }
+    }
+
+    const Stated& stated_;
     Problems& problems_;
     NetworkSetup network_;
-    std::map<std::string, std::size_t> sensor_index_, target_index_;
-    std::vector<std::pair<std::size_t, std::size_t>> unseen_;  ///< sensor, target
+    Names names_;
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
 // Tables about a network: what its readings alone would give, and what given readings say about themselves.
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -7,6 +6,7 @@
 #include "core/kinds/network/adjustment.h"
 #include "core/kinds/network/setup.h"
 #include "core/math/decompositions.h"
+#include "core/math/special_quantiles.h"
 
 namespace covaria::network {
 
@@ -279,9 +279,7 @@ private:
                 " readings have |w| > 3.29 (0.1 %); where several do, look at the largest first.");
     }
 
-    double p_value() const {
-        return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_), chi_square_));
-    }
+    double p_value() const { return chi_squared_upper_tail(chi_square_, degrees_); }
 
     bool too_large() const { return degrees_ > 0 && p_value() < 0.01; }
 

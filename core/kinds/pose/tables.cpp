@@ -1,13 +1,12 @@
 #include "core/kinds/pose/tables.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <cstdio>
 #include <map>
 
 #include "core/kinds/pose/equations.h"
+#include "core/math/decompositions.h"
+#include "core/math/special_quantiles.h"
 #include "core/quantity/input_quantity.h"
 
 namespace covaria::pose {
@@ -136,7 +135,8 @@ private:
             fit_.u_residual[point][i % 3] = of_residuals.row(i).norm();
             fit_.redundancy[point][i % 3] = rest.row(i).squaredNorm();
         }
-        const Eigen::LDLT<Eigen::MatrixXd> ldlt(G * G.transpose());
+        const Eigen::MatrixXd covariance = G * G.transpose();
+        const Eigen::LDLT<Eigen::MatrixXd> ldlt(covariance);
         const Eigen::VectorXd D = ldlt.vectorD();
         Eigen::VectorXd y = ldlt.transpositionsP() * (rest.transpose() * e);
         ldlt.matrixL().solveInPlace(y);
@@ -271,8 +271,7 @@ DataTable residual_table(const std::vector<FrameFit>& fits) {
 }  // namespace
 
 double FrameFit::probability() const {
-    const boost::math::chi_squared distribution(degrees_of_freedom);
-    return boost::math::cdf(boost::math::complement(distribution, chi_square));
+    return chi_squared_upper_tail(chi_square, degrees_of_freedom);
 }
 
 double FrameFit::normalised(std::size_t point, int axis) const {

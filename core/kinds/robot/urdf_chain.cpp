@@ -31,14 +31,51 @@ struct Place {
     std::string gripper = {};  ///< why it is part of a gripper; empty: it is not
 };
 
+/// Says of joints why they are part of a gripper. `order`: each joint behind those above it.
+void find_grippers(const std::vector<Joint>& joints, const std::vector<std::size_t>& order,
+                   std::vector<Place>& places) {
+    std::set<std::string> followed;
+    for (const Joint& joint : joints) followed.insert(joint.follows);
+    for (const std::size_t j : order) {
+        const Joint& joint = joints[j];
+        Place& place = places[j];
+        if (!joint.moves()) continue;
+        const bool at_end = place.below == 0 && place.moving > 2;
+        const bool short_stroke = joint.limited && joint.high - joint.low < gripper_stroke;
+        if (called_a_finger(joint.name))
+            place.gripper = "it is called like a joint of a gripper";
+        else if (at_end && followed.count(joint.name) > 0)
+            place.gripper = "others follow it at the end of the arm, as in a gripper";
+        else if (at_end && joint.kind == JointKind::sliding && short_stroke)
+            place.gripper = "it slides by less than 100 mm at the end of the arm, as in a gripper";
+    }
+}
+
+/// Several moving joints on one body, all with less behind them than the arm has before: fingers.
+void find_forks(const std::vector<Joint>& joints, const std::vector<std::size_t>& order,
+                std::vector<Place>& places) {
+    std::map<std::size_t, std::vector<std::size_t>> leaving;
+    for (const std::size_t j : order)
+        if (joints[j].moves() && places[j].body != nobody) leaving[places[j].body].push_back(j);
+    for (const auto& [body, fork] : leaving) {
+        const std::size_t before = places[body].moving;
+        const bool hand = fork.size() > 1 && std::all_of(fork.begin(), fork.end(), [&](std::size_t j) {
+                              return places[j].below + 1 < before;
+                          });
+        for (const std::size_t j : fork)
+            if (hand && places[j].gripper.empty())
+                places[j].gripper = "it is one of several at the end of the arm, as in a hand";
+    }
+}
+
 class Tree {
 public:
     explicit Tree(const Robot& robot)
         : line_(robot.line), joints_(robot.joints), places_(robot.joints.size()) {
         sort();
         count();
-        find_grippers();
-        find_forks();
+        find_grippers(joints_, order_, places_);
+        find_forks(joints_, order_, places_);
     }
 
     Result<Chain> longest() {
@@ -124,40 +161,6 @@ private:
             if (const std::size_t above = places_[*k].above; above != nobody)
                 places_[above].below =
                     std::max(places_[above].below, places_[*k].below + joints_[*k].moves());
-    }
-
-    void find_grippers() {
-        std::set<std::string> followed;
-        for (const Joint& joint : joints_) followed.insert(joint.follows);
-        for (const std::size_t j : order_) {
-            const Joint& joint = joints_[j];
-            Place& place = places_[j];
-            if (!joint.moves()) continue;
-            const bool at_end = place.below == 0 && place.moving > 2;
-            const bool short_stroke = joint.limited && joint.high - joint.low < gripper_stroke;
-            if (called_a_finger(joint.name))
-                place.gripper = "it is called like a joint of a gripper";
-            else if (at_end && followed.count(joint.name) > 0)
-                place.gripper = "others follow it at the end of the arm, as in a gripper";
-            else if (at_end && joint.kind == JointKind::sliding && short_stroke)
-                place.gripper = "it slides by less than 100 mm at the end of the arm, as in a gripper";
-        }
-    }
-
-    /// Several moving joints on one body, all with less behind them than the arm has before: fingers.
-    void find_forks() {
-        std::map<std::size_t, std::vector<std::size_t>> leaving;
-        for (const std::size_t j : order_)
-            if (joints_[j].moves() && places_[j].body != nobody) leaving[places_[j].body].push_back(j);
-        for (const auto& [body, fork] : leaving) {
-            const std::size_t before = places_[body].moving;
-            const bool hand = fork.size() > 1 && std::all_of(fork.begin(), fork.end(), [&](std::size_t j) {
-                                  return places_[j].below + 1 < before;
-                              });
-            for (const std::size_t j : fork)
-                if (hand && places_[j].gripper.empty())
-                    places_[j].gripper = "it is one of several at the end of the arm, as in a hand";
-        }
     }
 
     void find_obstacles() {

@@ -134,6 +134,47 @@ bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
     return false;
 }
 
+void warn_of_outlier(const Calibration& c, Index row, double size, Problems& problems) {
+    static const char* const names[] = {
+        "x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
+    const auto m = static_cast<Index>(c.rows_per_pose());
+    const MeasuredPose& pose = c.poses[static_cast<std::size_t>(row / m)];
+    problems.warning(pose.source, "pose " + pose.name + ": the residual of its " + names[row % m] + " is " +
+                                      format_short(size) + " times its standard uncertainty (limit " +
+                                      format_short(c.statistics.limit) +
+                                      "). Look at this pose first; hold it back by use = check");
+}
+
+/// Of residuals that the uncertainties do not explain.
+void warn_of_residuals(const Calibration& c, Problems& problems) {
+    const FitStatistics& s = c.statistics;
+    const auto freedom = static_cast<double>(c.rows() - c.unknowns.size());
+    if (freedom < 1.0) return;
+    const VectorXd size = s.residuals.cwiseAbs().cwiseQuotient(s.u_residuals.cwiseMax(1e-300));
+    Index worst = 0;
+    if (size.maxCoeff(&worst) > s.limit && s.u_residuals[worst] > 0.0)
+        warn_of_outlier(c, worst, size[worst], problems);
+    if (s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))
+        problems.warning(fields().place(&Calibration::measured),
+                         "the residuals are " + format_short(s.scatter) +
+                             " times as large as the uncertainties of points and readings explain: there "
+                             "is more than these (a joint's elasticity, temperature, an outlier), and "
+                             "the uncertainty of the parameters is stated too small");
+}
+
+void warn_of_weakness(const Calibration& c, const std::string& place, Problems& problems) {
+    const FitStatistics& s = c.statistics;
+    const double condition = s.singular_values[0] / s.singular_values[s.singular_values.size() - 1];
+    if (condition < 1e4) return;
+    std::string names;
+    for (Index i = 0; i < s.weakest.size(); ++i)
+        if (std::abs(s.weakest[i]) > 0.3)
+            names += (names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name();
+    problems.warning(place, "these poses hardly tell " + names + " apart (condition " +
+                                format_short(condition, 2) +
+                                "): turn more joints further, or hold one of them");
+}
+
 class Fit {
 public:
     Fit(Calibration& c, Problems& problems)
@@ -164,8 +205,8 @@ public:
         c_.solution = v;
         if (!find_gain()) return false;
         find_statistics(nominal);
-        if (!c_.simulated) warn();
-        warn_of_weakness();
+        if (!c_.simulated) warn_of_residuals(c_, problems_);
+        warn_of_weakness(c_, place_, problems_);
         return true;
     }
 
@@ -307,48 +348,6 @@ private:
         VectorXd positions(3 * rows.size() / m);
         for (Index k = 0; k < rows.size() / m; ++k) positions.segment<3>(3 * k) = rows.segment<3>(m * k);
         return positions;
-    }
-
-    void warn() {
-        const FitStatistics& s = c_.statistics;
-        const auto freedom = static_cast<double>(c_.rows() - c_.unknowns.size());
-        if (freedom < 1.0) return;
-        const VectorXd size = s.residuals.cwiseAbs().cwiseQuotient(s.u_residuals.cwiseMax(1e-300));
-        Index worst = 0;
-        if (size.maxCoeff(&worst) > s.limit && s.u_residuals[worst] > 0.0)
-            warn_of_outlier(worst, size[worst]);
-        if (s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))
-            problems_.warning(
-                fields().place(&Calibration::measured),
-                "the residuals are " + format_short(s.scatter) +
-                    " times as large as the uncertainties of points and readings explain: there "
-                    "is more than these (a joint's elasticity, temperature, an outlier), and "
-                    "the uncertainty of the parameters is stated too small");
-    }
-
-    void warn_of_outlier(Index row, double size) {
-        static const char* const names[] = {
-            "x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
-        const auto m = static_cast<Index>(c_.rows_per_pose());
-        const MeasuredPose& pose = c_.poses[static_cast<std::size_t>(row / m)];
-        problems_.warning(pose.source, "pose " + pose.name + ": the residual of its " + names[row % m] +
-                                           " is " + format_short(size) +
-                                           " times its standard uncertainty (limit " +
-                                           format_short(c_.statistics.limit) +
-                                           "). Look at this pose first; hold it back by use = check");
-    }
-
-    void warn_of_weakness() {
-        const FitStatistics& s = c_.statistics;
-        const double condition = s.singular_values[0] / s.singular_values[s.singular_values.size() - 1];
-        if (condition < 1e4) return;
-        std::string names;
-        for (Index i = 0; i < s.weakest.size(); ++i)
-            if (std::abs(s.weakest[i]) > 0.3)
-                names += (names.empty() ? "" : ", ") + c_.unknowns[static_cast<std::size_t>(i)].name();
-        problems_.warning(place_, "these poses hardly tell " + names + " apart (condition " +
-                                      format_short(condition, 2) +
-                                      "): turn more joints further, or hold one of them");
     }
 
     Calibration& c_;

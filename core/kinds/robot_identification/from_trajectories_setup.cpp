@@ -34,6 +34,131 @@ std::string place(M... members) {
     return fields().place(members...);
 }
 
+/// Which axes are parallel, on which side their common perpendiculars run, and which parameters there are.
+class Structure {
+public:
+    Structure(Identification& id, Problems& problems) : id_(id), problems_(problems) {}
+
+    void decide() {
+        const std::size_t n = id_.trajectories.size();
+        const NominalFrames nominal = nominal_frames();
+        const auto axis = [&](std::size_t j) -> Eigen::Vector3d {
+            return id_.trajectories[j].shape.start.axes.col(2);
+        };
+        Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+        for (std::size_t j = 0; j < n; ++j) H += axis(j) * nominal.z[j].transpose();
+        const Eigen::Matrix3d R = rotation_nearest(H);
+        for (std::size_t j = 0; j < n; ++j)
+            if (axis(j).dot(R * nominal.z[j]) < 0.0)
+                problems_.error(
+                    id_.simulated ? place(&Identification::nominal) : place(&Identification::points),
+                    "the points of " + joint_name(j) +
+                        " run against the positive direction of the joint: reverse their order, or give "
+                        "its readings");
+        const double limit = std::sin(id_.parallel_limit);
+        const RobotJoint& first = id_.robot().joints()[0];
+        id_.structure.theta_1 = first.values.theta;
+        id_.structure.d_1 = first.values.d;
+        for (std::size_t j = 0; j + 1 < n; ++j) {
+            const double sine = axis(j).cross(axis(j + 1)).norm();
+            id_.structure.parallel.push_back(sine < limit);
+            id_.structure.opposite.push_back(axis(j).dot(axis(j + 1)) < 0.0);
+            warn_of_parallel(j, sine, sine < limit);
+        }
+        decide_sides(R, nominal);
+    }
+
+    void list_parameters() {
+        const std::size_t n = id_.trajectories.size();
+        for (std::size_t j = 0; j < n; ++j)
+            for (JointParameter p : joint_parameters) {
+                const IdentifiedParameter parameter{j, p};
+                const std::string reason = reason_against(j, p);
+                const bool exists = p != JointParameter::beta || (j + 1 < n && id_.structure.parallel[j]);
+                if (reason.empty() && exists) id_.parameters.push_back(parameter);
+                if (!reason.empty() && exists) id_.missing.push_back({parameter.symbol(), reason});
+            }
+        id_.missing.push_back({"tool", "one ball is one point: it has no orientation"});
+    }
+
+private:
+    /// Directions of the nominal axes and x-axes, in the base frame.
+    struct NominalFrames {
+        std::vector<Eigen::Vector3d> z, x;
+    };
+    NominalFrames nominal_frames() const {
+        std::vector<double> zero;
+        for (const RobotJoint& joint : id_.robot().joints()) zero.push_back(joint.zero);
+        NominalFrames found;
+        for (const Eigen::Isometry3d& X : link_frames(id_.robot(), zero)) {
+            found.z.push_back(X.linear().col(2));
+            found.x.push_back(X.linear().col(0));
+        }
+        return found;
+    }
+
+    static Eigen::Matrix3d rotation_nearest(const Eigen::Matrix3d& H) {
+        const auto svd = singular_values(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        Eigen::Vector3d d = Eigen::Vector3d::Ones();
+        d[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+        return svd.matrixU() * d.asDiagonal() * svd.matrixV().transpose();
+    }
+
+    void warn_of_parallel(std::size_t j, double sine, bool parallel) {
+        if (parallel == id_.robot().joints()[j].parallel) return;
+        const std::string names =
+            "the axes of joints " + std::to_string(j + 1) + " and " + std::to_string(j + 2);
+        if (parallel)
+            problems_.warning(place(&Identification::nominal),
+                              names + " are nearly parallel (" + degrees(std::asin(sine)) +
+                                  "): they are described by beta with d = 0, because the place of "
+                                  "their common perpendicular is hardly determined");
+        else
+            problems_.warning(place(&Identification::nominal),
+                              names + " are " + degrees(std::asin(std::min(1.0, sine))) +
+                                  " apart: they are described by d without beta, although the nominal "
+                                  "robot has beta");
+    }
+
+    void decide_sides(const Eigen::Matrix3d& R, const NominalFrames& nominal) {
+        const std::size_t n = id_.trajectories.size();
+        id_.structure.side.assign(n - 1, 1.0);
+        std::array<AxisLine<double>, most_joints> axes;
+        std::array<AxisFrame<double>, most_joints> frames;
+        for (std::size_t j = 0; j < n; ++j) {
+            const CircleStart& start = id_.trajectories[j].shape.start;
+            axes[j] = {start.centre, start.axes.col(2)};
+        }
+        frames_from_axes(axes.data(), n, id_.structure, frames.data());
+        for (std::size_t j = 0; j + 1 < n; ++j) {
+            const Eigen::Vector3d x = R * nominal.x[j + 1];
+            if (frames[j + 1].x.dot(x) < 0.0) id_.structure.side[j] = -1.0;
+            if (!frames[j + 1].x.allFinite())
+                problems_.error(place(&Identification::points), "the axes of joints " +
+                                                                    std::to_string(j + 1) + " and " +
+                                                                    std::to_string(j + 2) +
+                                                                    " are the same line: nothing tells their "
+                                                                    "frames apart");
+        }
+    }
+
+    std::string reason_against(std::size_t j, JointParameter p) const {
+        const std::size_t n = id_.trajectories.size();
+        const bool place = p == JointParameter::theta || p == JointParameter::d;
+        if (j == 0 && place)
+            return "places the base frame on axis 1: by definition, as nominal; it would need a measured "
+                   "base";
+        if (j + 1 == n)
+            return "places the frame of the last link, which no axis follows: by definition, as nominal";
+        if (p == JointParameter::d && id_.structure.parallel[j])
+            return "the axis is parallel to the next: 0 by definition, or beta and d would describe the same";
+        return {};
+    }
+
+    Identification& id_;
+    Problems& problems_;
+};
+
 class Reading {
 public:
     Reading(StatedIdentification stated, Problems& problems) : problems_(problems), id_(std::move(stated)) {}
@@ -50,9 +175,10 @@ public:
         add_inputs();
         for (std::size_t j = 0; j < id_.trajectories.size(); ++j) shape(j);
         if (problems_.has_errors()) return {};
-        decide_structure();
+        Structure structure(id_, problems_);
+        structure.decide();
         if (problems_.has_errors()) return {};
-        list_parameters();
+        structure.list_parameters();
         return std::move(id_);
     }
 
@@ -213,121 +339,6 @@ private:
             problems_.error(
                 id_.simulated ? place(&Identification::half_range) : place(&Identification::points),
                 "no circle fits the points of " + joint_name(j) + "; look for exchanged points");
-    }
-
-    /// Directions of the nominal axes and x-axes, in the base frame.
-    struct NominalFrames {
-        std::vector<Eigen::Vector3d> z, x;
-    };
-    NominalFrames nominal_frames() const {
-        std::vector<double> zero;
-        for (const RobotJoint& joint : id_.robot().joints()) zero.push_back(joint.zero);
-        NominalFrames found;
-        for (const Eigen::Isometry3d& X : link_frames(id_.robot(), zero)) {
-            found.z.push_back(X.linear().col(2));
-            found.x.push_back(X.linear().col(0));
-        }
-        return found;
-    }
-
-    void decide_structure() {
-        const std::size_t n = id_.trajectories.size();
-        const NominalFrames nominal = nominal_frames();
-        const auto axis = [&](std::size_t j) -> Eigen::Vector3d {
-            return id_.trajectories[j].shape.start.axes.col(2);
-        };
-        Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
-        for (std::size_t j = 0; j < n; ++j) H += axis(j) * nominal.z[j].transpose();
-        const Eigen::Matrix3d R = rotation_nearest(H);
-        for (std::size_t j = 0; j < n; ++j)
-            if (axis(j).dot(R * nominal.z[j]) < 0.0)
-                problems_.error(
-                    id_.simulated ? place(&Identification::nominal) : place(&Identification::points),
-                    "the points of " + joint_name(j) +
-                        " run against the positive direction of the joint: reverse their order, or give "
-                        "its readings");
-        const double limit = std::sin(id_.parallel_limit);
-        const RobotJoint& first = id_.robot().joints()[0];
-        id_.structure.theta_1 = first.values.theta;
-        id_.structure.d_1 = first.values.d;
-        for (std::size_t j = 0; j + 1 < n; ++j) {
-            const double sine = axis(j).cross(axis(j + 1)).norm();
-            id_.structure.parallel.push_back(sine < limit);
-            id_.structure.opposite.push_back(axis(j).dot(axis(j + 1)) < 0.0);
-            warn_of_parallel(j, sine, sine < limit);
-        }
-        decide_sides(R, nominal);
-    }
-
-    static Eigen::Matrix3d rotation_nearest(const Eigen::Matrix3d& H) {
-        const auto svd = singular_values(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        Eigen::Vector3d d = Eigen::Vector3d::Ones();
-        d[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-        return svd.matrixU() * d.asDiagonal() * svd.matrixV().transpose();
-    }
-
-    void warn_of_parallel(std::size_t j, double sine, bool parallel) {
-        if (parallel == id_.robot().joints()[j].parallel) return;
-        const std::string names =
-            "the axes of joints " + std::to_string(j + 1) + " and " + std::to_string(j + 2);
-        if (parallel)
-            problems_.warning(place(&Identification::nominal),
-                              names + " are nearly parallel (" + degrees(std::asin(sine)) +
-                                  "): they are described by beta with d = 0, because the place of "
-                                  "their common perpendicular is hardly determined");
-        else
-            problems_.warning(place(&Identification::nominal),
-                              names + " are " + degrees(std::asin(std::min(1.0, sine))) +
-                                  " apart: they are described by d without beta, although the nominal "
-                                  "robot has beta");
-    }
-
-    void decide_sides(const Eigen::Matrix3d& R, const NominalFrames& nominal) {
-        const std::size_t n = id_.trajectories.size();
-        id_.structure.side.assign(n - 1, 1.0);
-        std::array<AxisLine<double>, most_joints> axes;
-        std::array<AxisFrame<double>, most_joints> frames;
-        for (std::size_t j = 0; j < n; ++j) {
-            const CircleStart& start = id_.trajectories[j].shape.start;
-            axes[j] = {start.centre, start.axes.col(2)};
-        }
-        frames_from_axes(axes.data(), n, id_.structure, frames.data());
-        for (std::size_t j = 0; j + 1 < n; ++j) {
-            const Eigen::Vector3d x = R * nominal.x[j + 1];
-            if (frames[j + 1].x.dot(x) < 0.0) id_.structure.side[j] = -1.0;
-            if (!frames[j + 1].x.allFinite())
-                problems_.error(place(&Identification::points), "the axes of joints " +
-                                                                    std::to_string(j + 1) + " and " +
-                                                                    std::to_string(j + 2) +
-                                                                    " are the same line: nothing tells their "
-                                                                    "frames apart");
-        }
-    }
-
-    void list_parameters() {
-        const std::size_t n = id_.trajectories.size();
-        for (std::size_t j = 0; j < n; ++j)
-            for (JointParameter p : joint_parameters) {
-                const IdentifiedParameter parameter{j, p};
-                const std::string reason = reason_against(j, p);
-                const bool exists = p != JointParameter::beta || (j + 1 < n && id_.structure.parallel[j]);
-                if (reason.empty() && exists) id_.parameters.push_back(parameter);
-                if (!reason.empty() && exists) id_.missing.push_back({parameter.symbol(), reason});
-            }
-        id_.missing.push_back({"tool", "one ball is one point: it has no orientation"});
-    }
-
-    std::string reason_against(std::size_t j, JointParameter p) const {
-        const std::size_t n = id_.trajectories.size();
-        const bool place = p == JointParameter::theta || p == JointParameter::d;
-        if (j == 0 && place)
-            return "places the base frame on axis 1: by definition, as nominal; it would need a measured "
-                   "base";
-        if (j + 1 == n)
-            return "places the frame of the last link, which no axis follows: by definition, as nominal";
-        if (p == JointParameter::d && id_.structure.parallel[j])
-            return "the axis is parallel to the next: 0 by definition, or beta and d would describe the same";
-        return {};
     }
 
     Problems& problems_;

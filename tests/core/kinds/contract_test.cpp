@@ -11,8 +11,7 @@
 #include <sstream>
 
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/model/has_layout.h"
 #include "core/project/project_file.h"
 #include "core/propagation/engine.h"

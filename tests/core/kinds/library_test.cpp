@@ -9,7 +9,7 @@
 #include <fstream>
 #include <set>
 
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "tests/core/made.h"
 
 namespace covaria::library_test {

@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
 #include "core/kinds/points/stated_figure.h"
+#include "core/kinds/registries.h"
 #include "tests/core/made.h"
 
 namespace covaria::stated_distributions_test {

@@ -9,8 +9,7 @@
 #include <set>
 
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/manual/help_page.h"
 #include "core/manual/markdown.h"
 #include "core/report/prose.h"

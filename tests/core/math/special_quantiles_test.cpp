@@ -34,6 +34,9 @@ TEST(SpecialQuantiles, ChiSquaredAsInJcgm102) {  // JCGM 102 table 1: k_p of ell
     EXPECT_NEAR(std::sqrt(chi_squared_quantile(0.95, 2)), 2.4477, 5e-5);
     EXPECT_NEAR(std::sqrt(chi_squared_quantile(0.95, 3)), 2.7955, 5e-5);
     EXPECT_NEAR(chi_squared_quantile(0.3, 2), -2.0 * std::log(0.7), 1e-13);
+    EXPECT_NEAR(chi_squared_upper_tail(3.0, 2), std::exp(-1.5), 1e-15);
+    for (const double dof : {1.0, 3.0, 250.0})
+        EXPECT_NEAR(chi_squared_upper_tail(chi_squared_quantile(0.99, dof), dof), 0.01, 1e-13) << dof;
 }
 
 TEST(SpecialQuantiles, FTendsToChiSquaredAndIsTSquared) {
@@ -60,6 +63,7 @@ TEST(SpecialQuantiles, BadArgumentsGiveNaN) {
     for (const double nu : {0.0, -1.0, nan_value}) {
         EXPECT_TRUE(std::isnan(t_quantile(0.9, nu)));
         EXPECT_TRUE(std::isnan(chi_squared_quantile(0.9, nu)));
+        EXPECT_TRUE(std::isnan(chi_squared_upper_tail(0.9, nu)));
         EXPECT_TRUE(std::isnan(f_quantile(0.9, nu, 4)));
         EXPECT_TRUE(std::isnan(f_quantile(0.9, 4, nu)));
     }

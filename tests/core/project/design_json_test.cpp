@@ -98,7 +98,7 @@ const BadDesign bad_designs[] = {
     {"DistanceInNewton", R"("leastDistance": {"value": 1, "unit": "N"})", "is a force", "/leastDistance"},
     {"NoDistance", R"("leastDistance": {"value": 0, "unit": "mm"})", "greater than zero", "/leastDistance"},
     {"FlatBox", R"("keepOut": [{"from": [0, 0, 0], "to": [1, 0, 1], "unit": "mm"}])", "must be greater than", "/keepOut/0/to"},
-    {"TwoCoordinates", R"("hiddenBy": [{"from": [0, 0], "to": [1, 1, 1], "unit": "mm"}])", "has three numbers", "/hiddenBy/0/from"},
+    {"TwoCoordinates", R"("hiddenBy": [{"from": [0, 0], "to": [1, 1, 1], "unit": "mm"}])", "must be three numbers", "/hiddenBy/0/from"},
     {"BoxWithoutUnit", R"("hiddenBy": [{"from": [0, 0, 0], "to": [1, 1, 1]}])", "'unit' is missing", "/hiddenBy/0/unit"},
     {"NoStart", R"("starts": 0)", "there are 1 to", "/starts"},
     {"SeedAsWord", R"("seed": "one")", "'seed' must be", "/seed"},

@@ -8,11 +8,11 @@
 
 #include "core/base/resource_path.h"
 #include "core/made/load_project.h"
-#include "core/project/design_json.h"
+#include "core/project/design_fields.h"
 #include "core/project/option_fields.h"
 #include "core/project/options_json.h"
 #include "core/project/project_file.h"
-#include "core/project/study_json.h"
+#include "core/project/study_fields.h"
 
 namespace covaria::schema_test {
 namespace {
@@ -67,6 +67,7 @@ AnalysisEntry full_analysis() {
                          4,
                          5,
                          6});
+    a.views.push_back({"v", {0, 1, 0}, {0, 0, 1}, {1, 2, 3}, 4, 5, true, {"body:b"}, "body:c"});
     return a;
 }
 
@@ -127,7 +128,7 @@ TEST(JsonSchema, StatesTheDefaults) {
     study["axes"] = Json::array({axis});
     Study plain{.id = "s"};
     plain.axes.push_back({.target = "/setup/k"});
-    EXPECT_EQ(study_from_json(study, "", problems), plain);
+    EXPECT_EQ(study_fields().read(study, "", problems), plain);
     Json design = with_defaults("design");
     design["id"] = "d";
     Json variable = with_defaults("designVariable");
@@ -136,7 +137,7 @@ TEST(JsonSchema, StatesTheDefaults) {
     Design plain_design{.id = "d"};
     plain_design.variables.resize(1);
     plain_design.variables[0].number.target = "/setup/k";
-    EXPECT_EQ(design_from_json(design, "", problems), plain_design);
+    EXPECT_EQ(design_fields().read(design, "", problems), plain_design);
     EXPECT_EQ(with_defaults("requirement")["guardFactor"].get<double>(), Requirement{}.guard_factor);
     EXPECT_EQ(with_defaults("component")["type"], "B");
     EXPECT_EQ(with_defaults("inputEdit")["held"], false);
@@ -216,14 +217,14 @@ TEST(JsonSchema, NamesTheChoicesThatAreRead) {
     }
     for (const Json& objective : definitions()["design"]["properties"]["objective"]["enum"]) {
         Problems problems;
-        design_from_json(Json{{"id", "d"}, {"objective", objective}}, "", problems);
+        design_fields().read(Json{{"id", "d"}, {"objective", objective}}, "", problems);
         EXPECT_TRUE(problems.items().empty()) << objective;
     }
     for (const char* key : {"change", "spacing"})
         for (const Json& choice : definitions()["studyAxis"]["properties"][key]["enum"]) {
             Problems problems;
             const Json axis{{"target", "/setup/k"}, {"from", 1}, {"to", 2}, {key, choice}};
-            study_from_json(Json{{"id", "s"}, {"axes", Json::array({axis})}}, "", problems);
+            study_fields().read(Json{{"id", "s"}, {"axes", Json::array({axis})}}, "", problems);
             EXPECT_TRUE(problems.items().empty()) << choice;
         }
 }

@@ -5,8 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 
 namespace covaria {
 

@@ -1,7 +1,7 @@
 // Budgets of others: GUM Workbench and Suncal.
 #include <cmath>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "tests/core/readers/reading.h"
 
 namespace covaria::budgets_test {

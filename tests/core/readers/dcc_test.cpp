@@ -1,7 +1,6 @@
 // Digital Calibration Certificates: what every version says of uncertainty, units, lists, covariances, and
 // what is refused.
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/readers/dsi_unit.h"
 #include "tests/core/readers/reading.h"
 

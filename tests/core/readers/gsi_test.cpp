@@ -2,8 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/readers/gsi_text.h"
 #include "core/readers/rounds.h"
 #include "tests/core/readers/reading.h"

@@ -1,5 +1,5 @@
 // Points of networks: GNU Gama with its covariance, Comp3D with its codes.
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "tests/core/readers/reading.h"
 
 namespace covaria::readers_test {

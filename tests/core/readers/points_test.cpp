@@ -1,7 +1,6 @@
 // Tables of points: SpatialAnalyzer's formats, headers, stated columns; what is asked for and what is
 // refused.
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "tests/core/readers/reading.h"
 
 namespace covaria::readers_test {

@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "tests/core/readers/reading.h"
 
 namespace covaria::poses_test {

@@ -1,7 +1,7 @@
 // Budgets in Excel workbooks: made of parts here, so that every refusal has its cell.
 #include <cmath>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/readers/budget_columns.h"
 #include "tests/core/readers/reading.h"
 #include "tests/core/readers/zipped.h"

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+
 namespace covaria::position_edit_test {
 namespace {
 
@@ -54,6 +57,24 @@ TEST(PositionEdit, PosesKeepTheirAnglesAndTakeTheirDefault) {
     const auto& pose = std::get<PoseValue>(edited.values.at("station"));
     EXPECT_EQ(pose.position, (std::array<double, 3>{100.0, -2030.0, 0.0}));
     EXPECT_EQ(pose.angles, PoseValue{}.angles);
+}
+
+TEST(PositionEdit, OrientationsOfPosesAreTheirAngles) {
+    covaria::Setup edited;
+    PoseValue before;
+    before.angles = {10.0, -20.0, 30.0};
+    edited.values["station"] = before;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Eigen::Matrix3d R = turn * before.si().linear();
+    ASSERT_TRUE(write_orientation(schema(), edited, "/station", R, 0.001));
+    const auto& pose = std::get<PoseValue>(edited.values.at("station"));
+    EXPECT_EQ(pose.position, before.position);
+    EXPECT_EQ(pose.angles[0], 10.0) << "as typed";
+    EXPECT_EQ(pose.angles[1], -20.0);
+    EXPECT_EQ(pose.angles[2], 47.19) << "30 + 17.1887, to 0.01 degrees";
+    for (const char* path : {"", "/width", "/targets/rows/1", "/station/position"})
+        EXPECT_FALSE(write_orientation(schema(), edited, path, R, 0.001)) << path;
+    EXPECT_FALSE(write_orientation(schema(), edited, "/station", R * std::nan(""), 0.001));
 }
 
 TEST(PositionEdit, RefusesWhatIsNoPosition) {

@@ -86,6 +86,8 @@ TEST(FormatToMatch, ZeroOrInfiniteUncertaintyLeavesTheValueAsItIs) {
 TEST(FormatToMatch, TinyUncertaintiesAreShownWithAnExponent) {
     EXPECT_EQ(format_to_match(1.2347e-5, 1.2e-7), "1.235e-05");
     EXPECT_EQ(format_to_match(0.0, 1.2e-7), "0");
+    EXPECT_EQ(format_to_match(50.00083821, 8.4e-5), "50.000838");
+    EXPECT_EQ(format_to_match(-0.5, 1.2e-7), "-0.50000000");
 }
 
 TEST(FormatCell, ConvertsToTheColumnsUnitAndShowsForeignUnits) {
@@ -116,7 +118,7 @@ TEST(FormatTyped, KeepsEveryDigitThatWasTyped) {
     EXPECT_EQ(format_estimate(10.000172, 0.01), "10.000172");
     EXPECT_EQ(format_estimate(344.0, 0.066), "344.000");
     EXPECT_EQ(format_estimate(10.0 / 3.0, 0.01), "3.333");
-    EXPECT_EQ(format_estimate(10.000172, 1e-6), "10.000172");
+    EXPECT_EQ(format_estimate(10.000172, 1e-6), "10.0001720");
 }
 
 TEST(FormatExact, ReadsBackToTheSameNumber) {

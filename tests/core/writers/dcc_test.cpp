@@ -8,7 +8,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/resource_path.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/project/stated_requirements.h"
 #include "core/readers/dsi_unit.h"
 #include "core/readers/readers.h"

@@ -4,8 +4,7 @@
 #include <sstream>
 
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/model/measurement_model.h"
 #include "core/readers/readers.h"
 #include "core/text/numbers.h"

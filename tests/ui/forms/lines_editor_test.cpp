@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "tests/ui/qt_application.h"
 #include "ui/forms/setup_form.h"
 

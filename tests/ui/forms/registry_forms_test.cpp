@@ -3,8 +3,7 @@
 
 #include <QAbstractItemModelTester>
 
-#include "core/kinds/assets.h"
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/project_edits.h"
 #include "ui/forms/setup_form.h"

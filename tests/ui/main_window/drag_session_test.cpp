@@ -101,13 +101,80 @@ TEST_F(DragSession, TheEvaluationIsATabOfModelsThatHaveOne) {
     EXPECT_TRUE(wait_for([&] { return !tabs.isTabVisible(evaluation); })) << "a pose has no such tables";
 }
 
-TEST_F(DragSession, WhatIsNotSelectedIsNotMoved) {
+TEST_F(DragSession, NothingNeedsAClickFirstAndTheCursorSaysSo) {
     open_network();
     const QPoint at = pick("point:B");
     view().select({});
-    const Project before = project();
+    QTest::mouseMove(&view(), at);
+    EXPECT_EQ(view().cursor().shape(), Qt::SizeAllCursor);
+    const auto before = target(1);
     drag(at, {90, -40});
-    EXPECT_TRUE(project() == before) << "the drag turned the scene";
+    EXPECT_NE(target(1), before);
+    EXPECT_EQ(view().selected(), QStringLiteral("point:B"));
+    EXPECT_EQ(window_->selection().field(), QStringLiteral("/targets/rows/1")) << "its values can be typed";
+    const Project after = project();
+    const QPoint beside = at + QPoint(-60, 60);
+    QTest::mouseMove(&view(), beside);
+    EXPECT_EQ(view().cursor().shape(), Qt::ArrowCursor);
+    drag(beside, {40, 10});
+    EXPECT_TRUE(project() == after) << "beside the items a drag turns the scene";
+}
+
+TEST_F(DragSession, WithCtrlThePlacesAreRound) {
+    open_network();
+    const auto before = target(1);
+    const QPoint at = pick("point:B");
+    QTest::mousePress(&view(), Qt::LeftButton, Qt::ControlModifier, at);
+    const QPoint to = at + QPoint(73, -31);
+    QMouseEvent move(QEvent::MouseMove, to, view().mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     Qt::ControlModifier);
+    QCoreApplication::sendEvent(&view(), &move);
+    QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ControlModifier, to);
+    const auto after = target(1);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_NE(after[std::size_t(i)], before[std::size_t(i)]);
+        EXPECT_EQ(std::remainder(after[std::size_t(i)], 100.0), 0.0) << after[std::size_t(i)] << " mm";
+    }
+    EXPECT_EQ(after[2], before[2]);
+}
+
+TEST_F(DragSession, AnInstrumentIsTurnedByTheTipOfItsAxis) {
+    open_network();
+    const auto pose = [this] {
+        return std::get<PoseValue>(project().find_asset("laser-tracker")->setup.values.at("station"));
+    };
+    const SceneFrame* axes = nullptr;
+    for (const SceneFrame& frame : view().scene()->frames)
+        if (frame.item.source.asset == "laser-tracker") axes = &frame;
+    ASSERT_NE(axes, nullptr);
+    const auto place = [this](const Eigen::Vector3d& p) {
+        Pixel at;
+        view().service().post([&](SceneRenderer& renderer) { at = renderer.project(p); });
+        view().service().wait_until_idle();
+        QCoreApplication::processEvents();
+        return (QPointF(at.x, at.y) / view().devicePixelRatioF()).toPoint();
+    };
+    const Eigen::Vector3d origin = axes->item.position, up = axes->R_WF.col(2);
+    for (int i = 0; i < 8; ++i) QTest::keyClick(&view(), Qt::Key_Plus);
+    view().service().post([&](SceneRenderer& renderer) {
+        Camera camera = renderer.camera();
+        camera.focal_point = origin;
+        renderer.set_camera(camera);
+    });
+    const QPoint tip = place(origin + axes->length * axes->R_WF.col(0));
+    QTest::mouseMove(&view(), tip);
+    EXPECT_EQ(view().cursor().shape(), Qt::OpenHandCursor);
+    const PoseValue before = pose();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.4, axes->R_WF.col(2)).toRotationMatrix();
+    const int steps = window_->document().undo_stack().count();
+    drag(tip, place(origin + turn * axes->length * axes->R_WF.col(0)) - tip);
+    const Eigen::Matrix3d turned = pose().si().linear() * before.si().linear().transpose();
+    EXPECT_NEAR(Eigen::AngleAxisd(turned).angle(), 0.4, 0.05);
+    EXPECT_GT(Eigen::AngleAxisd(turned).axis().dot(up), 0.99);
+    EXPECT_EQ(pose().position, before.position);
+    EXPECT_EQ(window_->document().undo_stack().count(), steps + 1) << "one drag is one step";
+    window_->document().undo_stack().undo();
+    EXPECT_EQ(pose(), before);
 }
 
 TEST_F(DragSession, AnInstrumentComesFromTheLibrary) {

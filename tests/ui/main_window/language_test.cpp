@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -218,6 +219,14 @@ protected:
                                     << widget.objectName().toStdString() << ": \u201c" << text.toStdString()
                                     << "\u201d is cut: " << room << " of " << needed << " px";
     }
+    /// For people, in the build folder.
+    void shoot(const QString& what) {
+        settle();
+        const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
+        folder.mkpath(QStringLiteral("."));
+        window_->grab().save(
+            folder.filePath(QStringLiteral("language-%1-%2.png").arg(QString::fromLatin1(GetParam()), what)));
+    }
     /// Of those in sight and in no tip; a text that breaks into lines needs height.
     static int expect_whole_texts(QWidget& top) {
         int looked_at = 0;
@@ -257,7 +266,9 @@ protected:
 
 TEST_P(WholeTexts, StandInTheWindowAndItsDialogs) {
     if (!is_offered_) GTEST_SKIP() << GetParam() << " is in work";
+    settle();
     EXPECT_GT(expect_whole_texts(*window_), 50);  // start page
+    shoot(QStringLiteral("start"));
     open(project_copy());
     wait_until_idle();
     auto* bar = window_->menuBar();
@@ -271,6 +282,7 @@ TEST_P(WholeTexts, StandInTheWindowAndItsDialogs) {
                 tabs->setCurrentIndex(i);
                 settle();
                 expect_whole_texts(*window_);
+                if (tabs == window_->results().findChild<QTabWidget*>()) shoot(QString::number(i));
             }
     }
     PreferenceStore store;

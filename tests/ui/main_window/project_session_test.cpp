@@ -2,7 +2,7 @@
 #include <QProcess>
 #include <QSignalSpy>
 
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/export_actions.h"
 

@@ -3,6 +3,7 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
+#include "ui/scene_view/view_actions.h"
 
 namespace covaria::ui::scene_session_test {
 namespace {
@@ -96,8 +97,12 @@ TEST_F(SceneSession, TheToolbarChangesThePicture) {
         choose_in(box, box.itemText(box.count() - 1));
     });
     expect_change("group", [this] { choose_in(combo(QStringLiteral("Group")), QStringLiteral("pose 13")); });
-    for (const char* name : {"Top", "Front", "Right", "Iso"})
-        expect_change(name, [&] { scene_action(QString::fromLatin1(name))->trigger(); });
+    for (const char* name : {"Top", "Bottom", "Front", "Back", "Right", "Left"})
+        expect_change(name, [&] {
+            for (QAction* view : window_->views().menu().actions())
+                if (view->text() == QString::fromLatin1(name)) view->trigger();
+        });
+    expect_change("Iso", [&] { scene_action(QStringLiteral("Iso"))->trigger(); });
     for (const char* layer : {"Frames", "Points", "Bodies", "Ellipsoids", "Clouds", "Histograms on the Walls",
                               "Labels", "Axes", "Legend"})
         for (const bool shown : {false, true})

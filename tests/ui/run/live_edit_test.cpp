@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/made/load_project.h"
 #include "tests/ui/qt_application.h"
 #include "ui/run/analysis_runner.h"

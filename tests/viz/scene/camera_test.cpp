@@ -39,13 +39,35 @@ TEST(Camera, StandardViewsShowTheirAxes) {
     const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
                           z = Eigen::Vector3d::UnitZ();
     for (const Expected& e : {Expected{StandardView::top, x, y}, Expected{StandardView::front, x, z},
-                              Expected{StandardView::right, y, z}}) {
+                              Expected{StandardView::right, y, z}, Expected{StandardView::bottom, x, -y},
+                              Expected{StandardView::back, -x, z}, Expected{StandardView::left, -y, z}}) {
         const Camera camera = view_of(bounds, e.view, size);
         EXPECT_TRUE(camera.right().isApprox(e.right));
         EXPECT_TRUE(camera.up.isApprox(e.up));
     }
     EXPECT_EQ(standard_view_from("top"), StandardView::top);
     EXPECT_EQ(standard_view_from("behind"), std::nullopt);
+}
+
+TEST(Camera, PerspectiveShowsNearThingsLarger) {
+    Camera camera = iso();
+    camera.perspective = true;
+    const Eigen::Vector3d p(0.2, -0.3, 0.9);
+    EXPECT_LT((world_at(camera, size, project(camera, size, p), p) - p).norm(), 1e-12);
+    const Eigen::Vector3d step = 0.1 * camera.right(), towards_eye = -0.4 * camera.direction;
+    const auto length_at = [&](const Eigen::Vector3d& at) {
+        return project(camera, size, at + step).x - project(camera, size, at).x;
+    };
+    EXPECT_NEAR(length_at(camera.focal_point) * metres_per_pixel(camera, size), 0.1, 1e-12);
+    EXPECT_GT(length_at(camera.focal_point + towards_eye), 1.05 * length_at(camera.focal_point));
+    EXPECT_LT(length_at(camera.focal_point - towards_eye), length_at(camera.focal_point) / 1.05);
+    const Pixel pixel{300, 200};
+    const Ray ray = ray_through(camera, size, pixel);
+    for (const double along : {-0.3, 0.5}) {
+        const Pixel at = project(camera, size, ray.origin + along * ray.direction);
+        EXPECT_NEAR(at.x, pixel.x, 1e-9);
+        EXPECT_NEAR(at.y, pixel.y, 1e-9);
+    }
 }
 
 TEST(Camera, SmallPicturesKeepRoomForWords) {
@@ -67,8 +89,8 @@ TEST(Camera, EverythingIsInThePicture) {
     const SceneBounds b = bounds_of(stewart());
     for (StandardView view : {StandardView::iso, StandardView::top, StandardView::front, StandardView::right})
         for (PictureSize s : {PictureSize{1280, 800}, PictureSize{400, 300}, PictureSize{300, 900}}) {
-            const Camera camera = view_of(b, view, s);
-            for (int i = 0; i < 8; ++i) {
+            for (int i = 0; i < 16; ++i) {
+                const Camera camera = view_of(b, view, s, 0.0, i >= 8);
                 const Eigen::Vector3d corner(i & 1 ? b.high.x() : b.low.x(), i & 2 ? b.high.y() : b.low.y(),
                                              i & 4 ? b.high.z() : b.low.z());
                 const Pixel at = project(camera, s, corner);

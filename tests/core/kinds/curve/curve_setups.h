@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/model/asset.h"
 #include "core/propagation/engine.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/model/asset.h"
 #include "core/propagation/engine.h"
 

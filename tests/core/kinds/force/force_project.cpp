@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "core/base/resource_path.h"
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "tests/core/made.h"
 
 namespace covaria {

@@ -1,5 +1,5 @@
 // Calibrated lengths in the network of Galetto et al.: as checks, as constraints; large set-ups. Millimetres.
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "tests/core/kinds/network/network_project.h"
 
 namespace covaria::network_scale_bar_test {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/kinds/assets.h"
 #include "core/kinds/instruments/sensor.h"
 #include "core/kinds/points/error_budget.h"
 #include "core/kinds/points/point_uncertainty.h"
+#include "core/kinds/registries.h"
 
 namespace covaria::asset_evaluation_test {
 namespace {

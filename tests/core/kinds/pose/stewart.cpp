@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 
 namespace covaria::stewart {
 

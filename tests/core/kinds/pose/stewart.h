@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/result/uncertainty_result.h"
 
 namespace covaria::stewart {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "core/kinds/robot/serial_robot.h"
 
 namespace covaria::urdf_test {

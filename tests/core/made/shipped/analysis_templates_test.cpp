@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "core/kinds/models.h"
+#include "core/kinds/registries.h"
 #include "core/made/made_project.h"
 #include "core/made/prepared_analysis.h"
 #include "core/propagation/engine.h"

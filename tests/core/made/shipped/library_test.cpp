@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "core/kinds/assets.h"
+#include "core/kinds/registries.h"
 #include "core/made/made_project.h"
 
 namespace covaria::library_test {

@@ -1,6 +1,7 @@
 // The real window under random hands: edits of every kind on every example, as fast as they come, with live
 // runs between them. It must neither end nor hang nor grow: memory is flat but for the history, which has a
 // bound. usage: soak_window EDITS [SEED] [PROJECT ...]     (without projects: all examples)
+#include <malloc.h>
 #include <unistd.h>
 
 #include <QAbstractItemView>
@@ -192,7 +193,7 @@ bool is_truthful(MainWindow& window) {
 }
 
 struct Figures {
-    double early = 0.0, late = 0.0;
+    double early = 0.0, late = 0.0, bare = 0.0;  ///< bare: without the history of edits
     qint64 longest = 0;
     bool truthful = true;
 };
@@ -233,6 +234,9 @@ Figures soak(const QString& file, int edits, unsigned seed) {
         if (i == edits / 2) figures.early = resident_mib();
     }
     figures.late = resident_mib();
+    window.document().undo_stack().clear();
+    malloc_trim(0);
+    figures.bare = resident_mib();
     window.runner().stop_all();
     window.runner().wait_until_idle(20'000);
     window.close();
@@ -240,13 +244,14 @@ Figures soak(const QString& file, int edits, unsigned seed) {
 }
 
 int soak_all(const QStringList& files, int edits, unsigned seed) {
-    std::printf("%-28s %7s %18s %10s %10s\n", "project", "edits", "MiB at the half", "at the end",
-                "longest/ms");
+    std::printf("%-28s %7s %18s %10s %16s %10s\n", "project", "edits", "MiB at the half", "at the end",
+                "without history", "longest/ms");
     bool good = true;
     for (const QString& file : files) {
         const Figures figures = soak(file, edits, seed++);
-        std::printf("%-28s %7d %18.1f %10.1f %10lld\n", qPrintable(QFileInfo(file).completeBaseName()), edits,
-                    figures.early, figures.late, static_cast<long long>(figures.longest));
+        std::printf("%-28s %7d %18.1f %10.1f %16.1f %10lld\n", qPrintable(QFileInfo(file).completeBaseName()),
+                    edits, figures.early, figures.late, figures.bare,
+                    static_cast<long long>(figures.longest));
         std::fflush(stdout);
         good = good && figures.truthful;
     }

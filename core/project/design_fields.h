@@ -1,0 +1,17 @@
+// Designs as project files have them.
+#pragma once
+
+#include "core/project/design.h"
+#include "core/project/json_fields.h"
+
+namespace covaria {
+
+const JsonFields<Design>& design_fields();
+const JsonFields<DesignVariable>& variable_fields();
+const JsonFields<DesignReduction>& reduction_fields();
+/// The number of a reduction.
+const JsonFields<StudyAxis>& reduced_number_fields();
+const JsonFields<DesignChoice>& choice_fields();
+const JsonFields<DesignBox>& box_fields();
+
+}  // namespace covaria

@@ -1,0 +1,15 @@
+// What an analysis changes of its model's inputs, as project files have it: links, edits, correlations.
+#pragma once
+
+#include "core/project/json_fields.h"
+#include "core/project/project.h"
+
+namespace covaria {
+
+const JsonFields<InputLink>& link_fields();
+const JsonFields<OutputReference>& output_reference_fields();
+const JsonFields<InputEdit>& input_edit_fields();
+const JsonFields<ComponentEdit>& component_fields();
+const JsonFields<CorrelationEdit>& correlation_fields();
+
+}  // namespace covaria

@@ -1,0 +1,18 @@
+// Saved views as project files have them.
+#pragma once
+
+#include "core/project/json_fields.h"
+#include "core/project/saved_view.h"
+
+namespace covaria {
+
+const JsonFields<SavedView>& saved_view_fields();
+
+/// The views of an analysis. Reported: a name that is taken, a direction or size of zero.
+struct SavedViewList {
+    void read(ObjectReader& reader, const std::string& key, bool required,
+              std::vector<SavedView>& member) const;
+    void write(JsonWriter& out, const std::vector<SavedView>& member) const;
+};
+
+}  // namespace covaria

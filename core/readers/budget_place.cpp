@@ -1,0 +1,109 @@
+// A row of headers, or the columns that are stated.
+#include "core/readers/budget_place.h"
+
+#include <algorithm>
+
+#include "core/base/in_quotes.h"
+#include "core/readers/xml_text.h"
+#include "core/setup/message_text.h"
+
+namespace covaria {
+
+namespace {
+
+constexpr int heads_within = 300;  // rows
+
+std::vector<std::string> sheet_names(const std::vector<WorkbookSheet>& sheets) {
+    std::vector<std::string> names;
+    for (const WorkbookSheet& sheet : sheets) names.push_back(sheet.name);
+    return names;
+}
+
+/// Units behind the headers count where the stated columns have none.
+void take_units_of_heads(SheetBudget& place) {
+    for (std::size_t i = 0; i < place.heads.size(); ++i)
+        if (const WorkbookCell* head = place.sheet->cell(place.head_row, place.columns[i]);
+            head && !place.heads[i].unit)
+            place.heads[i].unit = budget_head_of(head->text).unit;
+}
+
+/// Stated columns stand side by side from the first column that the sheet uses.
+Result<SheetBudget> stated_place(const WorkbookSheet& sheet, const ReadChoice& choice) {
+    auto heads = stated_budget_columns(choice.columns);
+    if (!heads) return fail(heads.error());
+    int first = 0;
+    for (const auto& [row, cells] : sheet.rows)
+        first = first == 0 ? cells.begin()->first : std::min(first, cells.begin()->first);
+    SheetBudget place{&sheet, 0, std::move(*heads), {}};
+    for (std::size_t i = 0; i < place.heads.size(); ++i) place.columns.push_back(first + static_cast<int>(i));
+    // Rows above the first one with a number in a column of figures are headings.
+    for (const auto& [row, cells] : sheet.rows) {
+        for (std::size_t i = 0; i < place.heads.size(); ++i) {
+            const BudgetColumn column = place.heads[i].column;
+            const WorkbookCell* cell = sheet.cell(row, place.columns[i]);
+            const bool figure = column == BudgetColumn::standard || column == BudgetColumn::expanded ||
+                                column == BudgetColumn::limits;
+            if (!figure || !cell || !cell->number) continue;
+            take_units_of_heads(place);
+            return place;
+        }
+        place.head_row = row;
+    }
+    return sheet.refused(1, place.columns.front(), "no row has a number in the stated columns");
+}
+
+}  // namespace
+
+std::optional<SheetBudget> budget_in(const WorkbookSheet& sheet) {
+    for (const auto& [row, cells] : sheet.rows) {
+        if (row > heads_within) break;
+        SheetBudget place{&sheet, row, {}, {}};
+        for (const auto& [column, cell] : cells) {
+            if (cell.number) continue;
+            place.heads.push_back(budget_head_of(cell.text));
+            place.columns.push_back(column);
+        }
+        const auto column_of = [&](BudgetColumn column) {
+            return std::find_if(place.heads.begin(), place.heads.end(),
+                                [&](const BudgetHead& head) { return head.column == column; });
+        };
+        if (column_of(BudgetColumn::name) == place.heads.end() &&
+            column_of(BudgetColumn::quantity) == place.heads.end())
+            if (const auto source = column_of(BudgetColumn::source); source != place.heads.end())
+                source->column = BudgetColumn::name;
+        if (are_budget_heads(place.heads)) return place;
+    }
+    return std::nullopt;
+}
+
+Result<SheetBudget> budget_place(const std::vector<WorkbookSheet>& sheets, const ReadChoice& choice) {
+    const WorkbookSheet* named = nullptr;
+    for (const WorkbookSheet& sheet : sheets)
+        if (sheet.name == choice.sheet) named = &sheet;
+    if (!choice.sheet.empty() && !named)
+        return fail(ErrorCode::usage, "there is no sheet " + in_quotes(plain_name(choice.sheet)) +
+                                          " with cells; there are " + listed(sheet_names(sheets)));
+    if (!choice.columns.empty()) {
+        if (!named && sheets.size() > 1)
+            return fail(ErrorCode::usage, "the workbook has several sheets, " + listed(sheet_names(sheets)) +
+                                              ": name the sheet whose columns are stated");
+        return stated_place(named ? *named : sheets.front(), choice);
+    }
+    std::vector<SheetBudget> places;
+    std::vector<std::string> names;
+    for (const WorkbookSheet& sheet : sheets) {
+        if (named && &sheet != named) continue;
+        if (auto place = budget_in(sheet)) {
+            names.push_back(sheet.name);
+            places.push_back(std::move(*place));
+        }
+    }
+    if (places.size() == 1) return std::move(places.front());
+    if (places.empty())
+        return fail(ErrorCode::usage,
+                    "no row of headers of a budget was found; state the columns (quantity, value, unit, U, "
+                    "divisor ...)");
+    return fail(ErrorCode::usage, "several sheets have a budget: " + listed(names) + "; name one of them");
+}
+
+}  // namespace covaria

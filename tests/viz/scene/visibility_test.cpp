@@ -1,0 +1,95 @@
+// What is hidden and what is shown alone, and views saved with it.
+#include "viz/scene/visibility.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/viz/stewart_scene.h"
+#include "viz/scene/saved_camera.h"
+
+namespace covaria::visibility_test {
+namespace {
+
+constexpr PictureSize size{1280, 800};
+
+Scene stewart() {
+    auto setup = test::stewart_setup(200);
+    LayoutBody tracker{"tracker", BodyKind::instrument};
+    tracker.glyph = "tracker";
+    tracker.X_WB.translation() = Eigen::Vector3d(2, 0, 1);
+    setup.layout.bodies.push_back(tracker);
+    setup.layout.links.push_back({"sight", LinkKind::sight_line, {2, 0, 1}, setup.layout.points[0].p_W});
+    return build_scene(setup.source(), {});
+}
+
+bool has(const Scene& scene, const char* id) {
+    return find_item(scene, id) != nullptr;
+}
+bool has_label(const Scene& scene, const char* id) {
+    return std::any_of(scene.labels.begin(), scene.labels.end(),
+                       [&](const SceneLabel& label) { return label.item == id; });
+}
+
+TEST(Visibility, NothingHiddenIsTheSceneItself) {
+    EXPECT_EQ(visible_part(stewart(), {}), stewart());
+    EXPECT_EQ(visible_part(stewart(), {{"body:nowhere"}, {}}), stewart())
+        << "what is not there is not missed";
+    EXPECT_EQ(visible_part(stewart(), {{}, "body:nowhere"}), stewart());
+}
+
+TEST(Visibility, ABodyGoesWithItsAxesAndLines) {
+    const Scene scene = visible_part(stewart(), {{"body:tracker"}, {}});
+    for (const char* id : {"body:tracker", "axes:tracker", "link:sight"}) {
+        EXPECT_TRUE(has(stewart(), id)) << id;
+        EXPECT_FALSE(has(scene, id)) << id;
+    }
+    EXPECT_TRUE(has_label(stewart(), "body:tracker"));
+    EXPECT_FALSE(has_label(scene, "body:tracker"));
+    EXPECT_TRUE(has(scene, "body:base") && has(scene, "point:b1"));
+    EXPECT_EQ(scene.axes, stewart().axes) << "the picture does not jump";
+    EXPECT_EQ(scene.legend.size() + 1, stewart().legend.size()) << "no line of sight is left";
+}
+
+TEST(Visibility, PointsOfAHiddenPlateStay) {
+    const Scene scene = visible_part(stewart(), {{"body:moving platform", "point:p2"}, {}});
+    EXPECT_FALSE(has(scene, "body:moving platform"));
+    EXPECT_TRUE(has(scene, "point:p1") && has_label(scene, "point:p1"));
+    EXPECT_FALSE(has(scene, "point:p2") || has_label(scene, "point:p2"));
+    const auto of_p2 = [](const auto& each) { return each.item.id == "point:p2"; };
+    EXPECT_TRUE(std::none_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), of_p2));
+    EXPECT_TRUE(std::none_of(scene.clouds.begin(), scene.clouds.end(), of_p2));
+    EXPECT_EQ(scene.clouds.size() + 1, stewart().clouds.size());
+}
+
+TEST(Visibility, AloneIsAnItemWithWhatStandsOnIt) {
+    const Scene scene = visible_part(stewart(), {{}, "body:moving platform"});
+    ASSERT_EQ(scene.bodies.size(), 1U);
+    EXPECT_EQ(scene.points.size(), 3U);
+    EXPECT_EQ(scene.points.front().item.id, "point:p1");
+    EXPECT_EQ(scene.ellipsoids.size(), 3U);
+    EXPECT_TRUE(scene.links.empty());
+    const SceneBounds all = bounds_of(stewart()), alone = bounds_of(scene);
+    EXPECT_LT((alone.high - alone.low).norm(), (all.high - all.low).norm()) << "fit shows it larger";
+    EXPECT_EQ(visible_part(stewart(), {{}, "point:b1"}).points.size(), 1U);
+}
+
+TEST(SavedCamera, ComesBackInAPictureOfAnyForm) {
+    Camera camera = view_of(bounds_of(stewart()), StandardView::iso, size);
+    camera.perspective = true;
+    const Visibility visibility{{"body:base", "link:sight"}, "body:tracker"};
+    const SavedView view = saved_view("door", camera, size, visibility);
+    EXPECT_EQ(visibility_of(view), visibility);
+    const Camera back = camera_of(view, size);
+    EXPECT_TRUE(back.direction.isApprox(camera.direction) && back.up.isApprox(camera.up));
+    EXPECT_EQ(back.focal_point, camera.focal_point);
+    EXPECT_DOUBLE_EQ(back.half_height, camera.half_height);
+    EXPECT_TRUE(back.perspective);
+    const PictureSize upright{400, 800};
+    EXPECT_NEAR(camera_of(view, upright).half_height * upright.width / upright.height,
+                camera.half_height * size.width / size.height, 1e-12)
+        << "as wide as it was saved";
+}
+
+}  // namespace
+}  // namespace covaria::visibility_test

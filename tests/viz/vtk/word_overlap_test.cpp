@@ -1,0 +1,152 @@
+// No word of a picture stands on another: every example, from every side, in pictures of three sizes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/made/load_project.h"
+#include "core/made/made_project.h"
+#include "core/model/has_layout.h"
+#include "viz/scene/analysis_scene.h"
+#include "viz/vtk/overlay.h"
+
+namespace covaria::word_overlap_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct View {
+    StandardView view = StandardView::iso;
+    PictureSize size;
+    double ratio = 1.0;
+    bool perspective = false;
+};
+
+std::vector<View> views() {
+    std::vector<View> all;
+    for (std::size_t i = 0; i < standard_view_count; ++i)
+        for (const bool perspective : {false, true}) {
+            const auto view = static_cast<StandardView>(i);
+            all.push_back({view, {1280, 800}, 1.0, perspective});
+            all.push_back({view, {564, 324}, 1.0, perspective});
+            all.push_back({view, {2560, 1600}, 2.0, perspective});
+        }
+    return all;
+}
+
+struct Counts {
+    std::size_t words = 0;
+    std::vector<std::string> overlaps;
+};
+
+/// Writes the words of a picture and counts those that share pixels.
+void count(const Scene& scene, const View& view, detail::TextMasks& masks, Counts& counts) {
+    Image image{view.size.width, view.size.height, {}};
+    image.rgba.assign(std::size_t(4) * std::size_t(view.size.width) * std::size_t(view.size.height), 255);
+    detail::OverlayView look;
+    look.camera = view_of(bounds_of(scene), view.view, view.size, 50.0 * view.ratio, view.perspective);
+    look.ratio = view.ratio;
+    detail::Overlay overlay(scene, look, image, masks);
+    overlay.paint();
+    const auto& words = overlay.words();
+    counts.words += words.size();
+    for (std::size_t i = 0; i < words.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (words[i].rect.overlaps(words[j].rect))
+                counts.overlaps.push_back(scene.title + ", " + scene.group + ", view " +
+                                          std::to_string(int(view.view)) + ", width " +
+                                          std::to_string(view.size.width) + ": " + to_unicode(words[i].text) +
+                                          " on " + to_unicode(words[j].text));
+}
+
+/// The first and the last group of every analysis that stands in space.
+std::vector<Scene> scenes_of(const fs::path& file) {
+    Project project = load_project(file).project;
+    for (AnalysisEntry& analysis : project.analyses) {
+        analysis.options.method = Method::monte_carlo;
+        analysis.options.trials = 2000;
+    }
+    const auto made = MadeProject::make(std::move(project));
+    std::vector<Scene> scenes;
+    for (const AnalysisEntry& entry : made->project().analyses) {
+        const auto prepared = made->analysis(entry.id);
+        if (!prepared || !has_layout(*prepared->model, prepared->inputs)) continue;
+        const auto result = run_analysis(*prepared);
+        EXPECT_TRUE(result) << file << " " << entry.id;
+        if (!result) continue;
+        std::vector<std::string> groups = groups_of(prepared->model->outputs());
+        if (groups.empty()) groups = {""};
+        for (const std::string& group : {groups.front(), groups.back()}) {
+            SceneOptions options;
+            options.group = group;
+            auto scene = analysis_scene(*prepared, &*result, options);
+            EXPECT_TRUE(scene) << file << " " << entry.id;
+            if (!scene) continue;
+            scenes.push_back(*std::move(scene));
+            // And with the colour bar of a study, and the remark of a preview.
+            Scene map = scenes.back();
+            map.map = SceneMap{.title = "u(3D), platform (mm)", .positions = {Eigen::Vector3d::Zero()}};
+            map.map->values = {0.5};
+            map.map->shown = {false};
+            map.map->ticks = {{0.25, "0.25"}, {0.5, "0.50"}, {0.75, "0.75"}};
+            map.caption += "; preview of 12 000 trials";
+            scenes.push_back(std::move(map));
+        }
+    }
+    return scenes;
+}
+
+TEST(Words, NoneStandsOnAnotherInAnyExample) {
+    Counts counts;
+    detail::TextMasks masks;
+    std::size_t scenes = 0;
+    for (const auto& file : fs::directory_iterator(fs::path(COVARIA_SOURCE_DIR) / "projects")) {
+        if (file.path().extension() != ".covaria") continue;
+        for (const Scene& scene : scenes_of(file.path())) {
+            ++scenes;
+            for (const View& view : views()) count(scene, view, masks, counts);
+        }
+    }
+    EXPECT_GE(scenes, 12U);
+    EXPECT_GE(counts.words, 5'000U);
+    for (std::size_t i = 0; i < std::min<std::size_t>(counts.overlaps.size(), 30); ++i)
+        ADD_FAILURE() << counts.overlaps[i];
+    EXPECT_EQ(counts.overlaps.size(), 0U);
+}
+
+TEST(Words, ALabelWithoutRoomIsLeftOutAndComesWhenZoomed) {
+    Scene scene;
+    scene.size = 1.0;
+    for (int i = 0; i < 60; ++i) {
+        const Eigen::Vector3d at(i / 60.0, 0, 0.2 * i / 60.0);
+        scene.points.push_back({.item = {.id = std::to_string(i), .position = at}, .radius = 1e-3});
+        scene.labels.push_back({"target " + std::to_string(i), at, 1e-3, Role::text, 50, std::to_string(i)});
+    }
+    detail::TextMasks masks;
+    detail::OverlayView look;
+    look.camera = view_of(bounds_of(scene), StandardView::front, {564, 324});
+    const auto words = [&] {
+        Image image{564, 324, std::vector<std::uint8_t>(std::size_t(4) * 564 * 324, 255)};
+        detail::Overlay overlay(scene, look, image, masks);
+        overlay.paint();
+        std::vector<std::string> texts;
+        for (const auto& word : overlay.words()) texts.push_back(to_unicode(word.text));
+        return texts;
+    };
+    const auto has = [](const std::vector<std::string>& texts, const std::string& text) {
+        return std::find(texts.begin(), texts.end(), text) != texts.end();
+    };
+    const auto all = words();
+    EXPECT_LT(all.size(), 50U);
+    EXPECT_GT(all.size(), 10U);
+    for (int i = 0; i < 60; ++i) {
+        const std::string name = "target " + std::to_string(i);
+        if (has(all, name)) continue;
+        look.camera.focal_point = scene.points[std::size_t(i)].item.position;
+        look.camera.half_height = 0.02;
+        EXPECT_TRUE(has(words(), name)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace covaria::word_overlap_test

@@ -1,0 +1,145 @@
+#include "ui/main_window/search_actions.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTabWidget>
+
+#include "core/manual/help_page.h"
+#include "core/text/symbol.h"
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/main_window/help_actions.h"
+#include "ui/pages/properties_pane.h"
+#include "ui/pages/results_pane.h"
+#include "ui/pages/search_palette.h"
+#include "ui/theme/core_text.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+/// Of one analysis; a network of 1,000 targets has 90,000 quantities.
+constexpr std::size_t most_quantities = 2000;
+
+QString without_mnemonic(QString text) {
+    return text.remove(QLatin1Char('&')).remove(QStringLiteral(" …"));
+}
+
+QString quantity_words(const std::string& symbol, const std::string& group, const std::string& name) {
+    QString words = to_qt(symbol_to_unicode(symbol));
+    if (!group.empty()) words += QStringLiteral(" (%1)").arg(to_qt(group));
+    return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);
+}
+
+}  // namespace
+
+SearchActions::SearchActions(QMainWindow& window, Document& document, Selection& selection,
+                             ResultsPane& results, PropertiesPane& properties, HelpActions& help,
+                             std::function<void(const QString& path)> go_to)
+    : QObject(&window),
+      window_(window),
+      document_(document),
+      selection_(selection),
+      results_(results),
+      properties_(properties),
+      help_(help),
+      go_to_(std::move(go_to)),
+      palette_(new SearchPalette(&window)) {}
+
+void SearchActions::add_to(QMenu& menu) {
+    menu.addAction(tr("&Find Anything …"), QKeySequence(Qt::CTRL | Qt::Key_K), this,
+                   [this] { palette_->search(findables()); });
+}
+
+std::vector<Findable> SearchActions::findables() {
+    std::vector<Findable> all;
+    const Project& project = document_.project();
+    for (const AnalysisEntry& entry : project.analyses) {
+        const std::string& name = entry.name.empty() ? entry.id : entry.name;
+        add_entry({SetupOwner::analysis, entry.id}, name, tr("analysis"), all);
+        add_quantities(entry.id, to_qt(name), all);
+    }
+    for (const AssetEntry& entry : project.assets)
+        add_entry({SetupOwner::asset, entry.id}, entry.name.empty() ? entry.id : entry.name, tr("asset"),
+                  all);
+    add_tabs(all);
+    for (const QAction* action : window_.menuBar()->actions())
+        if (action->menu()) add_commands(*action->menu(), all);
+    add_help(all);
+    return all;
+}
+
+void SearchActions::add_commands(const QMenu& menu, std::vector<Findable>& all) const {
+    const QString of = tr("command, menu %1").arg(without_mnemonic(menu.title()));
+    for (QAction* action : menu.actions()) {
+        if (action->menu() && action->isEnabled()) add_commands(*action->menu(), all);
+        if (action->isSeparator() || action->menu() || !action->isEnabled() || action->text().isEmpty())
+            continue;
+        all.push_back({without_mnemonic(action->text()), of, [action] { action->trigger(); }});
+    }
+}
+
+/// The entry and the fields of its set-up.
+void SearchActions::add_entry(const SetupAddress& entry, const std::string& name, const QString& kind,
+                              std::vector<Findable>& all) const {
+    all.push_back({to_qt(name), kind, [this, entry] { selection_.select_entry(entry); }});
+    const SetupSchema* schema = find_schema(document_.project(), entry);
+    const Setup* setup = find_setup(document_.project(), entry);
+    if (!schema || !setup) return;
+    const QString path = to_qt(setup_path(document_.project(), entry)) + QLatin1Char('/');
+    for (const FieldSpec& field : schema->fields())
+        if (is_shown(*schema, field, *setup))
+            all.push_back({core_text(field.title), tr("field of %1").arg(to_qt(name)),
+                           [this, place = path + to_qt(field.key)] { go_to_(place); }});
+}
+
+void SearchActions::add_quantities(const std::string& analysis, const QString& name,
+                                   std::vector<Findable>& all) const {
+    const auto made = document_.maker().made() ? document_.maker().made()->analysis(analysis) : nullptr;
+    if (!made) return;
+    const SetupAddress entry{SetupOwner::analysis, analysis};
+    const auto& outputs = made->model->outputs();
+    for (std::size_t j = 0; j < std::min(outputs.size(), most_quantities); ++j)
+        all.push_back({quantity_words(outputs[j].symbol, outputs[j].group, outputs[j].name),
+                       tr("result of %1").arg(name), [this, entry, group = to_qt(outputs[j].group), j] {
+                           selection_.select_entry(entry);
+                           selection_.select_group(group);
+                           selection_.select_output(static_cast<int>(j));
+                           results_.tabs().setCurrentIndex(0);
+                       }});
+    const auto& inputs = made->inputs.quantities;
+    const QString of = to_qt(setup_path(document_.project(), entry));
+    for (std::size_t i = 0; i < std::min(inputs.size(), most_quantities); ++i)
+        all.push_back({quantity_words(inputs[i].symbol, inputs[i].group, inputs[i].name),
+                       tr("input quantity of %1").arg(name),
+                       [this, entry, place = of + to_qt(inputs[i].source), has = !inputs[i].source.empty()] {
+                           if (has) return go_to_(place);
+                           selection_.select_entry(entry);
+                           properties_.tabs()->setCurrentIndex(1);
+                       }});
+}
+
+void SearchActions::add_tabs(std::vector<Findable>& all) const {
+    for (QTabWidget* tabs : {&results_.tabs(), properties_.tabs()})
+        for (int i = 0; i < tabs->count(); ++i)
+            all.push_back(
+                {without_mnemonic(tabs->tabText(i)), tr("tab"), [tabs, i] { tabs->setCurrentIndex(i); }});
+}
+
+void SearchActions::add_help(std::vector<Findable>& all) const {
+    static const Result<std::vector<HelpPage>> pages = help_pages();
+    if (!pages) return;
+    for (const HelpPage& page : *pages)
+        for (const ReportBlock& block : page.blocks) {
+            const auto* heading = std::get_if<HeadingBlock>(&block);
+            if (!heading || heading->anchor.empty()) continue;
+            const bool is_page = heading->anchor == page.id;
+            all.push_back({core_text(heading->text),
+                           is_page ? tr("help") : tr("help: %1").arg(core_text(page.title)),
+                           [this, place = to_qt(heading->anchor)] { help_.show_place(place); }, true});
+        }
+}
+
+}  // namespace covaria::ui

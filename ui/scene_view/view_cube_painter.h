@@ -1,0 +1,26 @@
+// Paints the cube of the scene, and knows its place in the view.
+#pragma once
+
+#include <QPalette>
+#include <QRectF>
+#include <optional>
+#include <vector>
+
+#include "viz/scene/view_cube.h"
+
+class QPainter;
+
+namespace covaria::ui {
+
+/// Where the cube is in a view of this size, in its pixels: on the right, below the colour bar of a map.
+/// Empty: there is no room.
+QRectF cube_place(QSize view, bool has_map);
+/// The faces turned to the eye.
+std::vector<CubeFace> cube_in(const QRectF& place, const Camera& camera);
+/// `pointed`: the face under the pointer.
+void paint_cube(QPainter& painter, const std::vector<CubeFace>& faces, std::optional<StandardView> pointed,
+                const QPalette& palette);
+/// "Top", of a standard view.
+QString view_title(StandardView view);
+
+}  // namespace covaria::ui

@@ -1,0 +1,36 @@
+// What of a scene can be grasped with the mouse to move or to turn it, and where it goes.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "viz/scene/camera.h"
+#include "viz/scene/scene.h"
+
+namespace covaria {
+
+/// An item whose position is written in a set-up can be moved by itself, and turned by the tips of its axes
+/// where its field is a pose.
+struct Handle {
+    SceneItem item;
+    std::optional<SceneFrame> frame = {};  ///< to turn: its axes
+    int tip = 0;                           ///< the axis whose tip is grasped: 0 x, 1 y, 2 z
+    bool turns() const { return frame.has_value(); }
+};
+
+/// Tips of axes before items; `preferred`: the id of an item that is taken before others within reach (the
+/// selected one).
+std::optional<Handle> handle_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
+                                const std::function<bool(Layer)>& shown, const std::string& preferred,
+                                double reach);
+
+/// The turn in W, about the origin of the frame and that one of its other two axes that points most to or
+/// from the eye, by which the tip follows the pointer; in whole steps of `step` (rad) where it is not 0.
+Eigen::Matrix3d turn_by(const Handle& handle, const Camera& camera, PictureSize size, Pixel from, Pixel to,
+                        double step);
+
+/// Coordinates that a move changes, along the axes of the field, at whole steps (m).
+Eigen::Vector3d snapped(const SceneItem& item, const Eigen::Vector3d& p_W, double step);
+
+}  // namespace covaria

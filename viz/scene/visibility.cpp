@@ -1,0 +1,77 @@
+#include "viz/scene/visibility.h"
+
+#include <algorithm>
+
+#include "viz/scene/build_parts.h"
+
+namespace covaria {
+namespace {
+
+class Filter {
+public:
+    Filter(const Scene& scene, const Visibility& visibility) : visibility_(visibility) {
+        if (!visibility.only.empty() && find_item(scene, visibility.only)) only_ = visibility.only;
+    }
+    bool isolates() const { return !only_.empty(); }
+    /// `goes_along`: it goes where its body goes.
+    bool shows(const SceneItem& item, bool goes_along) const {
+        if (is_hidden(item.id) || (goes_along && is_hidden(item.body))) return false;
+        return only_.empty() || item.id == only_ || item.body == only_;
+    }
+
+private:
+    bool is_hidden(const std::string& id) const { return !id.empty() && visibility_.hidden.contains(id); }
+    const Visibility& visibility_;
+    std::string only_;
+};
+
+/// Lines of what is not drawn.
+bool explains(const LegendLine& line, const Scene& scene) {
+    const auto is_role = [&](const auto& item) { return item.role == line.role; };
+    switch (line.mark) {
+        case LegendMark::ellipsoid:
+            return std::any_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), is_role);
+        case LegendMark::cloud:
+            return std::any_of(scene.clouds.begin(), scene.clouds.end(), is_role);
+        case LegendMark::histogram:
+            return !scene.wall_histograms.empty();
+        case LegendMark::line:
+            return std::any_of(scene.links.begin(), scene.links.end(),
+                               [](const SceneLink& link) { return link.kind == LinkKind::sight_line; });
+        case LegendMark::arrow:
+            return !scene.vectors.empty();
+        case LegendMark::none:
+            return true;
+    }
+    return true;
+}
+
+}  // namespace
+
+Scene visible_part(Scene scene, const Visibility& visibility) {
+    if (visibility.shows_all()) return scene;
+    const Filter filter(scene, visibility);
+    std::set<std::string> shown;
+    const auto keep = [&](auto& items, bool goes_along) {
+        std::erase_if(items, [&](const auto& each) { return !filter.shows(each.item, goes_along); });
+        for (const auto& each : items) shown.insert(each.item.id);
+    };
+    keep(scene.frames, true);
+    keep(scene.points, false);
+    keep(scene.bodies, true);
+    keep(scene.links, true);
+    keep(scene.vectors, true);
+    const auto is_gone = [&](const auto& each) { return !shown.contains(each.item.id); };
+    std::erase_if(scene.ellipsoids, is_gone);
+    std::erase_if(scene.clouds, is_gone);
+    std::erase_if(scene.wall_histograms,
+                  [&](const SceneWallHistogram& wall) { return !shown.contains(wall.cloud); });
+    std::erase_if(scene.labels, [&](const SceneLabel& label) {
+        return !label.item.empty() && !shown.contains(label.item);
+    });
+    std::erase_if(scene.legend, [&](const LegendLine& line) { return !explains(line, scene); });
+    if (filter.isolates()) detail::add_axes(scene);
+    return scene;
+}
+
+}  // namespace covaria

@@ -1,0 +1,23 @@
+// What of a scene is hidden, and one thing shown alone.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "viz/scene/scene.h"
+
+namespace covaria {
+
+struct Visibility {
+    std::set<std::string> hidden = {};  ///< ids of items
+    std::string only = {};              ///< id of the item that is shown alone; empty: all but `hidden`
+    bool shows_all() const { return hidden.empty() && only.empty(); }
+    bool operator==(const Visibility&) const = default;
+};
+
+/// The scene without what is hidden, its label, ellipsoid and cloud. With a body go its axes, and the lines
+/// that start from it; points stay. Alone is an item with what stands on it, in axes of its own. An id that
+/// the scene does not have hides nothing, and is not shown alone.
+Scene visible_part(Scene scene, const Visibility& visibility);
+
+}  // namespace covaria
