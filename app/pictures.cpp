@@ -130,7 +130,7 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
     }
     auto scene = scene_of(evaluated, request);
     if (!scene) return fail(scene.error());
-    if (request.saved) *scene = visible_part(*std::move(scene), visibility_of(*request.saved));
+    if (request.saved) scene = visible_part(*std::move(scene), visibility_of(*request.saved));
     if (format) return write_scene(*scene, *format, request.dark, file);
     SceneRenderer renderer;
     renderer.set_size(request.width, request.height);

@@ -289,6 +289,8 @@ struct ListOf {
         out.end();
     }
 };
+template <class T>
+ListOf(JsonFields<T>) -> ListOf<T>;
 
 /// An object.
 template <class T>
@@ -301,6 +303,8 @@ struct ObjectOf {
     }
     void write(JsonWriter& out, const T& member) const { fields.write(out, member); }
 };
+template <class T>
+ObjectOf(JsonFields<T>) -> ObjectOf<T>;
 
 /// What may be absent, and is not written then.
 template <class How>
@@ -319,5 +323,7 @@ struct Optional {
         how.write(out, *member);
     }
 };
+template <class How>
+Optional(How) -> Optional<How>;
 
 }  // namespace covaria
