@@ -17,6 +17,7 @@ struct ReportArguments {
     RunRequest request;
     ReportFiles files;
     std::string output;  ///< one file instead
+    std::string before;  ///< project to compare with
     bool certificate = false, annex = false;
     std::vector<std::string> without = {};  ///< chapters
 };
@@ -51,6 +52,29 @@ Result<RunRequest> request_for(const ReportArguments& arguments, const Project& 
     return request;
 }
 
+/// Of the same analyses of another project, by the same method.
+Result<void> compare_with(const ReportArguments& arguments, Evaluation& evaluation,
+                          const std::stop_token& stop) {
+    const auto opened = open_project(arguments.before);
+    if (!opened) return fail(opened.error());
+    RunRequest request = arguments.request;
+    request.studies = request.designs = false;
+    request.analyses.clear();
+    for (const EvaluatedAnalysis& now : evaluation.analyses)
+        if ((*opened)->project().find_analysis(now.analysis->id))
+            request.analyses.push_back(now.analysis->id);
+    if (request.analyses.empty())
+        return fail(ErrorCode::not_found, arguments.before + " has none of the analyses of the report");
+    const auto earlier = evaluate_analyses(*opened, request, stop);
+    if (!earlier) return fail(earlier.error());
+    for (const EvaluatedAnalysis& was : earlier->analyses)
+        for (EvaluatedAnalysis& now : evaluation.analyses)
+            if (now.analysis->id == was.analysis->id)
+                now.before = std::make_shared<const ResultsBefore>(
+                    ResultsBefore{arguments.before, compare_results(was.result, now.result)});
+    return check_complete(*earlier);
+}
+
 Result<void> report(const ReportArguments& arguments, const std::stop_token& stop) {
     ReportFiles files = files_of(arguments);
     if (!arguments.output.empty())
@@ -62,6 +86,8 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     if (!request) return fail(request.error());
     auto evaluation = evaluate_analyses(*opened, *request, stop);
     if (!evaluation) return fail(evaluation.error());
+    if (!arguments.before.empty())
+        if (auto compared = compare_with(arguments, *evaluation, stop); !compared) return compared;
     const ReportSource source{*evaluation->made, evaluation->analyses, evaluation->failed};
     if (arguments.certificate) say_what_is_missing(source.made.project());
     if (auto written = write_document(document_of(arguments, source), source, files, stop); !written)
@@ -91,9 +117,15 @@ Command report_command(CLI::App& app) {
         ->type_name("FILE")
         ->excludes(folder)
         ->excludes(formats);
-    command->add_flag("--certificate", arguments->certificate,
-                      "a calibration certificate of one to three pages instead of the report: the project's "
-                      "section \"certificate\" and the results (of the analyses chosen by --analysis)");
+    auto* before = command
+                       ->add_option("--before", arguments->before,
+                                    "project file: its results beside these, as a chapter (see compare)")
+                       ->type_name("FILE");
+    command
+        ->add_flag("--certificate", arguments->certificate,
+                   "a calibration certificate of one to three pages instead of the report: the project's "
+                   "section \"certificate\" and the results (of the analyses chosen by --analysis)")
+        ->excludes(before);
     std::vector<std::string> chapters;
     for (const ReportChapterField& chapter : report_chapters()) chapters.push_back(chapter.key);
     command->add_option("--without", arguments->without, "a chapter to leave out (may be repeated)")

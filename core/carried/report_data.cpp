@@ -6,6 +6,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/file_names.h"
+#include "core/project/certificate_logo.h"
 #include "core/project/csv_table.h"
 #include "core/project/linked_files.h"
 #include "core/project/project_file.h"
@@ -53,11 +54,27 @@ private:
                                   "Data of the project: it has to lie beside it", AttachedAs::source});
             }
         });
+        add_logo(project, linked);
         files_.push_back({carried::project, project_text(project), "application/json",
                           "The project that this report was made of (open it with Covaria)",
                           AttachedAs::source});
         files_.insert(files_.end(), std::make_move_iterator(linked.begin()),
                       std::make_move_iterator(linked.end()));
+    }
+
+    /// Beside the project too; one that lies elsewhere is not carried.
+    void add_logo(Project& project, std::vector<AttachedFile>& files) {
+        std::string& name = project.certificate.logo;
+        auto logo = certificate_logo(project);
+        const fs::path path = fs::path(name).lexically_normal();
+        const bool beside = logo && !logo->empty() && path.is_relative() && *path.begin() != "..";
+        if (!beside || is_ours(path.generic_string())) {
+            name.clear();
+            return;
+        }
+        if (taken_.insert(path.generic_string()).second)
+            files.push_back({path.generic_string(), std::move(logo->bytes), logo->media_type,
+                             "Logo of the certificate", AttachedAs::source});
     }
 
     static bool is_ours(const std::string& name) {

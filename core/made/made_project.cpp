@@ -5,6 +5,7 @@
 
 #include "core/base/in_quotes.h"
 #include "core/made/project_making.h"
+#include "core/project/certificate_logo.h"
 #include "core/project/project_id.h"
 #include "core/setup/message_text.h"
 
@@ -60,6 +61,7 @@ Problems MadeProject::problems() const {
     check_ids(project_->assets, "/assets", all);
     check_ids(project_->analyses, "/analyses", all);
     check_certificate(project_->certificate, all);
+    check_certificate_logo(*project_, all);
     std::vector<std::string> analyses;
     for (const AnalysisEntry& analysis : project_->analyses) analyses.push_back(analysis.id);
     check_report_contents(project_->report, analyses, all);

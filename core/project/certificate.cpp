@@ -27,6 +27,9 @@ std::vector<CertificateField> fields_of_laboratory() {
              CertificateText::country},
             {"laboratory", "accreditation", "Accreditation number", "Absent: not accredited for this.",
              &C::accreditation},
+            {"laboratory", "logo", "Logo",
+             "A PNG or JPEG file beside the project, up to 2 MB: at the head of the first page.", &C::logo,
+             CertificateText::picture},
             {"", "place", "Place of calibration",
              "Where it was done if not in the laboratory: at the customer, in the field.", &C::place, lines,
              "7.8.2.1 c"}};

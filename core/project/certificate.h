@@ -13,7 +13,7 @@ namespace covaria {
 /// All texts as typed; a project whose texts are all empty has no certificate.
 struct Certificate {
     std::string number = {};
-    std::string laboratory = {}, laboratory_address = {}, country = {}, accreditation = {};
+    std::string laboratory = {}, laboratory_address = {}, country = {}, accreditation = {}, logo = {};
     std::string place = {};
     std::string customer = {}, customer_address = {};
     std::string item = {}, manufacturer = {}, type = {}, serial_number = {}, identification = {},
@@ -32,7 +32,8 @@ enum class CertificateText {
     lines,    ///< may have several
     country,  ///< two capital letters: DE
     date,     ///< ISO 8601: 2026-04-17
-    dates     ///< a date, or an interval of two: 2026-04-17/2026-04-18
+    dates,    ///< a date, or an interval of two: 2026-04-17/2026-04-18
+    picture   ///< name of a PNG or JPEG file, relative to the project's folder
 };
 
 struct CertificateField {

@@ -26,6 +26,7 @@ const std::vector<ReportChapterField>& report_chapters() {
         {influence, "influence", "Sobol indices and contributors"},
         {evaluation, "evaluation", "Evaluation of the set-up"},
         {comparison, "comparison", "Law of propagation beside Monte Carlo"},
+        {before, "before", "Results before and after"},
         {regions, "regions", "Joint coverage regions"},
         {distributions, "distributions", "Distributions"},
         {scene, "scene", "Set-up in space"},

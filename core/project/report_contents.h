@@ -19,6 +19,7 @@ enum class ReportChapter {
     influence,
     evaluation,
     comparison,
+    before,
     regions,
     distributions,
     scene,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/version.h"
+#include "core/project/certificate_logo.h"
 #include "core/report/certificate_parts.h"
 #include "core/report/report.h"
 #include "core/result/representation.h"
@@ -166,6 +167,7 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
     document.running_head = document.title;
     document.over = stated(certificate, &Certificate::laboratory);
     document.head_on_every_page = true;
+    if (auto logo = certificate_logo(made.project())) document.logo = *std::move(logo);
     add_administration(document.blocks, certificate);
     add_results_of(document.blocks, source, shown);
     add_certified_conformity(document.blocks, source, shown);

@@ -17,9 +17,8 @@ constexpr std::size_t most_compared_budgets = 6;
 constexpr std::size_t most_changes = 15;  ///< of a budget; further components are summed
 
 std::string method_words(const UncertaintyResult& result) {
-    const std::string method = result.trials == 0
-                                   ? "law of propagation"
-                                   : "Monte Carlo, " + std::to_string(result.trials) + " trials";
+    const std::string method =
+        result.trials == 0 ? "law of propagation" : "Monte Carlo, " + count_text(result.trials) + " trials";
     return method + ", p = " + percent_text(result.coverage_probability);
 }
 
@@ -29,10 +28,9 @@ public:
     ComparedChapter(const ComparedAnalysis& analysis, Blocks& blocks)
         : analysis_(analysis), comparison_(analysis.comparison), blocks_(blocks) {}
 
-    void add() {
-        blocks_.push_back(HeadingBlock{1, analysis_.title});
-        blocks_.push_back(FactsBlock{
-            {{"Before", method_words(*comparison_.before)}, {"After", method_words(*comparison_.after)}}});
+    void add(const std::string& before, const std::string& after) {
+        blocks_.push_back(FactsBlock{{{"Before", before + method_words(*comparison_.before)},
+                                      {"After", after + method_words(*comparison_.after)}}});
         if (expanded_by(*comparison_.before) != expanded_by(*comparison_.after))
             blocks_.push_back(ParagraphBlock{"U is stated by different rules: before, " +
                                                  expanded_words(*comparison_.before) + " After, " +
@@ -43,6 +41,9 @@ public:
         add_results();
         for (const std::size_t output : budgets_) add_budget(output);
     }
+
+    /// Outputs whose changed budgets are shown.
+    const std::vector<std::size_t>& with_budgets() const { return budgets_; }
 
 private:
     double size_of_change(std::size_t output) const {
@@ -164,6 +165,19 @@ private:
     std::size_t in_both_ = 0, changed_ = 0;
 };
 
+/// Both distributions of those outputs whose budgets are shown, where trials gave them.
+void add_figures(Blocks& blocks, const EvaluatedAnalysis& evaluated,
+                 const std::vector<std::size_t>& outputs) {
+    const ResultComparison& comparison = evaluated.before->comparison;
+    for (const std::size_t i : outputs) {
+        const OutputResult& after = *comparison.output_after(comparison.outputs[i]);
+        PlotSpecification plot = compared_distributions_plot(comparison, i);
+        if (plot.series.empty()) continue;
+        blocks.push_back(figure(std::move(plot), evaluated,
+                                "Distribution of " + output_label(after.quantity) + " before and after."));
+    }
+}
+
 void add_missing(Blocks& blocks, const char* where, const std::vector<std::string>& analyses) {
     if (analyses.empty()) return;
     std::string names;
@@ -181,8 +195,21 @@ ReportDocument build_comparison(const ComparedSides& sides, const std::vector<Co
     blocks.push_back(FactsBlock{{{"Before", sides.before}, {"After", sides.after}}, true});
     add_missing(blocks, "before", sides.only_before);
     add_missing(blocks, "after", sides.only_after);
-    for (const ComparedAnalysis& analysis : analyses) ComparedChapter(analysis, blocks).add();
+    for (const ComparedAnalysis& analysis : analyses) {
+        blocks.push_back(HeadingBlock{1, analysis.title});
+        ComparedChapter(analysis, blocks).add({}, {});
+    }
     return document;
+}
+
+void report_parts::add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+    if (!evaluated.before) return;
+    blocks.push_back(HeadingBlock{2, "Results before and after"});
+    const ComparedAnalysis analysis{id_part(evaluated.analysis->id), evaluated.analysis->name,
+                                    evaluated.before->comparison};
+    ComparedChapter chapter(analysis, blocks);
+    chapter.add(evaluated.before->words + "; ", "this report; ");
+    add_figures(blocks, evaluated, chapter.with_budgets());
 }
 
 std::vector<DataTable> comparison_tables(const ComparedAnalysis& analysis) {

@@ -40,6 +40,7 @@ nav input { width: 70mm; padding: 1mm 2mm; } nav ul { list-style: none; padding:
 nav .level-1 { font-weight: 600; margin-top: 2mm; } nav .level-2 { margin-left: 5mm; } nav .level-3, nav .level-4 { margin-left: 10mm; }
 @media print { nav input { display: none; } }
 sub { font-size: 75%; line-height: 0; }
+img.logo { float: right; max-width: 50mm; max-height: 18mm; margin: 0 0 3mm 5mm; }
 figure { margin: 0 0 5mm; break-inside: avoid; } figure img { max-width: 100%; height: auto; }
 figcaption { font-size: 8.5pt; color: var(--quiet); }
 @page across { size: A4 landscape; margin: 20mm; }

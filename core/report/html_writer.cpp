@@ -242,6 +242,12 @@ std::string page_heads(const ReportDocument& document) {
            "font-size: 8pt; } }\n";
 }
 
+std::string logo_of(const ReportDocument& document) {
+    if (document.logo.empty()) return {};
+    return "<img class=\"logo\" alt=\"" + escape_html(document.over) +
+           "\" src=\"data:" + document.logo.media_type + ";base64," + base64(document.logo.bytes) + "\">\n";
+}
+
 }  // namespace
 
 std::string html_body(const std::vector<ReportBlock>& blocks) {
@@ -253,8 +259,8 @@ std::string html_body(const std::vector<ReportBlock>& blocks) {
 std::string to_html(const ReportDocument& document) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
            escape_html(document.title) + "</title>\n<style>" + std::string(html_style) +
-           page_heads(document) + "</style>\n</head>\n<body>\n<h1>" + escape_html(document.title) +
-           "</h1>\n" + html_body(document.blocks) + "</body>\n</html>\n";
+           page_heads(document) + "</style>\n</head>\n<body>\n" + logo_of(document) + "<h1>" +
+           escape_html(document.title) + "</h1>\n" + html_body(document.blocks) + "</body>\n</html>\n";
 }
 
 }  // namespace covaria

@@ -8,11 +8,18 @@
 
 #include "core/made/made_project.h"
 #include "core/report/report_document.h"
+#include "core/result/comparison.h"
 #include "core/result/design_result.h"
 #include "core/result/study_result.h"
 #include "core/result/uncertainty_result.h"
 
 namespace covaria {
+
+/// Earlier results of an analysis beside those of now.
+struct ResultsBefore {
+    std::string words;  ///< where they come from: "kept at 14:03", a file
+    ResultComparison comparison;
+};
 
 struct EvaluatedAnalysis {
     std::shared_ptr<const PreparedAnalysis> analysis;
@@ -20,6 +27,7 @@ struct EvaluatedAnalysis {
     std::vector<std::string> warnings = {};  ///< of its assets and of its model: `warnings_of`
     std::vector<std::shared_ptr<const StudyResult>> studies = {};
     std::vector<std::shared_ptr<const DesignResult>> designs = {};
+    std::shared_ptr<const ResultsBefore> before = {};  ///< null: its report compares with nothing
 };
 
 /// An analysis of the project, or a study or design of one, that has no results.

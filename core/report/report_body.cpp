@@ -43,6 +43,7 @@ Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evalua
     add_contributors(of_influence, evaluated);
     add_model_evaluation(begin(evaluation), evaluated);
     add_comparison(begin(comparison), evaluated);
+    add_before(begin(before), evaluated);
     add_regions(begin(regions), evaluated);
     add_distributions(begin(distributions), evaluated);
     add_scene(begin(scene), evaluated);
@@ -55,8 +56,9 @@ Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evalua
 /// What a reader misses most comes first.
 int rank_of(const std::optional<ReportChapter>& chapter) {
     using enum ReportChapter;
-    static const std::array order{budgets, setup,         evaluation, assets,    scene,       inputs, designs,
-                                  studies, distributions, comparison, influence, correlation, regions};
+    static const std::array order{budgets,    before,    setup,       evaluation, assets,
+                                  scene,      inputs,    designs,     studies,    distributions,
+                                  comparison, influence, correlation, regions};
     if (!chapter) return -1;
     return static_cast<int>(std::find(order.begin(), order.end(), *chapter) - order.begin());
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/data_table.h"
+#include "core/project/certificate_logo.h"
 #include "core/text/formula.h"
 #include "core/text/plot_specification.h"
 
@@ -102,6 +103,7 @@ struct ReportDocument {
     std::string running_head;
     std::vector<ReportBlock> blocks;
     std::string over = "Report of an uncertainty evaluation";  ///< above the title, in print
+    LogoPicture logo = {};                                     ///< beside the title
     bool head_on_every_page = false;  ///< the running head stands on the first page too
 };
 

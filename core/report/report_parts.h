@@ -39,6 +39,8 @@ void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// What the model says about its set-up beside the outputs.
 void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+/// Nothing without earlier results.
+void add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 void add_scene(Blocks& blocks, const EvaluatedAnalysis& evaluated);

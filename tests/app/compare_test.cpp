@@ -27,6 +27,29 @@ TEST(Compare, AProjectBesideWhatItWouldBe) {
     EXPECT_NE(read_text(folder / "table-compared-results.csv").find(",both,nm,"), std::string::npos);
 }
 
+/// The same in a report: what if, and what the file says.
+TEST(Compare, AReportHasTheResultsOfAnotherFileBesideItsOwn) {
+    const auto folder = fresh_folder("compare-report");
+    const auto to = (folder / "report.md").string();
+    const Outcome what_if =
+        run_program({"report", gauge, "--analysis", "table", "--set",
+                     "/analyses/table/setup/quantities/rows/d/a=19.4", "--before", gauge, "-o", to});
+    ASSERT_EQ(what_if.status, 0) << what_if.err;
+    const std::string text = read_text(to);
+    const std::size_t chapter = text.find("Results before and after");
+    ASSERT_NE(chapter, std::string::npos);
+    EXPECT_NE(text.find("28.1", chapter), std::string::npos) << text.substr(chapter, 2000);
+    EXPECT_NE(text.find(gauge, chapter), std::string::npos) << "what is before is named";
+    const Outcome without = run_program(
+        {"report", gauge, "--analysis", "table", "--before", gauge, "--without", "before", "-o", to});
+    ASSERT_EQ(without.status, 0) << without.err;
+    EXPECT_EQ(read_text(to).find("Results before and after"), std::string::npos);
+    const Outcome strangers = run_program({"report", gauge, "--before", stewart, "-o", to});
+    EXPECT_EQ(strangers.status, 1);
+    EXPECT_NE(strangers.err.find("none of the analyses"), std::string::npos) << strangers.err;
+    EXPECT_EQ(run_program({"report", gauge, "--before", gauge, "--certificate", "-o", to}).status, 2);
+}
+
 TEST(Compare, EqualProjectsDoNotDiffer) {
     const Outcome same = run_program({"compare", gauge, gauge, "--first-order"});
     ASSERT_EQ(same.status, 0) << same.err;

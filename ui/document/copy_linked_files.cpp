@@ -20,6 +20,11 @@ Result<void> copy_linked_files(const Project& project, const std::filesystem::pa
                           target.string(),
                           0});
     }
+    if (const fs::path logo(project.certificate.logo); logo.is_relative() && !logo.empty()) {
+        std::error_code error;  // without it the certificate says so
+        fs::create_directories((folder / logo).parent_path(), error);
+        fs::copy_file(project.directory / logo, folder / logo, fs::copy_options::skip_existing, error);
+    }
     return {};
 }
 

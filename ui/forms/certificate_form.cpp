@@ -7,6 +7,7 @@
 #include "core/manual/markdown.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/date_editor.h"
+#include "ui/forms/file_editor.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
 #include "ui/forms/prose_editor.h"
@@ -102,6 +103,8 @@ FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
             return new TextEditor(spec, this);
         case CertificateText::lines:
             return new ProseEditor(spec, this);
+        case CertificateText::picture:
+            return new FileEditor(spec, document_, tr("Pictures (*.png *.jpg *.jpeg)"), this);
         case CertificateText::date:
         case CertificateText::dates:
             break;

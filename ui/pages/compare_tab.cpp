@@ -19,7 +19,7 @@
 namespace covaria::ui {
 
 CompareTab::CompareTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
-    : QWidget(parent), document_(document), runner_(runner), selection_(selection), kept_(runner) {
+    : QWidget(parent), document_(document), runner_(runner), selection_(selection), kept_(runner.kept()) {
     make_actions();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

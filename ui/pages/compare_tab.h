@@ -7,7 +7,7 @@
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/models/compared_table_models.h"
-#include "ui/run/kept_states.h"
+#include "ui/run/analysis_runner.h"
 
 class QComboBox;
 class QLabel;
@@ -58,7 +58,7 @@ private:
     Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
-    KeptStates kept_;
+    KeptStates& kept_;
     ComparedResultsModel results_model_;
     ComparedBudgetModel budget_model_;
     ComparisonPointer comparison_;

@@ -85,6 +85,7 @@ ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget
     connect(area_->verticalScrollBar(), &QScrollBar::valueChanged, this, &ReportPreview::show_page_of);
     connect(&document_, &Document::project_changed, this, &ReportPreview::mark_old);
     connect(&runner_, &AnalysisRunner::result_changed, this, &ReportPreview::mark_old);
+    connect(&runner_.kept(), &KeptStates::changed, this, &ReportPreview::mark_old);
     connect(&document_.maker(), &ProjectMaker::made_changed, this, [this] {
         if (waiting_) refresh();
     });

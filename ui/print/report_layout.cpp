@@ -1,6 +1,7 @@
 // A report document as a flow of printed items.
 #include "ui/print/report_layout.h"
 
+#include <QImage>
 #include <algorithm>
 #include <sstream>
 
@@ -22,18 +23,29 @@ QString rich(const std::string& words) {
     return to_qt(to_html(running_text(words)));
 }
 
-void append_title(std::vector<FlowItem>& items, const std::string& text, const std::string& above,
-                  const PageStyle& style, double width) {
-    RichText over(style, TextRole::body, escaped(above));
-    over.set_width(width);
-    items.push_back({over.height() + style.mm(1.0),
+/// The logo stands in the corner, beside both.
+void append_title(std::vector<FlowItem>& items, const ReportDocument& document, const PageStyle& style,
+                  double width) {
+    QImage logo;
+    logo.loadFromData(QByteArray::fromStdString(document.logo.bytes));
+    const QSizeF size = QSizeF(logo.size()).scaled(style.mm(50.0), style.mm(18.0), Qt::KeepAspectRatio);
+    const double beside = logo.isNull() ? width : width - size.width() - style.mm(5.0);
+    const QPointF corner(width - size.width(), 0.0);
+    RichText over(style, TextRole::body, escaped(document.over));
+    over.set_width(beside);
+    const double above = over.height() + style.mm(1.0);
+    items.push_back({above,
                      0.0,
                      true,
-                     [over](QPainter& p, QPointF at) { over.paint(p, at, PageStyle::quiet()); },
+                     [over, logo, size, corner](QPainter& p, QPointF at) {
+                         over.paint(p, at, PageStyle::quiet());
+                         if (!logo.isNull()) p.drawImage(QRectF(at + corner, size), logo);
+                     },
                      {}});
-    RichText title(style, TextRole::title, escaped(text));
-    title.set_width(width);
-    const double rule = title.height() + style.mm(2.5), line = style.points(0.8);
+    RichText title(style, TextRole::title, escaped(document.title));
+    title.set_width(beside);
+    const double tall = logo.isNull() ? 0.0 : size.height() - above;
+    const double rule = std::max(title.height(), tall) + style.mm(2.5), line = style.points(0.8);
     items.push_back({rule + style.mm(3.0),
                      0.0,
                      true,
@@ -288,7 +300,7 @@ private:
 std::vector<FlowItem> lay_out(const ReportDocument& document, const PageStyle& style,
                               const FigurePainters& figures, const HeadingPages& pages) {
     ReportLayout layout(document, style, figures, pages);
-    append_title(layout.items, document.title, document.over, style, style.text_area().width());
+    append_title(layout.items, document, style, style.text_area().width());
     for (std::size_t i = 0; i < document.blocks.size();) {
         std::vector<const PlotBlock*> run;
         while (i < document.blocks.size() && std::holds_alternative<PlotBlock>(document.blocks[i]))

@@ -9,6 +9,7 @@
 
 #include "ui/document/project_maker.h"
 #include "ui/run/inquiries.h"
+#include "ui/run/kept_states.h"
 #include "ui/run/run_backend.h"
 #include "ui/run/run_queue.h"
 #include "ui/run/run_state.h"
@@ -39,6 +40,9 @@ public:
     /// Likewise designs.
     DesignRunner& designs() { return designs_; }
     const DesignRunner& designs() const { return designs_; }
+    /// Results to compare later ones with.
+    KeptStates& kept() { return kept_; }
+    const KeptStates& kept() const { return kept_; }
 
     /// Analyses that must not run, with the reason, by id: their results are not current.
     void set_held(const std::map<std::string, QString>& held);
@@ -99,6 +103,7 @@ private:
     DesignRunner designs_;
     RunQueue runs_;
     LatestJob first_order_;
+    KeptStates kept_{*this};
 };
 
 }  // namespace covaria::ui

@@ -1,5 +1,6 @@
 #include "ui/run/kept_states.h"
 
+#include "ui/run/analysis_runner.h"
 #include "ui/run/result_words.h"
 
 namespace covaria::ui {

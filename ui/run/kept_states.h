@@ -5,9 +5,12 @@
 #include <QDateTime>
 #include <map>
 
-#include "ui/run/analysis_runner.h"
+#include "ui/document/project_maker.h"
+#include "ui/run/run_backend.h"
 
 namespace covaria::ui {
+
+class AnalysisRunner;
 
 struct KeptState {
     ResultPointer result;     ///< never null

@@ -44,6 +44,12 @@ Evaluated shipped(const std::string& name) {
     return writers_test::evaluate(writers_test::loaded(data_directory() / "projects" / name));
 }
 
+std::string all_messages(const Problems& problems) {
+    std::string all;
+    for (const Problem& problem : problems.items()) all += problem.path + ": " + problem.message + "\n";
+    return all;
+}
+
 std::string all_of(const Comparison& comparison) {
     std::string all;
     for (const std::string& difference : comparison.differences) all += difference + "\n";
@@ -86,6 +92,31 @@ TEST(Carried, ACsvFileThatHasChangedSinceStandsInTheProject) {
     const LoadedProject back = load_carried("report.pdf", files);
     ASSERT_FALSE(back.problems.has_errors());
     EXPECT_EQ(fingerprint(back.project), fingerprint(evaluated.made->project()));
+}
+
+/// Eight bytes say that it is a PNG file; nobody draws it here.
+TEST(Carried, TheLogoOfTheCertificateLiesBesideTheProject) {
+    const fs::path folder = fresh_folder("logo");
+    const std::string png = "\x89PNG\r\n\x1a\n and what follows";
+    fs::create_directories(folder / "pictures");
+    ASSERT_TRUE(write_file_atomically(folder / "pictures/logo.png", png));
+    Project project = writers_test::loaded(data_directory() / "projects/gum/h1-end-gauge.covaria");
+    project.directory = folder;
+    const auto carried_logo = [&](const std::string& name) {
+        project.certificate.logo = name;
+        std::vector<AttachedFile> files = data_of(writers_test::evaluate(project));
+        const LoadedProject back = load_carried("report.pdf", files);
+        EXPECT_FALSE(back.problems.has_errors()) << all_messages(back.problems);
+        const AttachedFile* logo = find(files, "pictures/logo.png");
+        if (logo) {
+            EXPECT_EQ(logo->bytes, png);
+        }
+        EXPECT_EQ(logo != nullptr, !back.project.certificate.logo.empty()) << name;
+        return back.project.certificate.logo;
+    };
+    EXPECT_EQ(carried_logo("pictures/logo.png"), "pictures/logo.png");
+    EXPECT_EQ(carried_logo((folder / "pictures/logo.png").string()), "") << "it lies elsewhere for others";
+    EXPECT_EQ(carried_logo("pictures/none.png"), "");
 }
 
 TEST(Carried, WhatDiffersIsNamed) {

@@ -20,7 +20,9 @@ using nlohmann::ordered_json;
 Certificate full_certificate() {
     Certificate certificate;
     for (const CertificateField& field : certificate_fields())
-        certificate.*field.member = field.kind == CertificateText::date      ? "2026-04-17"
+        certificate.*field.member = field.kind == CertificateText::date ? "2026-04-17"
+                                    : field.kind == CertificateText::picture
+                                        ? (data_directory() / "projects/chain.png").string()
                                     : field.kind == CertificateText::country ? "DE"
                                     : field.kind == CertificateText::dates   ? "2026-04-17/2026-04-18"
                                                                              : pointer_of(field) + "\nß";

@@ -1,12 +1,14 @@
 // The certificate: result lines of JCGM 100 7.2, what is missing, conformity by its rule, signature and end.
 #include <gtest/gtest.h>
 
+#include "core/base/file_io.h"
 #include "core/project/stated_requirements.h"
 #include "core/report/report.h"
 #include "core/report/result_statement.h"
 #include "core/report/table_text.h"
 #include "core/result/result_line.h"
 #include "tests/core/report/sample_report.h"
+#include "tests/fresh_folder.h"
 
 namespace covaria::certificate_report_test {
 namespace {
@@ -106,7 +108,8 @@ struct Made {
                 project.certificate.*field.member =
                     field.kind == CertificateText::line || field.kind == CertificateText::lines
                         ? std::string("given A_7 <") + field.key + ">"
-                        : "2026-04-17";
+                    : field.kind == CertificateText::picture ? ""
+                                                             : "2026-04-17";
         project.analyses[0].requirements = {
             {"pose 1", "x", {}, Quantity{-121.0, test::mm()}, Quantity{-117.0, test::mm()}, 0.83}};
         analyses = {test::sample_analysis(test::sample_result({poses, 3, 3, false, "pose"}))};
@@ -140,6 +143,23 @@ TEST(CertificateReport, SaysEverythingThatIsGivenAsItWasTyped) {
     const auto& last = std::get<SignatureBlock>(document.blocks.back());
     EXPECT_EQ(last.end_mark, "End of certificate " + made.project.certificate.number);
     EXPECT_TRUE(contains(to_markdown(document), "End of certificate"));
+}
+
+TEST(CertificateReport, TheLogoIsInTheDocument) {
+    Made made(1);
+    const auto folder = test::fresh_folder();
+    made.project.directory = folder;
+    made.project.certificate.logo = "logo.png";
+    EXPECT_TRUE(made.document().logo.empty()) << "there is no such file";
+    const std::string png = "\x89PNG\r\n\x1a\n and what follows";
+    ASSERT_TRUE(write_file_atomically(folder / "logo.png", png));
+    const ReportDocument document = made.document();
+    EXPECT_EQ(document.logo.bytes, png);
+    EXPECT_EQ(document.logo.media_type, "image/png");
+    EXPECT_TRUE(contains(to_html(document), "<img class=\"logo\""));
+    EXPECT_TRUE(contains(to_html(document), "src=\"data:image/png;base64,iVBORw0KGgo")) << "the file itself";
+    made.project.certificate.logo.clear();
+    EXPECT_FALSE(contains(to_html(made.document()), "class=\"logo\""));
 }
 
 TEST(CertificateReport, WhatIsRequiredAndMissingIsAGap) {

@@ -7,11 +7,14 @@
 #include <QPlainTextEdit>
 #include <QTest>
 
+#include "tests/fresh_folder.h"
 #include "tests/ui/qt_application.h"
 #include "ui/forms/certificate_form.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/date_editor.h"
+#include "ui/forms/file_editor.h"
 #include "ui/forms/report_form.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui::certificate_form_test {
 namespace {
@@ -54,6 +57,23 @@ TEST_F(CertificateFormTest, EveryTextHasAFieldOfItsKindAndNoneIsMarked) {
         const QVariant hint = widget->property("placeholderText");
         EXPECT_EQ(hint.toString().contains(QStringLiteral("17025")), field.required) << name.toStdString();
     }
+}
+
+TEST_F(CertificateFormTest, ALogoBesideTheProjectIsNamedRelativeToIt) {
+    auto* edit = find<QLineEdit>(&Certificate::logo);
+    auto* editor = qobject_cast<FileEditor*>(edit->parentWidget());
+    ASSERT_NE(editor, nullptr);
+    const std::filesystem::path folder = covaria::test::fresh_folder();
+    ASSERT_TRUE(document.save_as(from_path(folder / "a.covaria")));
+    editor->choose(from_path(folder / "pictures/logo.png"));
+    EXPECT_EQ(certificate().logo, "pictures/logo.png");
+    EXPECT_EQ(edit->text(), QStringLiteral("pictures/logo.png"));
+    editor->choose(QStringLiteral("/lab/logo.png"));  // elsewhere
+    EXPECT_EQ(certificate().logo, "/lab/logo.png");
+    document.undo_stack().undo();
+    EXPECT_EQ(edit->text(), QString()) << "edits of a field in a row are one step";
+    type(edit, QStringLiteral("other.jpg"));
+    EXPECT_EQ(certificate().logo, "other.jpg");
 }
 
 TEST_F(CertificateFormTest, TypingIsLiveAndOneStepToUndo) {

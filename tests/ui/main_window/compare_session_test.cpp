@@ -2,10 +2,12 @@
 #include <QDir>
 #include <QToolButton>
 
+#include "core/report/report.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
 #include "ui/models/roles.h"
 #include "ui/pages/compare_tab.h"
+#include "ui/pages/current_results.h"
 #include "ui/pages/sortable_table.h"
 
 namespace covaria::ui::compare_session_test {
@@ -100,6 +102,30 @@ TEST_F(CompareSession, WhatWasKeptStandsBesideWhatIsEdited) {
     EXPECT_EQ(tab().results().model()->rowCount(), 0);
     EXPECT_FALSE(enabled("go_back"));
     EXPECT_TRUE(window_->document().project() == edited);
+}
+
+/// What goes to print: the document as preview and export build it.
+std::string report_now(MainWindow& window) {
+    const ReportMaker::Source source =
+        document_source(DocumentKind::report, window.document().project(), window.runner());
+    return to_markdown(build_report(*source.made, source.analyses, source.failed));
+}
+
+TEST_F(CompareSession, TheReportHasBothWhileTheyAreKept) {
+    open_platform();
+    const std::string chapter = "Results before and after";
+    EXPECT_EQ(report_now(*window_).find(chapter), std::string::npos) << "nothing is kept";
+    press("keep_before");
+    EXPECT_EQ(report_now(*window_).find(chapter), std::string::npos) << "the same results";
+    const double U_before = expanded_uncertainty(0);
+    type_into("base_u_x", QStringLiteral("0.5 mm"));
+    ASSERT_TRUE(wait_for([&] { return expanded_uncertainty(0) > 1.1 * U_before; }));
+    run();
+    const std::string text = report_now(*window_);
+    EXPECT_NE(text.find(chapter), std::string::npos);
+    EXPECT_NE(text.find("compared-"), std::string::npos) << "distributions of both";
+    press("discard_kept");
+    EXPECT_EQ(report_now(*window_).find(chapter), std::string::npos);
 }
 
 TEST_F(CompareSession, APreviewIsNotKeptAndWhatIsOutOfDateSaysSo) {

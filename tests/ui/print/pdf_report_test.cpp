@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QBuffer>
 #include <QGuiApplication>
+#include <QImage>
 #include <QPainter>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -77,17 +79,25 @@ TEST_F(PdfReport, TitleTextAndNumbersReadBack) {
         EXPECT_TRUE(contains(text, part)) << part;
 }
 
+/// The tool reads the narrow spaces between groups of digits as some space or as none.
+std::string without_spaces(std::string text) {
+    for (const std::string space : {" ", "\u202f", "\u2009", "\u00a0"})
+        for (std::size_t at = 0; (at = text.find(space, at)) != std::string::npos;)
+            text.erase(at, space.size());
+    return text;
+}
+
 TEST_F(PdfReport, EveryNumberOfEveryTableIsPrinted) {
     const ReportDocument document = test::sample_report({1, 3, 3, true, "pose"});
-    const std::string text = text_of(document, options());
+    const std::string text = without_spaces(text_of(document, options()));
     for (const ReportBlock& block : document.blocks) {
         const auto* table = std::get_if<TableBlock>(&block);
         if (!table) continue;
         for (std::size_t r = 0; r < table->table.rows.size(); ++r)
             for (std::size_t c = 0; c < table->table.rows[r].size(); ++c)
                 if (shown_number(table->table.rows[r][c], table->table.columns[c])) {
-                    ASSERT_TRUE(contains(text, to_html(cell_typeset(*table, r, c))))
-                        << table->table.title << " row " << r;
+                    ASSERT_TRUE(contains(text, without_spaces(to_html(cell_typeset(*table, r, c)))))
+                        << table->table.title << " row " << r << ": " << to_html(cell_typeset(*table, r, c));
                 }
     }
 }
@@ -120,6 +130,26 @@ TEST_F(PdfReport, ACertificateHasItsNumberOnEveryPageAndAnEnd) {
     EXPECT_TRUE(contains(pages.front(), "not stated"));
     EXPECT_TRUE(contains(pages.back(), "E. Muster"));
     EXPECT_TRUE(contains(pages.back(), "End of certificate 2026-0417"));
+}
+
+TEST_F(PdfReport, TheLogoIsAPictureOfTheFirstPage) {
+    ReportDocument document = test::sample_report();
+    const auto pictures_on_page_1 = [&] {
+        const std::string list =
+            output_of("pdfimages", {"-list", "-f", "1", "-l", "1", "FILE"}, document, options());
+        return std::count(list.begin(), list.end(), '\n') - 2;  // under its head
+    };
+    const auto without = pictures_on_page_1();
+    QImage logo(40, 12, QImage::Format_RGB32);
+    logo.fill(Qt::blue);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    ASSERT_TRUE(logo.save(&buffer, "PNG"));
+    document.logo = {bytes.toStdString(), "image/png"};
+    EXPECT_EQ(pictures_on_page_1(), without + 1);
+    document.logo.bytes.resize(20);
+    EXPECT_EQ(pictures_on_page_1(), without) << "a damaged one is left out";
 }
 
 TEST_F(PdfReport, LongTablesRepeatTheirHeadsOnEveryPage) {
