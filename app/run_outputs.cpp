@@ -7,6 +7,7 @@
 #include "app/terminal.h"
 #include "core/report/result_files.h"
 #include "core/result/representation.h"
+#include "ui/theme/document_language.h"
 
 namespace covaria {
 namespace {
@@ -26,7 +27,8 @@ Result<void> write_documents(const RunOutputs& outputs, const ReportSource& sour
     const auto write = [&](DocumentKind kind, const char* name) {
         ReportFiles files{outputs.folder};
         files.name = name;
-        return write_document(build_document(kind, source.made, source.analyses, source.failed, chosen),
+        return write_document(build_document(kind, source.made, source.analyses, source.failed, chosen,
+                                             ui::document_language(source.made.project())),
                               source, files, stop);
     };
     if (outputs.report)

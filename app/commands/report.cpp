@@ -9,6 +9,7 @@
 #include "app/output_folder.h"
 #include "app/report_files.h"
 #include "app/terminal.h"
+#include "ui/theme/document_language.h"
 
 namespace covaria {
 namespace {
@@ -32,7 +33,8 @@ ReportFiles files_of(const ReportArguments& arguments) {
 ReportDocument document_of(const ReportArguments& arguments, const ReportSource& source) {
     const bool chosen = !arguments.request.analyses.empty();
     if (arguments.certificate)
-        return build_document(DocumentKind::certificate, source.made, source.analyses, source.failed, chosen);
+        return build_document(DocumentKind::certificate, source.made, source.analyses, source.failed, chosen,
+                              ui::document_language(source.made.project()));
     ReportContents contents = source.made.project().report;
     if (chosen) contents.without_analyses.clear();
     for (const std::string& key : arguments.without) choose(contents.without_chapters, key, false);

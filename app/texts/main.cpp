@@ -19,6 +19,7 @@
 #include "core/quantity/distribution.h"
 #include "core/quantity/statement_text.h"
 #include "core/readers/readers.h"
+#include "core/report/certificate_words.h"
 #include "core/report/comparison_columns.h"
 #include "core/report/result_columns.h"
 #include "core/text/symbol.h"
@@ -103,6 +104,7 @@ void say_parts_of_project(TextList& list) {
             list.say(std::string("Help on ") + field.title, field.help);
         }
     }
+    for (const char* phrase : Phrase::all()) list.say_word("Words of a certificate", phrase);
     for (const ReportChapterField& chapter : report_chapters())
         list.say("Chapter of a report", chapter.title);
     for (const DistributionKindInfo& kind : distribution_kinds()) {

@@ -18,6 +18,8 @@ constexpr auto line_of_text = CertificateText::line;
 std::vector<CertificateField> fields_of_laboratory() {
     return {{"", "number", "Certificate number", "Unique; it stands on every page.", &C::number, line_of_text,
              "7.8.2.1 d", true},
+            {"", "language", "Language", "Of the certificate; what was typed stays as it is.", &C::language,
+             CertificateText::language},
             {"laboratory", "name", "Laboratory", "That issues the certificate.", &C::laboratory, line_of_text,
              "7.8.2.1 b", true},
             {"laboratory", "address", "Address of the laboratory", "Street, town, country.",
@@ -94,6 +96,19 @@ std::optional<int> figures(std::string_view text) {
     return all ? std::optional(number) : std::nullopt;
 }
 
+bool is_language(const std::string& code) {
+    const auto& all = certificate_languages();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const CertificateLanguage& one) { return code == one.code; });
+}
+
+std::string codes_of_languages() {
+    std::string codes;
+    for (const CertificateLanguage& one : certificate_languages())
+        codes += (codes.empty() ? "" : ", ") + std::string(one.code);
+    return codes;
+}
+
 std::optional<Days> date_of(std::string_view text) {
     if (text.size() != 10 || text[4] != '-' || text[7] != '-') return std::nullopt;
     const auto year = figures(text.substr(0, 4)), month = figures(text.substr(5, 2)),
@@ -146,6 +161,13 @@ const std::vector<CertificateSection>& certificate_sections() {
     return sections;
 }
 
+const std::vector<CertificateLanguage>& certificate_languages() {
+    static const std::vector<CertificateLanguage> all{{"en", "English"},     {"de", "Deutsch"},
+                                                      {"es", "Español"},     {"pt", "Português"},
+                                                      {"zh_CN", "简体中文"}, {"ko", "한국어"}};
+    return all;
+}
+
 const std::vector<CertificateField>& certificate_fields() {
     static const std::vector<CertificateField> fields = [] {
         std::vector<CertificateField> all;
@@ -180,6 +202,9 @@ std::string complaint_about(const CertificateField& field, const std::string& te
     if (field.kind == CertificateText::country && !text.empty() && !is_country(text))
         return "'" + std::string(field.key) + "' must be two capital letters, such as DE; it is '" + text +
                "'";
+    if (field.kind == CertificateText::language && !text.empty() && !is_language(text))
+        return "'" + std::string(field.key) + "' must be one of " + codes_of_languages() + "; it is '" +
+               text + "'";
     const bool interval = field.kind == CertificateText::dates;
     const bool dated = interval || field.kind == CertificateText::date;
     if (!dated || text.empty() || period_of(text, field.kind)) return {};

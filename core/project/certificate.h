@@ -12,7 +12,7 @@ namespace covaria {
 
 /// All texts as typed; a project whose texts are all empty has no certificate.
 struct Certificate {
-    std::string number = {};
+    std::string number = {}, language = {};
     std::string laboratory = {}, laboratory_address = {}, country = {}, accreditation = {}, logo = {};
     std::string place = {};
     std::string customer = {}, customer_address = {};
@@ -29,11 +29,12 @@ struct Certificate {
 
 enum class CertificateText {
     line,
-    lines,    ///< may have several
-    country,  ///< two capital letters: DE
-    date,     ///< ISO 8601: 2026-04-17
-    dates,    ///< a date, or an interval of two: 2026-04-17/2026-04-18
-    picture   ///< name of a PNG or JPEG file, relative to the project's folder
+    lines,     ///< may have several
+    country,   ///< two capital letters: DE
+    date,      ///< ISO 8601: 2026-04-17
+    dates,     ///< a date, or an interval of two: 2026-04-17/2026-04-18
+    language,  ///< one of certificate_languages(); empty: English
+    picture    ///< name of a PNG or JPEG file, relative to the project's folder
 };
 
 struct CertificateField {
@@ -47,6 +48,13 @@ struct CertificateField {
     bool required = false;                        ///< by that clause, of every certificate
     std::string Certificate::*or_else = nullptr;  ///< what does instead of a required one
 };
+
+struct CertificateLanguage {
+    const char* code;  ///< "zh_CN"
+    const char* name;  ///< in the language itself
+};
+/// English first.
+const std::vector<CertificateLanguage>& certificate_languages();
 
 struct CertificateSection {
     const char* title;  ///< of a form

@@ -84,13 +84,17 @@ private:
     Problems& problems_;
 };
 
+const Phrase simple_acceptance{"simple acceptance (w = 0)"}, guard_band{"guard band w = %1"},
+    guarded_rejection{"guarded rejection (w = −%1)"};
+
 }  // namespace
 
-std::string decision_rule(double guard_factor) {
-    if (guard_factor == 0.0) return "simple acceptance (w = 0)";
+std::string decision_rule(double guard_factor, const DocumentLanguage& in) {
+    if (guard_factor == 0.0) return in.say(simple_acceptance);
     const double size = std::abs(guard_factor);
-    const std::string width = size == 1.0 ? "U" : format_trimmed(size, 6) + " U";
-    return guard_factor > 0.0 ? "guard band w = " + width : "guarded rejection (w = −" + width + ")";
+    const std::string width =
+        size == 1.0 ? "U" : typeset_number(format_trimmed(size, 6), in.numbers()) + " U";
+    return in.say(guard_factor > 0.0 ? guard_band : guarded_rejection, {width});
 }
 
 std::vector<RequirementResult> judge(const UncertaintyResult& result, const AnalysisEntry& entry) {

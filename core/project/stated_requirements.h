@@ -7,12 +7,13 @@
 #include "core/model/output_quantity.h"
 #include "core/project/project.h"
 #include "core/propagation/requirements.h"
+#include "core/text/document_language.h"
 
 namespace covaria {
 
 /// The decision rule of a guard factor by its name in ILAC-G8:09/2019: "simple acceptance (w = 0)", "guard
 /// band w = U", "guard band w = 0.83 U"; a negative factor widens the tolerance.
-std::string decision_rule(double guard_factor);
+std::string decision_rule(double guard_factor, const DocumentLanguage& in = {});
 
 /// The verdicts on a result of the analysis by its requirements as they are now. What cannot be read is left
 /// out: it is a problem of the project.

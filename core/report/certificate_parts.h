@@ -1,19 +1,19 @@
 // The sections of a certificate; internal to core/report.
 #pragma once
 
+#include "core/report/certificate_words.h"
 #include "core/report/report_parts.h"
 
 namespace covaria::report_parts {
 
-inline constexpr const char* not_stated = "— not stated —";
-
 /// Results of the analyses as result lines or, where there are many, as compact tables.
-void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 /// What U, k and p are in these analyses.
-void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses);
+void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses,
+                               const DocumentLanguage& in);
 void add_uncertainty_statement(Blocks& blocks, const UncertaintyResult& result);
 /// Conformity with the tolerances of the requirements; nothing without any.
 void add_certified_conformity(Blocks& blocks, const ReportSource& source,
-                              const std::vector<EvaluatedAnalysis>& analyses);
+                              const std::vector<EvaluatedAnalysis>& analyses, const DocumentLanguage& in);
 
 }  // namespace covaria::report_parts

@@ -13,6 +13,7 @@ namespace covaria {
 namespace {
 
 using namespace report_parts;
+namespace words = certificate_words;
 
 constexpr std::size_t most_certified = 60;  // results, where no analyses were chosen
 
@@ -47,38 +48,42 @@ std::string in_one_line(const std::string& text) {
 }
 
 /// What was typed; the gap where it is required and not there; empty where it need not be.
-std::string stated(const Certificate& certificate, std::string Certificate::*member) {
-    if (is_missing(certificate_field(member), certificate)) return not_stated;
-    const std::string words = in_one_line(certificate.*member);
-    const std::size_t slash = words.find('/');
-    if (certificate_field(member).kind != CertificateText::dates || slash == std::string::npos) return words;
-    return words.substr(0, slash) + " to " + words.substr(slash + 1);
+std::string stated(const Certificate& certificate, std::string Certificate::*member,
+                   const DocumentLanguage& in) {
+    if (is_missing(certificate_field(member), certificate)) return in.say(words::not_stated);
+    const std::string text = in_one_line(certificate.*member);
+    const std::size_t slash = text.find('/');
+    if (certificate_field(member).kind != CertificateText::dates || slash == std::string::npos) return text;
+    return in.say(words::dates, {text.substr(0, slash), text.substr(slash + 1)});
 }
 
 void add_facts(Blocks& blocks, const Certificate& certificate,
-               const std::vector<std::string Certificate::*>& members) {
+               const std::vector<std::string Certificate::*>& members, const DocumentLanguage& in) {
     FactsBlock facts;
     facts.literal = true;
     for (const auto member : members) {
-        std::string words = stated(certificate, member);
-        if (words.empty() && member == &Certificate::place) words = "in the laboratory";
-        if (!words.empty()) facts.facts.emplace_back(certificate_field(member).title, std::move(words));
+        std::string text = stated(certificate, member, in);
+        if (text.empty() && member == &Certificate::place) text = in.say(words::in_the_laboratory);
+        if (!text.empty())
+            facts.facts.emplace_back(in.say_declared(certificate_field(member).title), std::move(text));
     }
     if (!facts.facts.empty()) blocks.push_back(std::move(facts));
 }
 
-void add_administration(Blocks& blocks, const Certificate& certificate) {
+void add_administration(Blocks& blocks, const Certificate& certificate, const DocumentLanguage& in) {
     using C = Certificate;
     add_facts(blocks, certificate,
               {&C::laboratory, &C::laboratory_address, &C::accreditation, &C::place, &C::customer,
-               &C::customer_address});
-    blocks.push_back(HeadingBlock{2, "Item"});
+               &C::customer_address},
+              in);
+    blocks.push_back(HeadingBlock{2, in.say(words::item)});
     add_facts(blocks, certificate,
               {&C::item, &C::manufacturer, &C::type, &C::serial_number, &C::identification, &C::condition,
-               &C::received, &C::calibrated, &C::issued});
-    blocks.push_back(HeadingBlock{2, "Calibration"});
+               &C::received, &C::calibrated, &C::issued},
+              in);
+    blocks.push_back(HeadingBlock{2, in.say(words::calibration)});
     add_facts(blocks, certificate,
-              {&C::method, &C::deviations, &C::environment, &C::traceability, &C::adjustment});
+              {&C::method, &C::deviations, &C::environment, &C::traceability, &C::adjustment}, in);
 }
 
 /// Whether the PDF carries a digital certificate, which then states the results of all analyses.
@@ -94,7 +99,8 @@ bool has_digital(const ReportSource& source) {
 }
 
 /// Analyses whose results the certificate does not have, and how many those are.
-void add_left_out(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown) {
+void add_left_out(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
+                  const DocumentLanguage& in) {
     std::size_t all = 0, here = 0, digital = 0;
     std::string names;
     for (const EvaluatedAnalysis& one : source.analyses) {
@@ -111,67 +117,68 @@ void add_left_out(Blocks& blocks, const ReportSource& source, const std::vector<
         if (represents_measurand(*one.result)) digital += measurand_count(one);
     }
     if (here < all) {
-        std::string words = "This certificate states " + std::to_string(here) + " of " + std::to_string(all) +
-                            " results. Not stated: " + names + ".";
+        std::string text =
+            in.say(words::left_out, {std::to_string(here), std::to_string(all), std::move(names)});
         if (digital > 0 && has_digital(source))
-            words += " " + std::to_string(digital) +
-                     (digital == 1 ? " further result is" : " further results are") +
-                     " in the digital certificate that is attached to the PDF (certificate.xml).";
-        blocks.push_back(ParagraphBlock{words, true});
+            text += " " + in.say(digital == 1 ? words::further_result : words::further_results,
+                                 {std::to_string(digital)});
+        blocks.push_back(ParagraphBlock{std::move(text), true});
     }
     for (const FailedAnalysis& failed : source.failed)
         if (failed.study.empty())
             blocks.push_back(ParagraphBlock{
-                "Not evaluated: " + (failed.name.empty() ? failed.id : failed.name) + ".", true});
+                in.say(words::not_evaluated, {failed.name.empty() ? failed.id : failed.name}), true});
 }
 
-void add_results_of(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown) {
-    blocks.push_back(HeadingBlock{2, "Results"});
+void add_results_of(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
+                    const DocumentLanguage& in) {
+    blocks.push_back(HeadingBlock{2, in.say(words::results)});
     for (const EvaluatedAnalysis& one : shown) {
         if (shown.size() > 1) blocks.push_back(HeadingBlock{3, one.analysis->name});
-        add_certified_results(blocks, one);
+        add_certified_results(blocks, one, in);
     }
-    add_left_out(blocks, source, shown);
-    add_uncertainty_statement(blocks, shown);
+    add_left_out(blocks, source, shown, in);
+    add_uncertainty_statement(blocks, shown, in);
 }
 
-void add_closing(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown) {
+void add_closing(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
+                 const DocumentLanguage& in) {
     const Certificate& certificate = source.made.project().certificate;
-    add_facts(blocks, certificate, {&Certificate::remarks});
+    add_facts(blocks, certificate, {&Certificate::remarks}, in);
     std::string ids;
     for (const EvaluatedAnalysis& one : shown) ids += (ids.empty() ? "" : ", ") + one.analysis->id;
-    blocks.push_back(ParagraphBlock{"Evaluated with Covaria " + std::string(version()) +
-                                        ", project fingerprint " + project_fingerprint(source) +
-                                        (ids.empty() ? "" : ", " + std::string("analyses: ") + ids) + ".",
+    blocks.push_back(ParagraphBlock{in.say(ids.empty() ? words::evaluated_with : words::evaluated_analyses,
+                                           {version(), project_fingerprint(source), ids}),
                                     true});
-    const std::string number = is_blank(certificate.number) ? "" : " " + certificate.number;
-    const auto issued = stated(certificate, &Certificate::issued);
+    const bool numbered = !is_blank(certificate.number);
     blocks.push_back(SignatureBlock{
-        "The results relate only to the item described above, in the state in which it was calibrated. This "
-        "certificate may be reproduced in full only, unless the laboratory permits otherwise.",
-        std::string("Date of issue: ") + issued, stated(certificate, &Certificate::authorised_by),
-        stated(certificate, &Certificate::function), "End of certificate" + number});
+        in.say(words::closing), in.say(words::date_of_issue, {stated(certificate, &Certificate::issued, in)}),
+        stated(certificate, &Certificate::authorised_by, in), stated(certificate, &Certificate::function, in),
+        in.say(numbered ? words::end_of : words::end, {certificate.number})});
 }
 
 }  // namespace
 
 ReportDocument build_certificate(const MadeProject& made, const std::vector<EvaluatedAnalysis>& analyses,
-                                 const std::vector<FailedAnalysis>& failed, CertifiedResults which) {
+                                 const std::vector<FailedAnalysis>& failed, CertifiedResults which,
+                                 const DocumentLanguage& in) {
     const ReportSource source{made, analyses, failed};
     const Certificate& certificate = made.project().certificate;
     const std::vector<EvaluatedAnalysis> shown =
         which == CertifiedResults::all ? analyses : those_that_fit(analyses);
     ReportDocument document;
-    document.title = "Calibration certificate " +
-                     (is_blank(certificate.number) ? std::string(not_stated) : certificate.number);
+    document.title =
+        in.say(words::title, {is_blank(certificate.number) ? in.say(words::not_stated) : certificate.number});
+    document.language = in.code();
+    document.page_words = in.say(words::page);
     document.running_head = document.title;
-    document.over = stated(certificate, &Certificate::laboratory);
+    document.over = stated(certificate, &Certificate::laboratory, in);
     document.head_on_every_page = true;
     if (auto logo = certificate_logo(made.project())) document.logo = *std::move(logo);
-    add_administration(document.blocks, certificate);
-    add_results_of(document.blocks, source, shown);
-    add_certified_conformity(document.blocks, source, shown);
-    add_closing(document.blocks, source, shown);
+    add_administration(document.blocks, certificate, in);
+    add_results_of(document.blocks, source, shown, in);
+    add_certified_conformity(document.blocks, source, shown, in);
+    add_closing(document.blocks, source, shown, in);
     return document;
 }
 

@@ -13,6 +13,8 @@
 namespace covaria::report_parts {
 namespace {
 
+namespace words = certificate_words;
+
 constexpr std::size_t most_lines = 6;           // more results of an analysis become a table
 constexpr std::size_t least_matrix_groups = 3;  // fewer become a table of lines
 constexpr std::size_t matrix_symbols = 3;       // side by side on a page
@@ -20,10 +22,11 @@ constexpr std::size_t most_interval_notes = 6;
 
 using Groups = std::vector<std::string>;
 
-std::string k_text(const OutputResult& output, const UncertaintyResult& result) {
+std::string k_text(const OutputResult& output, const UncertaintyResult& result, const DocumentLanguage& in) {
     const double nu = stated_degrees_of_freedom(output, result);
-    const std::string k = typeset_number(format_decimals(output.coverage_factor, 2));
-    return std::isfinite(nu) ? k + " (" + typeset_number(format_degrees_of_freedom(nu)) + ")" : k;
+    const std::string k = typeset_number(format_decimals(output.coverage_factor, 2), in.numbers());
+    return std::isfinite(nu) ? k + " (" + typeset_number(format_degrees_of_freedom(nu), in.numbers()) + ")"
+                             : k;
 }
 
 bool any_degrees(const UncertaintyResult& result) {
@@ -42,87 +45,93 @@ std::string symbol_in_text(const std::string& symbol) {
 }
 
 /// "Length of the gauge block (pose 7)", or the symbol alone.
-std::string name_of_result(const OutputQuantity& quantity) {
-    const std::string name = quantity.name.empty() ? symbol_in_text(quantity.symbol) : quantity.name;
+std::string name_of_result(const OutputQuantity& quantity, const DocumentLanguage& in) {
+    const std::string name =
+        quantity.name.empty() ? symbol_in_text(quantity.symbol) : in.say_declared(quantity.name);
     return quantity.group.empty() ? name : name + " (" + quantity.group + ")";
 }
 
-void add_lines(Blocks& blocks, const UncertaintyResult& result, const std::vector<std::size_t>& outputs) {
+void add_lines(Blocks& blocks, const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+               const DocumentLanguage& in) {
     FactsBlock lines;
     for (const std::size_t i : outputs) {
         const OutputResult& output = result.outputs[i];
-        lines.facts.emplace_back(name_of_result(output.quantity), symbol_in_text(output.quantity.symbol) +
-                                                                      " = " + value_statement(output) + ", " +
-                                                                      coverage_statement(output, result));
+        lines.facts.emplace_back(name_of_result(output.quantity, in),
+                                 symbol_in_text(output.quantity.symbol) + " = " +
+                                     value_statement(output, true, in) + ", " +
+                                     coverage_statement(output, result, in));
     }
     blocks.push_back(std::move(lines));
 }
 
 /// The same k for all: said once.
-bool has_one_k(const UncertaintyResult& result, const std::vector<std::size_t>& outputs) {
+bool has_one_k(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
+               const DocumentLanguage& in) {
     return std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
-        return k_text(result.outputs[i], result) == k_text(result.outputs[outputs.front()], result);
+        return k_text(result.outputs[i], result, in) == k_text(result.outputs[outputs.front()], result, in);
     });
 }
 
 /// p of the results of a table, and intervals that y ± U does not say.
 void add_coverage_notes(TableBuilder& table, const UncertaintyResult& result,
-                        const std::vector<std::size_t>& outputs) {
+                        const std::vector<std::size_t>& outputs, const DocumentLanguage& in) {
     double least = 1.0, most = 0.0;
     std::vector<std::string> intervals;
     for (const std::size_t i : outputs) {
         const double p = stated_probability(result.outputs[i], result);
         least = std::min(least, p);
         most = std::max(most, p);
-        const std::string interval = skewed_interval(result.outputs[i], result);
+        const std::string interval = skewed_interval(result.outputs[i], result, in);
         if (!interval.empty())
-            intervals.push_back(output_label(result.outputs[i].quantity) + " in " + interval);
+            intervals.push_back(
+                in.say(words::in_interval, {output_label(result.outputs[i].quantity), interval}));
     }
-    const std::string from = probability_text(least), to = probability_text(most);
+    const std::string from = probability_text(least, in), to = probability_text(most, in);
     const std::string k =
-        has_one_k(result, outputs)
-            ? k_head(result) + " = " + k_text(result.outputs[outputs.front()], result) + ", "
+        has_one_k(result, outputs, in)
+            ? k_head(result) + " = " + k_text(result.outputs[outputs.front()], result, in) + ", "
             : "";
-    table.note(k + "p = " + (from == to ? to : from + " to " + to) + ".");
+    table.note(k + (from == to ? "p = " + to + "." : in.say(words::from_to, {from, to})));
     if (intervals.empty()) return;
     const std::size_t shown = std::min(intervals.size(), most_interval_notes);
-    std::string words = "Coverage intervals that are not symmetric about the estimate: ";
-    for (std::size_t i = 0; i < shown; ++i) words += (i ? "; " : "") + intervals[i];
-    if (shown < intervals.size()) words += "; and " + std::to_string(intervals.size() - shown) + " others";
-    table.note(words + ".");
+    std::string list;
+    for (std::size_t i = 0; i < shown; ++i) list += (i ? "; " : "") + intervals[i];
+    table.note(shown < intervals.size()
+                   ? in.say(words::skewed_intervals_and, {list, std::to_string(intervals.size() - shown)})
+                   : in.say(words::skewed_intervals, {list}));
 }
 
 void add_table(Blocks& blocks, const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
-               const std::string& id) {
+               const std::string& id, const DocumentLanguage& in) {
     const bool groups = std::any_of(outputs.begin(), outputs.end(),
                                     [&](std::size_t i) { return !result.outputs[i].quantity.group.empty(); });
     TableBuilder table("certified-" + id, "");
-    if (groups) table.text("Group");
-    table.text("Quantity", true);
-    table.text("Result");
+    if (groups) table.text(in.say(words::group));
+    table.text(in.say(words::quantity), true);
+    table.text(in.say(words::result));
     table.symbol(k_head(result));
     for (const std::size_t i : outputs) {
         const OutputResult& output = result.outputs[i];
         std::vector<TableCell> row;
         if (groups) row.emplace_back(output.quantity.group);
         row.emplace_back(output.quantity.symbol);
-        row.emplace_back(value_statement(output));
-        row.emplace_back(k_text(output, result));
+        row.emplace_back(value_statement(output, true, in));
+        row.emplace_back(k_text(output, result, in));
         table.row(std::move(row));
     }
-    add_coverage_notes(table, result, outputs);
+    add_coverage_notes(table, result, outputs, in);
     blocks.push_back(table.take());
 }
 
 /// Some symbols of the groups side by side, a row a group.
 void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& groups,
-                const std::vector<std::size_t>& columns, const std::string& id) {
+                const std::vector<std::size_t>& columns, const std::string& id, const DocumentLanguage& in) {
     std::vector<std::size_t> shown;
     for (const std::string& group : groups)
         for (const std::size_t c : columns) shown.push_back(measurands_of(result, group)[c]);
-    const bool one_k = has_one_k(result, shown);
+    const bool one_k = has_one_k(result, shown, in);
     TableBuilder table("certified-" + id, "");
-    table.text("Group");
+    table.text(in.say(words::group));
     std::vector<std::pair<int, Unit>> heads;
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const OutputQuantity& quantity = result.outputs[shown[c]].quantity;
@@ -133,12 +142,12 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
         std::vector<TableCell> row = {groups[g]};
         for (std::size_t c = 0; c < columns.size(); ++c) {
             const OutputResult& output = result.outputs[shown[g * columns.size() + c]];
-            row.emplace_back(value_statement(output, false));
-            if (!one_k) row.emplace_back(k_text(output, result));
+            row.emplace_back(value_statement(output, false, in));
+            if (!one_k) row.emplace_back(k_text(output, result, in));
         }
         table.row(std::move(row));
     }
-    add_coverage_notes(table, result, shown);
+    add_coverage_notes(table, result, shown, in);
     TableBlock block = table.take();
     for (const auto& [column, unit] : heads)
         block.table.columns[static_cast<std::size_t>(column)].unit = unit;
@@ -147,7 +156,7 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
 
 /// Symbols of one unit, three at a time.
 void add_matrices(Blocks& blocks, const UncertaintyResult& result, const Groups& groups,
-                  const std::string& id) {
+                  const std::string& id, const DocumentLanguage& in) {
     const std::vector<std::size_t> outputs = measurands_of(result, groups.front());
     std::vector<std::size_t> columns;
     for (std::size_t c = 0; c < outputs.size(); ++c) {
@@ -156,7 +165,7 @@ void add_matrices(Blocks& blocks, const UncertaintyResult& result, const Groups&
         if (!last && columns.size() < matrix_symbols &&
             result.outputs[outputs[c]].quantity.unit == result.outputs[outputs[c + 1]].quantity.unit)
             continue;
-        add_matrix(blocks, result, groups, columns, id + "-" + std::to_string(c));
+        add_matrix(blocks, result, groups, columns, id + "-" + std::to_string(c), in);
         columns.clear();
     }
 }
@@ -178,49 +187,26 @@ std::vector<Groups> classes_of_groups(const UncertaintyResult& result) {
     return classes;
 }
 
-std::string method_sentence(const UncertaintyResult& result) {
-    return result.trials == 0
-               ? "The standard uncertainty was determined by the law of propagation of uncertainty in "
-                 "accordance with JCGM 100."
-               : "The distribution was determined by the propagation of distributions in accordance with "
-                 "JCGM "
-                 "101.";
-}
-
-std::string uncertainty_sentences(const UncertaintyResult& result) {
-    switch (expanded_by(result)) {
-        case ExpandedBy::fixed_factor:
-            return "The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the "
-                   "fixed coverage factor k; y ± U has the coverage probability p that is stated with it. " +
-                   method_sentence(result);
-        case ExpandedBy::interval:
-            return "The expanded uncertainty U stated after ± is half the width of the probabilistically "
-                   "symmetric coverage interval of the coverage probability p, and k = U/u. " +
-                   method_sentence(result);
-        case ExpandedBy::degrees_of_freedom:
-            break;
-    }
-    return "The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the coverage "
-           "factor k, which for a normal distribution, or for a t distribution of the effective degrees of "
-           "freedom nu_eff where they are stated, corresponds to the coverage probability p. " +
-           method_sentence(result);
+std::string uncertainty_sentences(const UncertaintyResult& result, const DocumentLanguage& in) {
+    const Phrase& factor = expanded_by(result) == ExpandedBy::fixed_factor ? words::fixed_factor
+                           : expanded_by(result) == ExpandedBy::interval   ? words::half_interval
+                                                                           : words::by_degrees_of_freedom;
+    return in.say(factor) + " " + in.say(result.trials == 0 ? words::by_law : words::by_distributions);
 }
 
 }  // namespace
 
-void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     if (!represents_measurand(result)) {
-        blocks.push_back(ParagraphBlock{"No result is stated: what was evaluated " +
-                                        std::string(does_not_represent) + "; " +
-                                        count_text(result.failed_trials) + " trials have no value."});
+        blocks.push_back(ParagraphBlock{in.say(words::no_result, {count_text(result.failed_trials)})});
         return;
     }
     std::vector<std::size_t> measurands;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
         if (is_measurand(result.outputs[i])) measurands.push_back(i);
     if (measurands.size() <= most_lines) {
-        add_lines(blocks, result, measurands);
+        add_lines(blocks, result, measurands, in);
         return;
     }
     std::vector<std::size_t> others;
@@ -228,23 +214,24 @@ void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
     std::size_t number = 0;
     for (const Groups& groups : classes_of_groups(result)) {
         if (groups.size() >= least_matrix_groups) {
-            add_matrices(blocks, result, groups, id + "-" + std::to_string(number++));
+            add_matrices(blocks, result, groups, id + "-" + std::to_string(number++), in);
             continue;
         }
         for (const std::string& group : groups)
             for (const std::size_t i : measurands_of(result, group)) others.push_back(i);
     }
-    if (!others.empty()) add_table(blocks, result, others, id);
+    if (!others.empty()) add_table(blocks, result, others, id, in);
 }
 
 void add_uncertainty_statement(Blocks& blocks, const UncertaintyResult& result) {
-    blocks.push_back(ParagraphBlock{uncertainty_sentences(result)});
+    blocks.push_back(ParagraphBlock{uncertainty_sentences(result, {})});
 }
 
-void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses) {
+void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses,
+                               const DocumentLanguage& in) {
     std::vector<std::string> said;
     for (const EvaluatedAnalysis& evaluated : analyses) {
-        std::string words = uncertainty_sentences(*evaluated.result);
+        std::string words = uncertainty_sentences(*evaluated.result, in);
         if (std::find(said.begin(), said.end(), words) == said.end()) said.push_back(std::move(words));
     }
     for (std::string& words : said) blocks.push_back(ParagraphBlock{std::move(words)});

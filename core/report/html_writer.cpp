@@ -234,12 +234,28 @@ std::string css_text(const std::string& text) {
     return out + "\"";
 }
 
+/// "Page %1 of %2" with the counters of the style sheet.
+std::string page_counter(const std::string& words) {
+    const std::size_t page = words.find("%1"), pages = words.find("%2");
+    if (page == std::string::npos || pages == std::string::npos || pages < page)
+        return "counter(page) \"/\" counter(pages)";
+    return css_text(words.substr(0, page)) + " counter(page) " +
+           css_text(words.substr(page + 2, pages - page - 2)) + " counter(pages) " +
+           css_text(words.substr(pages + 2));
+}
+
+/// "zh_CN" as a page says it.
+std::string language_tag(std::string code) {
+    std::replace(code.begin(), code.end(), '_', '-');
+    return code;
+}
+
 /// What stands in the margin of every printed page.
 std::string page_heads(const ReportDocument& document) {
     if (!document.head_on_every_page) return {};
     return "@page { @top-left { content: " + css_text(document.running_head) +
-           "; font-size: 8pt; } @top-right { content: \"Page \" counter(page) \" of \" counter(pages); "
-           "font-size: 8pt; } }\n";
+           "; font-size: 8pt; } @top-right { content: " + page_counter(document.page_words) +
+           "; font-size: 8pt; } }\n";
 }
 
 std::string logo_of(const ReportDocument& document) {
@@ -257,10 +273,11 @@ std::string html_body(const std::vector<ReportBlock>& blocks) {
 }
 
 std::string to_html(const ReportDocument& document) {
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-           escape_html(document.title) + "</title>\n<style>" + std::string(html_style) +
-           page_heads(document) + "</style>\n</head>\n<body>\n" + logo_of(document) + "<h1>" +
-           escape_html(document.title) + "</h1>\n" + html_body(document.blocks) + "</body>\n</html>\n";
+    return "<!DOCTYPE html>\n<html lang=\"" + language_tag(document.language) +
+           "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escape_html(document.title) +
+           "</title>\n<style>" + std::string(html_style) + page_heads(document) +
+           "</style>\n</head>\n<body>\n" + logo_of(document) + "<h1>" + escape_html(document.title) +
+           "</h1>\n" + html_body(document.blocks) + "</body>\n</html>\n";
 }
 
 }  // namespace covaria

@@ -126,13 +126,14 @@ std::vector<std::string> reported_analyses(const Project& project) {
 
 ReportDocument build_document(DocumentKind kind, const MadeProject& made,
                               const std::vector<EvaluatedAnalysis>& analyses,
-                              const std::vector<FailedAnalysis>& failed, bool chosen) {
+                              const std::vector<FailedAnalysis>& failed, bool chosen,
+                              const DocumentLanguage& in) {
     ReportContents contents = made.project().report;
     const bool all = !chosen && contents.without_analyses.empty();
     if (chosen) contents.without_analyses.clear();
     if (kind == DocumentKind::report) return build_report(made, analyses, failed, contents);
     return build_certificate(made, those_in(contents, analyses), failed,
-                             all ? CertifiedResults::that_fit : CertifiedResults::all);
+                             all ? CertifiedResults::that_fit : CertifiedResults::all, in);
 }
 
 }  // namespace covaria

@@ -12,6 +12,7 @@
 #include "core/result/design_result.h"
 #include "core/result/study_result.h"
 #include "core/result/uncertainty_result.h"
+#include "core/text/document_language.h"
 
 namespace covaria {
 
@@ -69,16 +70,19 @@ enum class CertifiedResults {
 /// rule, place for a signature. What is required and missing is a visible gap.
 ReportDocument build_certificate(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                                  const std::vector<FailedAnalysis>& failed = {},
-                                 CertifiedResults which = CertifiedResults::that_fit);
+                                 CertifiedResults which = CertifiedResults::that_fit,
+                                 const DocumentLanguage& in = {});
 
 /// Ids of the analyses that report and certificate of a project are of, where none were chosen by hand.
 std::vector<std::string> reported_analyses(const Project& project);
 
 enum class DocumentKind { report, certificate };
 /// Of those of the analyses that the project does not leave out; of all, where they were `chosen` by hand.
+/// A certificate is in that language, a report in English.
 ReportDocument build_document(DocumentKind kind, const MadeProject& project,
                               const std::vector<EvaluatedAnalysis>& analyses,
-                              const std::vector<FailedAnalysis>& failed, bool chosen = false);
+                              const std::vector<FailedAnalysis>& failed, bool chosen = false,
+                              const DocumentLanguage& in = {});
 
 /// Tables of one analysis for CSV: "results", "budget", "covariance", "correlation", "inputs", "regions" and,
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.

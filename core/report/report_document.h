@@ -10,6 +10,7 @@
 #include "core/base/data_table.h"
 #include "core/project/certificate_logo.h"
 #include "core/text/formula.h"
+#include "core/text/numbers.h"
 #include "core/text/plot_specification.h"
 
 namespace covaria {
@@ -81,6 +82,7 @@ struct ColumnStyle {
 struct TableBlock {
     DataTable table;
     std::vector<ColumnStyle> styles = {};  ///< empty, or one per column
+    NumberLocale locale = {};
 };
 struct PlotBlock {
     PlotSpecification plot;
@@ -104,6 +106,8 @@ struct ReportDocument {
     std::vector<ReportBlock> blocks;
     std::string over = "Report of an uncertainty evaluation";  ///< above the title, in print
     LogoPicture logo = {};                                     ///< beside the title
+    std::string language = "en";                               ///< its code: "pt", "zh_CN"
+    std::string page_words = "Page %1 of %2";
     bool head_on_every_page = false;  ///< the running head stands on the first page too
 };
 

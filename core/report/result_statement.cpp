@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/special_quantiles.h"
+#include "core/report/certificate_words.h"
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
@@ -50,19 +51,19 @@ std::string unit_words(const Unit& unit) {
 
 }  // namespace
 
-std::string value_statement(const OutputResult& output, bool with_unit, const NumberLocale& locale) {
+std::string value_statement(const OutputResult& output, bool with_unit, const DocumentLanguage& in) {
     return value_statement(output.estimate, output.expanded_uncertainty, output.quantity.unit, 2, with_unit,
-                           locale);
+                           in);
 }
 
 std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits, bool with_unit,
-                            const NumberLocale& locale) {
+                            const DocumentLanguage& in) {
     const double y = unit.from_si(estimate), U = unit.interval_from_si(uncertainty);
     const std::string in_unit = with_unit ? unit_words(unit) : "";
     if (!has_interval(y, U))
-        return typeset_number(format_typed(y), locale) + in_unit +
-               (U == 0.0 ? " (exact)" : " (U not finite)");
-    const Place place = place_for(y, U, digits, locale);
+        return in.say(U == 0.0 ? certificate_words::exact : certificate_words::not_finite,
+                      {typeset_number(format_typed(y), in.numbers()) + in_unit});
+    const Place place = place_for(y, U, digits, in.numbers());
     const std::string pair = place(y) + " ± " + place(U), power = power_words(place.exponent);
     return in_unit.empty() && power.empty() ? pair : "(" + pair + ")" + power + in_unit;
 }
@@ -81,8 +82,8 @@ double stated_probability(const FirstOrderOutput& first, const UncertaintyResult
     return 1.0 - 2.0 * t_distribution_function(-first.coverage_factor, first.effective_degrees_of_freedom);
 }
 
-std::string probability_text(double probability, const NumberLocale& locale) {
-    return typeset_number(format_trimmed(100.0 * probability, 4), locale) + "\u00a0%";
+std::string probability_text(double probability, const DocumentLanguage& in) {
+    return typeset_number(format_trimmed(100.0 * probability, 4), in.numbers()) + "\u00a0%";
 }
 
 double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyResult& result) {
@@ -91,27 +92,29 @@ double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyRe
 }
 
 std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result,
-                               const NumberLocale& locale) {
+                               const DocumentLanguage& in) {
     const double nu = stated_degrees_of_freedom(output, result);
-    std::string words = std::isfinite(output.coverage_factor)
-                            ? "k = " + typeset_number(format_decimals(output.coverage_factor, 2), locale)
-                            : "without k, because u is not finite";
-    if (std::isfinite(nu)) words += ", nu_eff = " + typeset_number(format_degrees_of_freedom(nu), locale);
-    words += ", p = " + probability_text(stated_probability(output, result), locale);
-    const std::string interval = skewed_interval(output, result, locale);
-    return interval.empty() ? words : words + ", coverage interval " + interval;
+    std::string words =
+        std::isfinite(output.coverage_factor)
+            ? "k = " + typeset_number(format_decimals(output.coverage_factor, 2), in.numbers())
+            : in.say(certificate_words::without_k);
+    if (std::isfinite(nu))
+        words += ", nu_eff = " + typeset_number(format_degrees_of_freedom(nu), in.numbers());
+    words += ", p = " + probability_text(stated_probability(output, result), in);
+    const std::string interval = skewed_interval(output, result, in);
+    return interval.empty() ? words : words + ", " + in.say(certificate_words::coverage_interval, {interval});
 }
 
 std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,
-                            const NumberLocale& locale) {
+                            const DocumentLanguage& in) {
     const Unit& unit = output.quantity.unit;
     const double y = unit.from_si(output.estimate), U = unit.interval_from_si(output.expanded_uncertainty);
     const CoverageInterval interval = coverage_interval_of(output, result);
     const double low = unit.from_si(interval.low), high = unit.from_si(interval.high);
     if (!output.monte_carlo || !has_interval(y, U) || std::abs(0.5 * (low + high) - y) <= skewed_from * U)
         return {};
-    const Place place = place_for(y, U, 2, locale);
-    const char* between = locale.decimal == "," ? "; " : ", ";
+    const Place place = place_for(y, U, 2, in.numbers());
+    const char* between = in.numbers().decimal == "," ? "; " : ", ";
     return "[" + place(low) + between + place(high) + "]" + power_words(place.exponent) + unit_words(unit);
 }
 

@@ -4,31 +4,31 @@
 #include <string>
 
 #include "core/result/uncertainty_result.h"
-#include "core/text/numbers.h"
+#include "core/text/document_language.h"
 
 namespace covaria {
 
 /// "(50.000 78 ± 0.000 41) mm": U with two significant digits and the estimate to match, common powers of ten
 /// outside. `with_unit` false: as a cell under a head that gives the unit.
 std::string value_statement(const OutputResult& output, bool with_unit = true,
-                            const NumberLocale& locale = {});
+                            const DocumentLanguage& in = {});
 /// The same of any estimate and expanded uncertainty, SI, with these significant digits of U.
 std::string value_statement(double estimate, double uncertainty, const Unit& unit, int digits = 2,
-                            bool with_unit = true, const NumberLocale& locale = {});
+                            bool with_unit = true, const DocumentLanguage& in = {});
 /// "p = 95 %"'s probability: the one that was asked for, or that of [y - U, y + U] where k was fixed.
 double stated_probability(const OutputResult& output, const UncertaintyResult& result);
 /// Likewise of the result line by the law of propagation.
 double stated_probability(const FirstOrderOutput& first, const UncertaintyResult& result);
 /// "95 %", "95.45 %", "" if there is none.
-std::string probability_text(double probability, const NumberLocale& locale = {});
+std::string probability_text(double probability, const DocumentLanguage& in = {});
 /// Degrees of freedom that k was taken for; infinite where k is not of a t distribution.
 double stated_degrees_of_freedom(const OutputResult& output, const UncertaintyResult& result);
 /// "k = 2.09, ν_eff = 19, p = 95 %", and the interval where it is not symmetric about the estimate.
 std::string coverage_statement(const OutputResult& output, const UncertaintyResult& result,
-                               const NumberLocale& locale = {});
+                               const DocumentLanguage& in = {});
 /// The coverage interval, "[1.234, 1.240] mm", if the estimate is not in its middle by more than a twentieth
 /// of U; else empty: JCGM 101 states what y ± U does not say.
 std::string skewed_interval(const OutputResult& output, const UncertaintyResult& result,
-                            const NumberLocale& locale = {});
+                            const DocumentLanguage& in = {});
 
 }  // namespace covaria

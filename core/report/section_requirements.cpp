@@ -13,6 +13,8 @@ namespace {
 
 using Decision = RequirementResult::Decision;
 
+namespace words = certificate_words;
+
 using Verdicts = std::vector<RequirementResult>;
 
 void add_targets(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
@@ -78,30 +80,34 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
 }
 
 /// With the digits that U lets mean something, and one more.
-std::string limits_text(const RequirementResult& r, const OutputResult& output, double guard) {
+std::string limits_text(const RequirementResult& r, const OutputResult& output, double guard,
+                        const NumberLocale& locale) {
     const Unit& unit = output.quantity.unit;
     const auto number = [&](double si) {
-        return format_to_match(unit.from_si(si), unit.interval_from_si(output.expanded_uncertainty), 3);
+        return grouped_digits(
+            format_to_match(unit.from_si(si), unit.interval_from_si(output.expanded_uncertainty), 3), locale);
     };
     if (r.lower_limit && r.upper_limit)
-        return "[" + number(*r.lower_limit + guard) + ", " + number(*r.upper_limit - guard) + "]";
+        return "[" + number(*r.lower_limit + guard) + (locale.decimal == "," ? "; " : ", ") +
+               number(*r.upper_limit - guard) + "]";
     return r.lower_limit ? "≥ " + number(*r.lower_limit + guard) : "≤ " + number(*r.upper_limit - guard);
 }
 
-std::string by_words(RequirementResult::Distribution by) {
-    return by == RequirementResult::Distribution::student_t ? "Student t" : distribution_key(by);
+std::string by_words(RequirementResult::Distribution by, const DocumentLanguage& in) {
+    using enum RequirementResult::Distribution;
+    return in.say(by == student_t ? words::student_t : by == trials ? words::trials : words::normal);
 }
 
-std::string percent(double probability) {
+std::string percent(double probability, const NumberLocale& locale = {}) {
     const double in_percent = 100.0 * probability;
-    if (in_percent > 0.0 && in_percent < 0.001) return "< 0.001 %";
-    if (in_percent < 100.0 && in_percent > 99.999) return "> 99.999 %";
-    return format_trimmed(std::round(1000.0 * in_percent) / 1000.0, 6) + " %";
+    if (in_percent > 0.0 && in_percent < 0.001) return "< 0" + locale.decimal + "001 %";
+    if (in_percent < 100.0 && in_percent > 99.999) return "> 99" + locale.decimal + "999 %";
+    return typeset_number(format_trimmed(std::round(1000.0 * in_percent) / 1000.0, 6), locale) + " %";
 }
 
-std::string decision_words(const RequirementResult& r) {
-    if (!r.not_judged.empty()) return "not judged";
-    return r.decision == Decision::accept ? "accepted" : "rejected";
+std::string decision_words(const RequirementResult& r, const DocumentLanguage& in) {
+    if (!r.not_judged.empty()) return in.say(words::not_judged);
+    return in.say(r.decision == Decision::accept ? words::accepted : words::rejected);
 }
 
 /// Of a decision that was taken.
@@ -116,46 +122,43 @@ ParagraphBlock risks_of(const RequirementResult& r, const OutputQuantity& quanti
     return ParagraphBlock{words + "."};
 }
 
-std::string conformity_note() {
-    return "JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the "
-           "result: its trials, or by the law of propagation Student's t for the effective degrees of "
-           "freedom. "
-           "The acceptance interval is the tolerance less guard bands w. Decision rules are named as in "
-           "ILAC-G8:09/2019. TUR: half of the tolerance over U. C_m: T/(2U) for U = 2u, T/(4u).";
-}
-
 bool has_tolerance(const RequirementResult& r) {
     return r.lower_limit || r.upper_limit;
 }
 
-void add_conformity_row(TableBuilder& table, const RequirementResult& r, const OutputResult& output) {
+void add_conformity_row(TableBuilder& table, const RequirementResult& r, const OutputResult& output,
+                        const DocumentLanguage& in) {
     const bool judged = r.not_judged.empty();
     const OutputQuantity& quantity = output.quantity;
     const auto number = [](const std::optional<double>& x) { return x ? TableCell(*x) : TableCell{}; };
-    table.row({output_label(quantity), unit_text(quantity.unit), limits_text(r, output, 0.0),
-               judged ? limits_text(r, output, r.guard_band) : "",
-               judged ? decision_rule(r.guard_factor) : "", decision_words(r),
-               judged ? percent(r.conformance) : "", judged ? by_words(r.conformance_by) : "",
-               number(r.uncertainty_ratio), number(r.capability_index)});
+    table.row({output_label(quantity), unit_text(quantity.unit), limits_text(r, output, 0.0, in.numbers()),
+               judged ? limits_text(r, output, r.guard_band, in.numbers()) : "",
+               judged ? decision_rule(r.guard_factor, in) : "", decision_words(r, in),
+               judged ? percent(r.conformance, in.numbers()) : "",
+               judged ? by_words(r.conformance_by, in) : "", number(r.uncertainty_ratio),
+               number(r.capability_index)});
 }
 
 /// Nothing without tolerances.
-std::optional<TableBlock> conformity_table(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
+std::optional<TableBlock> conformity_table(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated,
+                                           const DocumentLanguage& in) {
     if (std::none_of(verdicts.begin(), verdicts.end(), has_tolerance)) return std::nullopt;
     TableBuilder table("conformity-" + evaluated.analysis->id, "Conformity with tolerances");
-    for (const char* head :
-         {"Quantity", "Unit", "Tolerance", "Acceptance", "Decision rule", "Decision", "Conforming", "by"})
-        table.text(head);
+    for (const Phrase* head : {&words::quantity, &words::unit, &words::tolerance, &words::acceptance,
+                               &words::rule, &words::decision, &words::conforming, &words::by})
+        table.text(in.say(*head));
     table.number("TUR", 3);
     table.symbol("C_m", 3);
     for (const RequirementResult& r : verdicts)
-        if (has_tolerance(r)) add_conformity_row(table, r, evaluated.result->outputs[r.output]);
-    table.note(conformity_note());
-    return table.take();
+        if (has_tolerance(r)) add_conformity_row(table, r, evaluated.result->outputs[r.output], in);
+    table.note(in.say(words::conformity_note));
+    TableBlock made = table.take();
+    made.locale = in.numbers();
+    return made;
 }
 
 void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
-    auto table = conformity_table(verdicts, evaluated);
+    auto table = conformity_table(verdicts, evaluated, {});
     if (!table) return;
     blocks.push_back(std::move(*table));
     for (const RequirementResult& r : verdicts)
@@ -166,14 +169,14 @@ void add_conformity(Blocks& blocks, const Verdicts& verdicts, const EvaluatedAna
 }  // namespace
 
 void add_certified_conformity(Blocks& blocks, const ReportSource& source,
-                              const std::vector<EvaluatedAnalysis>& analyses) {
+                              const std::vector<EvaluatedAnalysis>& analyses, const DocumentLanguage& in) {
     bool headed = false;
     for (const EvaluatedAnalysis& evaluated : analyses) {
         const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
         if (!entry) continue;
-        auto table = conformity_table(judge(*evaluated.result, *entry), evaluated);
+        auto table = conformity_table(judge(*evaluated.result, *entry), evaluated, in);
         if (!table) continue;
-        if (!headed) blocks.push_back(HeadingBlock{2, "Statement of conformity"});
+        if (!headed) blocks.push_back(HeadingBlock{2, in.say(words::conformity)});
         headed = true;
         table->table.title = analyses.size() > 1 ? evaluated.analysis->name : "";
         blocks.push_back(std::move(*table));

@@ -73,7 +73,7 @@ Text cell_typeset(const TableBlock& block, std::size_t row, std::size_t column) 
     if (style_of(block, column).symbol && !is_subhead(block, row)) return symbols_text(text);
     const auto& cells = block.table.rows[row];
     const bool number = column < cells.size() && shown_number(cells[column], block.table.columns[column]);
-    return number ? Text(grouped_digits(text)) : running_text(text);
+    return number ? Text(grouped_digits(text, block.locale)) : running_text(text);
 }
 
 }  // namespace covaria

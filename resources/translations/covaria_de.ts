@@ -4499,6 +4499,202 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Of the production process.</source>
         <translation>Des Herstellungsprozesses.</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Of the certificate; what was typed stays as it is.</source>
+        <translation>Sprache des Kalibrierscheins; was eingegeben wurde, bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG file beside the project, up to 2 MB: at the head of the first page.</source>
+        <translation>Eine PNG- oder JPEG-Datei neben dem Projekt, bis 2 MB: am Kopf der ersten Seite.</translation>
+    </message>
+    <message>
+        <source>Calibration certificate %1</source>
+        <translation>Kalibrierschein %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>— not stated —</source>
+        <translation>— nicht angegeben —</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>in the laboratory</source>
+        <translation>im Laboratorium</translation>
+    </message>
+    <message>
+        <source>This certificate states %1 of %2 results. Not stated: %3.</source>
+        <translation>Dieser Kalibrierschein gibt %1 von %2 Ergebnissen an. Nicht angegeben: %3.</translation>
+    </message>
+    <message>
+        <source>1 further result is in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>1 weiteres Ergebnis steht im digitalen Kalibrierschein, der dem PDF beigefügt ist (certificate.xml).</translation>
+    </message>
+    <message>
+        <source>%1 further results are in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>%1 weitere Ergebnisse stehen im digitalen Kalibrierschein, der dem PDF beigefügt ist (certificate.xml).</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1.</source>
+        <translation>Nicht ausgewertet: %1.</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2.</source>
+        <translation>Ausgewertet mit Covaria %1, Fingerabdruck des Projekts %2.</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2, analyses: %3.</source>
+        <translation>Ausgewertet mit Covaria %1, Fingerabdruck des Projekts %2, Analysen: %3.</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item described above, in the state in which it was calibrated. This certificate may be reproduced in full only, unless the laboratory permits otherwise.</source>
+        <translation>Die Ergebnisse beziehen sich nur auf den oben beschriebenen Gegenstand in dem Zustand, in dem er kalibriert wurde. Dieser Kalibrierschein darf nur vollständig vervielfältigt werden, sofern das Laboratorium nichts anderes genehmigt.</translation>
+    </message>
+    <message>
+        <source>Date of issue: %1</source>
+        <translation>Ausgestellt am: %1</translation>
+    </message>
+    <message>
+        <source>End of certificate</source>
+        <translation>Ende des Kalibrierscheins</translation>
+    </message>
+    <message>
+        <source>End of certificate %1</source>
+        <translation>Ende des Kalibrierscheins %1</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>p = %1 to %2.</source>
+        <translation>p = %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>No result is stated: what was evaluated does not represent the measurand; %1 trials have no value.</source>
+        <translation>Es wird kein Ergebnis angegeben: Was ausgewertet wurde, stellt die Messgröße nicht dar; %1 Versuche haben keinen Wert.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1.</source>
+        <translation>Überdeckungsintervalle, die nicht symmetrisch zum Schätzwert sind: %1.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1; and %2 others.</source>
+        <translation>Überdeckungsintervalle, die nicht symmetrisch zum Schätzwert sind: %1; und %2 weitere.</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>%1 (exact)</source>
+        <translation>%1 (exakt)</translation>
+    </message>
+    <message>
+        <source>%1 (U not finite)</source>
+        <translation>%1 (U nicht endlich)</translation>
+    </message>
+    <message>
+        <source>without k, because u is not finite</source>
+        <translation>ohne k, weil u nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>coverage interval %1</source>
+        <translation>Überdeckungsintervall %1</translation>
+    </message>
+    <message>
+        <source>The standard uncertainty was determined by the law of propagation of uncertainty in accordance with JCGM 100.</source>
+        <translation>Die Standardmessunsicherheit wurde nach dem Unsicherheitsfortpflanzungsgesetz gemäß JCGM 100 ermittelt.</translation>
+    </message>
+    <message>
+        <source>The distribution was determined by the propagation of distributions in accordance with JCGM 101.</source>
+        <translation>Die Verteilung wurde durch Fortpflanzung von Verteilungen gemäß JCGM 101 ermittelt.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the fixed coverage factor k; y ± U has the coverage probability p that is stated with it.</source>
+        <translation>Die nach ± angegebene erweiterte Messunsicherheit U ist die Standardmessunsicherheit, multipliziert mit dem festen Erweiterungsfaktor k; y ± U hat die dabei angegebene Überdeckungswahrscheinlichkeit p.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is half the width of the probabilistically symmetric coverage interval of the coverage probability p, and k = U/u.</source>
+        <translation>Die nach ± angegebene erweiterte Messunsicherheit U ist die halbe Breite des wahrscheinlichkeitssymmetrischen Überdeckungsintervalls zur Überdeckungswahrscheinlichkeit p, und k = U/u.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the coverage factor k, which for a normal distribution, or for a t distribution of the effective degrees of freedom nu_eff where they are stated, corresponds to the coverage probability p.</source>
+        <translation>Die nach ± angegebene erweiterte Messunsicherheit U ist die Standardmessunsicherheit, multipliziert mit dem Erweiterungsfaktor k, der bei einer Normalverteilung oder, wo sie angegeben sind, bei einer t-Verteilung mit den effektiven Freiheitsgraden nu_eff der Überdeckungswahrscheinlichkeit p entspricht.</translation>
+    </message>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>Konformitätsaussage</translation>
+    </message>
+    <message>
+        <source>Acceptance</source>
+        <translation>Annahme</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Entscheidungsregel</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>Conforming</source>
+        <translation>Konform</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>nach</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>zurückgewiesen</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the result: its trials, or by the law of propagation Student&apos;s t for the effective degrees of freedom. The acceptance interval is the tolerance less guard bands w. Decision rules are named as in ILAC-G8:09/2019. TUR: half of the tolerance over U. C_m: T/(2U) for U = 2u, T/(4u).</source>
+        <translation>JCGM 106: Wahrscheinlichkeit, dass die Messgröße innerhalb der Toleranz liegt, nach der Verteilung des Ergebnisses: seinen Versuchen oder, beim Fortpflanzungsgesetz, der t-Verteilung mit den effektiven Freiheitsgraden. Das Annahmeintervall ist die Toleranz abzüglich der Schutzabstände w. Entscheidungsregeln heißen wie in ILAC-G8:09/2019. TUR: halbe Toleranz durch U. C_m: T/(2U) für U = 2u, T/(4u).</translation>
+    </message>
+    <message>
+        <source>simple acceptance (w = 0)</source>
+        <translation>einfache Annahme (w = 0)</translation>
+    </message>
+    <message>
+        <source>guard band w = %1</source>
+        <translation>Schutzabstand w = %1</translation>
+    </message>
+    <message>
+        <source>guarded rejection (w = −%1)</source>
+        <translation>gesicherte Rückweisung (w = −%1)</translation>
+    </message>
+    <message>
+        <source>Results before and after</source>
+        <translation>Ergebnisse vorher und nachher</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -5035,6 +5231,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg)</translation>
     </message>
 </context>
 <context>
@@ -6241,6 +6441,13 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>%1 wurde von einem anderen Programm entfernt; Speichern schreibt es erneut</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FileEditor</name>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Datei wählen: %1</translation>
     </message>
 </context>
 <context>

@@ -4499,6 +4499,202 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Of the production process.</source>
         <translation>Del proceso de producción.</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Of the certificate; what was typed stays as it is.</source>
+        <translation>Del certificado; lo que se ha escrito queda como está.</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logotipo</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG file beside the project, up to 2 MB: at the head of the first page.</source>
+        <translation>Un archivo PNG o JPEG junto al proyecto, hasta 2 MB: en la cabecera de la primera página.</translation>
+    </message>
+    <message>
+        <source>Calibration certificate %1</source>
+        <translation>Certificado de calibración %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Página %1 de %2</translation>
+    </message>
+    <message>
+        <source>— not stated —</source>
+        <translation>— no indicado —</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>in the laboratory</source>
+        <translation>en el laboratorio</translation>
+    </message>
+    <message>
+        <source>This certificate states %1 of %2 results. Not stated: %3.</source>
+        <translation>Este certificado indica %1 de %2 resultados. No indicados: %3.</translation>
+    </message>
+    <message>
+        <source>1 further result is in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>1 resultado más está en el certificado digital adjunto al PDF (certificate.xml).</translation>
+    </message>
+    <message>
+        <source>%1 further results are in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>%1 resultados más están en el certificado digital adjunto al PDF (certificate.xml).</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1.</source>
+        <translation>No evaluado: %1.</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2.</source>
+        <translation>Evaluado con Covaria %1, huella del proyecto %2.</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2, analyses: %3.</source>
+        <translation>Evaluado con Covaria %1, huella del proyecto %2, análisis: %3.</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item described above, in the state in which it was calibrated. This certificate may be reproduced in full only, unless the laboratory permits otherwise.</source>
+        <translation>Los resultados se refieren únicamente al objeto descrito arriba, en el estado en que fue calibrado. Este certificado solo puede reproducirse íntegramente, salvo autorización del laboratorio.</translation>
+    </message>
+    <message>
+        <source>Date of issue: %1</source>
+        <translation>Fecha de emisión: %1</translation>
+    </message>
+    <message>
+        <source>End of certificate</source>
+        <translation>Fin del certificado</translation>
+    </message>
+    <message>
+        <source>End of certificate %1</source>
+        <translation>Fin del certificado %1</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>p = %1 to %2.</source>
+        <translation>p = %1 a %2.</translation>
+    </message>
+    <message>
+        <source>No result is stated: what was evaluated does not represent the measurand; %1 trials have no value.</source>
+        <translation>No se indica ningún resultado: lo evaluado no representa el mensurando; %1 ensayos no tienen valor.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1.</source>
+        <translation>Intervalos de cobertura que no son simétricos respecto a la estimación: %1.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1; and %2 others.</source>
+        <translation>Intervalos de cobertura que no son simétricos respecto a la estimación: %1; y otros %2.</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>%1 (exact)</source>
+        <translation>%1 (exacto)</translation>
+    </message>
+    <message>
+        <source>%1 (U not finite)</source>
+        <translation>%1 (U no finita)</translation>
+    </message>
+    <message>
+        <source>without k, because u is not finite</source>
+        <translation>sin k, porque u no es finita</translation>
+    </message>
+    <message>
+        <source>coverage interval %1</source>
+        <translation>intervalo de cobertura %1</translation>
+    </message>
+    <message>
+        <source>The standard uncertainty was determined by the law of propagation of uncertainty in accordance with JCGM 100.</source>
+        <translation>La incertidumbre típica se determinó por la ley de propagación de la incertidumbre conforme a JCGM 100.</translation>
+    </message>
+    <message>
+        <source>The distribution was determined by the propagation of distributions in accordance with JCGM 101.</source>
+        <translation>La distribución se determinó por propagación de distribuciones conforme a JCGM 101.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the fixed coverage factor k; y ± U has the coverage probability p that is stated with it.</source>
+        <translation>La incertidumbre expandida U indicada tras ± es la incertidumbre típica multiplicada por el factor de cobertura fijo k; y ± U tiene la probabilidad de cobertura p que se indica con ella.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is half the width of the probabilistically symmetric coverage interval of the coverage probability p, and k = U/u.</source>
+        <translation>La incertidumbre expandida U indicada tras ± es la mitad de la anchura del intervalo de cobertura probabilísticamente simétrico de probabilidad de cobertura p, y k = U/u.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the coverage factor k, which for a normal distribution, or for a t distribution of the effective degrees of freedom nu_eff where they are stated, corresponds to the coverage probability p.</source>
+        <translation>La incertidumbre expandida U indicada tras ± es la incertidumbre típica multiplicada por el factor de cobertura k, que para una distribución normal, o para una distribución t con los grados efectivos de libertad nu_eff donde se indican, corresponde a la probabilidad de cobertura p.</translation>
+    </message>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>Declaración de conformidad</translation>
+    </message>
+    <message>
+        <source>Acceptance</source>
+        <translation>Aceptación</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Regla de decisión</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Decisión</translation>
+    </message>
+    <message>
+        <source>Conforming</source>
+        <translation>Conforme</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>por</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>aceptado</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>rechazado</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>no evaluado</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>ensayos</translation>
+    </message>
+    <message>
+        <source>JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the result: its trials, or by the law of propagation Student&apos;s t for the effective degrees of freedom. The acceptance interval is the tolerance less guard bands w. Decision rules are named as in ILAC-G8:09/2019. TUR: half of the tolerance over U. C_m: T/(2U) for U = 2u, T/(4u).</source>
+        <translation>JCGM 106: probabilidad de que el mensurando esté dentro de la tolerancia, según la distribución del resultado: sus ensayos o, con la ley de propagación, la t de Student con los grados efectivos de libertad. El intervalo de aceptación es la tolerancia menos las bandas de guarda w. Las reglas de decisión se nombran como en ILAC-G8:09/2019. TUR: mitad de la tolerancia dividida por U. C_m: T/(2U) para U = 2u, T/(4u).</translation>
+    </message>
+    <message>
+        <source>simple acceptance (w = 0)</source>
+        <translation>aceptación simple (w = 0)</translation>
+    </message>
+    <message>
+        <source>guard band w = %1</source>
+        <translation>banda de guarda w = %1</translation>
+    </message>
+    <message>
+        <source>guarded rejection (w = −%1)</source>
+        <translation>rechazo con guarda (w = −%1)</translation>
+    </message>
+    <message>
+        <source>Results before and after</source>
+        <translation>Resultados antes y después</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -5035,6 +5231,10 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg)</translation>
     </message>
 </context>
 <context>
@@ -6241,6 +6441,13 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>Otro programa eliminó %1; al guardar se escribe de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FileEditor</name>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Elegir un archivo: %1</translation>
     </message>
 </context>
 <context>

@@ -4499,6 +4499,202 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <source>Of the production process.</source>
         <translation>생산 공정의 값.</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation>언어</translation>
+    </message>
+    <message>
+        <source>Of the certificate; what was typed stays as it is.</source>
+        <translation>인증서의 언어입니다. 입력한 내용은 그대로 둡니다.</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>로고</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG file beside the project, up to 2 MB: at the head of the first page.</source>
+        <translation>프로젝트 옆의 PNG 또는 JPEG 파일, 최대 2 MB: 첫 페이지 머리에 놓입니다.</translation>
+    </message>
+    <message>
+        <source>Calibration certificate %1</source>
+        <translation>교정 성적서 %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>%1 / %2 쪽</translation>
+    </message>
+    <message>
+        <source>— not stated —</source>
+        <translation>— 기재 없음 —</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1부터 %2까지</translation>
+    </message>
+    <message>
+        <source>in the laboratory</source>
+        <translation>시험실 내</translation>
+    </message>
+    <message>
+        <source>This certificate states %1 of %2 results. Not stated: %3.</source>
+        <translation>이 성적서는 결과 %2개 중 %1개를 기재합니다. 기재하지 않은 것: %3.</translation>
+    </message>
+    <message>
+        <source>1 further result is in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>결과 1개가 PDF에 첨부된 디지털 성적서(certificate.xml)에 더 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1 further results are in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>결과 %1개가 PDF에 첨부된 디지털 성적서(certificate.xml)에 더 있습니다.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1.</source>
+        <translation>평가하지 않음: %1.</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2.</source>
+        <translation>Covaria %1로 평가함, 프로젝트 지문 %2.</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2, analyses: %3.</source>
+        <translation>Covaria %1로 평가함, 프로젝트 지문 %2, 분석: %3.</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item described above, in the state in which it was calibrated. This certificate may be reproduced in full only, unless the laboratory permits otherwise.</source>
+        <translation>결과는 위에 기술된 품목의 교정 당시 상태에만 관련됩니다. 시험실이 달리 허락하지 않는 한 이 성적서는 전체로만 복제할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Date of issue: %1</source>
+        <translation>발급일: %1</translation>
+    </message>
+    <message>
+        <source>End of certificate</source>
+        <translation>성적서 끝</translation>
+    </message>
+    <message>
+        <source>End of certificate %1</source>
+        <translation>성적서 %1 끝</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>p = %1 to %2.</source>
+        <translation>p = %1 ~ %2.</translation>
+    </message>
+    <message>
+        <source>No result is stated: what was evaluated does not represent the measurand; %1 trials have no value.</source>
+        <translation>결과를 기재하지 않음: 평가한 것이 측정량을 나타내지 않습니다. 시행 %1회에 값이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1.</source>
+        <translation>추정값에 대해 대칭이 아닌 포함 구간: %1.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1; and %2 others.</source>
+        <translation>추정값에 대해 대칭이 아닌 포함 구간: %1; 그 밖에 %2개.</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (exact)</source>
+        <translation>%1 (정확한 값)</translation>
+    </message>
+    <message>
+        <source>%1 (U not finite)</source>
+        <translation>%1 (U가 유한하지 않음)</translation>
+    </message>
+    <message>
+        <source>without k, because u is not finite</source>
+        <translation>u가 유한하지 않아 k 없음</translation>
+    </message>
+    <message>
+        <source>coverage interval %1</source>
+        <translation>포함 구간 %1</translation>
+    </message>
+    <message>
+        <source>The standard uncertainty was determined by the law of propagation of uncertainty in accordance with JCGM 100.</source>
+        <translation>표준불확도는 JCGM 100에 따라 불확도 전파 법칙으로 구하였습니다.</translation>
+    </message>
+    <message>
+        <source>The distribution was determined by the propagation of distributions in accordance with JCGM 101.</source>
+        <translation>분포는 JCGM 101에 따라 분포의 전파로 구하였습니다.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the fixed coverage factor k; y ± U has the coverage probability p that is stated with it.</source>
+        <translation>± 뒤에 적은 확장불확도 U는 표준불확도에 고정된 포함인자 k를 곱한 것이며, y ± U의 포함확률은 함께 적은 p입니다.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is half the width of the probabilistically symmetric coverage interval of the coverage probability p, and k = U/u.</source>
+        <translation>± 뒤에 적은 확장불확도 U는 포함확률 p인 확률 대칭 포함 구간 너비의 절반이며, k = U/u입니다.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the coverage factor k, which for a normal distribution, or for a t distribution of the effective degrees of freedom nu_eff where they are stated, corresponds to the coverage probability p.</source>
+        <translation>± 뒤에 적은 확장불확도 U는 표준불확도에 포함인자 k를 곱한 것이며, k는 정규분포에서, 또는 유효자유도 nu_eff를 적은 경우 t 분포에서 포함확률 p에 해당합니다.</translation>
+    </message>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>적합성 진술</translation>
+    </message>
+    <message>
+        <source>Acceptance</source>
+        <translation>합격 구간</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>의사결정 규칙</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Conforming</source>
+        <translation>적합 확률</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>근거</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>합격</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>불합격</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>판정 안 함</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the result: its trials, or by the law of propagation Student&apos;s t for the effective degrees of freedom. The acceptance interval is the tolerance less guard bands w. Decision rules are named as in ILAC-G8:09/2019. TUR: half of the tolerance over U. C_m: T/(2U) for U = 2u, T/(4u).</source>
+        <translation>JCGM 106: 측정량이 허용차 안에 있을 확률. 결과의 분포, 곧 그 시행에 따르거나, 전파 법칙에서는 유효자유도의 스튜던트 t 분포에 따릅니다. 합격 구간은 허용차에서 보호대역 w를 뺀 것입니다. 의사결정 규칙의 이름은 ILAC-G8:09/2019를 따릅니다. TUR: 허용차의 절반을 U로 나눈 값. C_m: U = 2u일 때 T/(2U), T/(4u).</translation>
+    </message>
+    <message>
+        <source>simple acceptance (w = 0)</source>
+        <translation>단순 합격 (w = 0)</translation>
+    </message>
+    <message>
+        <source>guard band w = %1</source>
+        <translation>보호대역 w = %1</translation>
+    </message>
+    <message>
+        <source>guarded rejection (w = −%1)</source>
+        <translation>보호 불합격 (w = −%1)</translation>
+    </message>
+    <message>
+        <source>Results before and after</source>
+        <translation>전후 결과</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -5035,6 +5231,10 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>그림 (*.png *.jpg *.jpeg)</translation>
     </message>
 </context>
 <context>
@@ -6238,6 +6438,13 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>다른 프로그램이 %1을(를) 제거했습니다. 저장하면 다시 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FileEditor</name>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>파일 선택: %1</translation>
     </message>
 </context>
 <context>

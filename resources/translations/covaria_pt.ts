@@ -4499,6 +4499,202 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Of the production process.</source>
         <translation>Do processo de produção.</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Of the certificate; what was typed stays as it is.</source>
+        <translation>Do certificado; o que foi digitado fica como está.</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logotipo</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG file beside the project, up to 2 MB: at the head of the first page.</source>
+        <translation>Um arquivo PNG ou JPEG junto ao projeto, até 2 MB: no topo da primeira página.</translation>
+    </message>
+    <message>
+        <source>Calibration certificate %1</source>
+        <translation>Certificado de calibração %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Página %1 de %2</translation>
+    </message>
+    <message>
+        <source>— not stated —</source>
+        <translation>— não indicado —</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>in the laboratory</source>
+        <translation>no laboratório</translation>
+    </message>
+    <message>
+        <source>This certificate states %1 of %2 results. Not stated: %3.</source>
+        <translation>Este certificado indica %1 de %2 resultados. Não indicados: %3.</translation>
+    </message>
+    <message>
+        <source>1 further result is in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>Mais 1 resultado está no certificado digital anexado ao PDF (certificate.xml).</translation>
+    </message>
+    <message>
+        <source>%1 further results are in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>Mais %1 resultados estão no certificado digital anexado ao PDF (certificate.xml).</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1.</source>
+        <translation>Não avaliado: %1.</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2.</source>
+        <translation>Avaliado com Covaria %1, impressão digital do projeto %2.</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2, analyses: %3.</source>
+        <translation>Avaliado com Covaria %1, impressão digital do projeto %2, análises: %3.</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item described above, in the state in which it was calibrated. This certificate may be reproduced in full only, unless the laboratory permits otherwise.</source>
+        <translation>Os resultados referem-se apenas ao item descrito acima, no estado em que foi calibrado. Este certificado só pode ser reproduzido na íntegra, salvo autorização do laboratório.</translation>
+    </message>
+    <message>
+        <source>Date of issue: %1</source>
+        <translation>Data de emissão: %1</translation>
+    </message>
+    <message>
+        <source>End of certificate</source>
+        <translation>Fim do certificado</translation>
+    </message>
+    <message>
+        <source>End of certificate %1</source>
+        <translation>Fim do certificado %1</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>p = %1 to %2.</source>
+        <translation>p = %1 a %2.</translation>
+    </message>
+    <message>
+        <source>No result is stated: what was evaluated does not represent the measurand; %1 trials have no value.</source>
+        <translation>Nenhum resultado é indicado: o que foi avaliado não representa o mensurando; %1 ensaios não têm valor.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1.</source>
+        <translation>Intervalos de cobertura que não são simétricos em torno da estimativa: %1.</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1; and %2 others.</source>
+        <translation>Intervalos de cobertura que não são simétricos em torno da estimativa: %1; e outros %2.</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 em %2</translation>
+    </message>
+    <message>
+        <source>%1 (exact)</source>
+        <translation>%1 (exato)</translation>
+    </message>
+    <message>
+        <source>%1 (U not finite)</source>
+        <translation>%1 (U não finita)</translation>
+    </message>
+    <message>
+        <source>without k, because u is not finite</source>
+        <translation>sem k, porque u não é finita</translation>
+    </message>
+    <message>
+        <source>coverage interval %1</source>
+        <translation>intervalo de cobertura %1</translation>
+    </message>
+    <message>
+        <source>The standard uncertainty was determined by the law of propagation of uncertainty in accordance with JCGM 100.</source>
+        <translation>A incerteza-padrão foi determinada pela lei de propagação de incertezas de acordo com o JCGM 100.</translation>
+    </message>
+    <message>
+        <source>The distribution was determined by the propagation of distributions in accordance with JCGM 101.</source>
+        <translation>A distribuição foi determinada pela propagação de distribuições de acordo com o JCGM 101.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the fixed coverage factor k; y ± U has the coverage probability p that is stated with it.</source>
+        <translation>A incerteza expandida U indicada após ± é a incerteza-padrão multiplicada pelo fator de abrangência fixo k; y ± U tem a probabilidade de abrangência p indicada com ela.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is half the width of the probabilistically symmetric coverage interval of the coverage probability p, and k = U/u.</source>
+        <translation>A incerteza expandida U indicada após ± é metade da largura do intervalo de abrangência probabilisticamente simétrico de probabilidade de abrangência p, e k = U/u.</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the coverage factor k, which for a normal distribution, or for a t distribution of the effective degrees of freedom nu_eff where they are stated, corresponds to the coverage probability p.</source>
+        <translation>A incerteza expandida U indicada após ± é a incerteza-padrão multiplicada pelo fator de abrangência k, que para uma distribuição normal, ou para uma distribuição t com os graus de liberdade efetivos nu_eff onde indicados, corresponde à probabilidade de abrangência p.</translation>
+    </message>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>Declaração de conformidade</translation>
+    </message>
+    <message>
+        <source>Acceptance</source>
+        <translation>Aceitação</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Regra de decisão</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Decisão</translation>
+    </message>
+    <message>
+        <source>Conforming</source>
+        <translation>Conforme</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>por</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>aceito</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>rejeitado</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>não avaliado</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>ensaios</translation>
+    </message>
+    <message>
+        <source>JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the result: its trials, or by the law of propagation Student&apos;s t for the effective degrees of freedom. The acceptance interval is the tolerance less guard bands w. Decision rules are named as in ILAC-G8:09/2019. TUR: half of the tolerance over U. C_m: T/(2U) for U = 2u, T/(4u).</source>
+        <translation>JCGM 106: probabilidade de o mensurando estar dentro da tolerância, segundo a distribuição do resultado: seus ensaios ou, pela lei de propagação, a t de Student com os graus de liberdade efetivos. O intervalo de aceitação é a tolerância menos as bandas de guarda w. As regras de decisão são nomeadas como em ILAC-G8:09/2019. TUR: metade da tolerância dividida por U. C_m: T/(2U) para U = 2u, T/(4u).</translation>
+    </message>
+    <message>
+        <source>simple acceptance (w = 0)</source>
+        <translation>aceitação simples (w = 0)</translation>
+    </message>
+    <message>
+        <source>guard band w = %1</source>
+        <translation>banda de guarda w = %1</translation>
+    </message>
+    <message>
+        <source>guarded rejection (w = −%1)</source>
+        <translation>rejeição com guarda (w = −%1)</translation>
+    </message>
+    <message>
+        <source>Results before and after</source>
+        <translation>Resultados antes e depois</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -5035,6 +5231,10 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Imagens (*.png *.jpg *.jpeg)</translation>
     </message>
 </context>
 <context>
@@ -6241,6 +6441,13 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>%1 foi removido por outro programa; salvar o escreve de novo</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FileEditor</name>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Escolher um arquivo: %1</translation>
     </message>
 </context>
 <context>

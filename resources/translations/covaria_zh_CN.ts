@@ -4499,6 +4499,202 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <source>Of the production process.</source>
         <translation>生产过程的。</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Of the certificate; what was typed stays as it is.</source>
+        <translation>证书的语言；键入的内容保持不变。</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>徽标</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG file beside the project, up to 2 MB: at the head of the first page.</source>
+        <translation>项目旁的 PNG 或 JPEG 文件，最大 2 MB：位于首页页眉。</translation>
+    </message>
+    <message>
+        <source>Calibration certificate %1</source>
+        <translation>校准证书 %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+    <message>
+        <source>— not stated —</source>
+        <translation>— 未说明 —</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>in the laboratory</source>
+        <translation>在实验室内</translation>
+    </message>
+    <message>
+        <source>This certificate states %1 of %2 results. Not stated: %3.</source>
+        <translation>本证书给出 %2 个结果中的 %1 个。未给出：%3。</translation>
+    </message>
+    <message>
+        <source>1 further result is in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>另有 1 个结果在 PDF 所附的数字证书（certificate.xml）中。</translation>
+    </message>
+    <message>
+        <source>%1 further results are in the digital certificate that is attached to the PDF (certificate.xml).</source>
+        <translation>另有 %1 个结果在 PDF 所附的数字证书（certificate.xml）中。</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1.</source>
+        <translation>未评定：%1。</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2.</source>
+        <translation>用 Covaria %1 评定，项目指纹 %2。</translation>
+    </message>
+    <message>
+        <source>Evaluated with Covaria %1, project fingerprint %2, analyses: %3.</source>
+        <translation>用 Covaria %1 评定，项目指纹 %2，分析：%3。</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item described above, in the state in which it was calibrated. This certificate may be reproduced in full only, unless the laboratory permits otherwise.</source>
+        <translation>结果仅与上述物品在校准时的状态有关。未经实验室许可，本证书只能全文复制。</translation>
+    </message>
+    <message>
+        <source>Date of issue: %1</source>
+        <translation>签发日期：%1</translation>
+    </message>
+    <message>
+        <source>End of certificate</source>
+        <translation>证书结束</translation>
+    </message>
+    <message>
+        <source>End of certificate %1</source>
+        <translation>证书 %1 结束</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>p = %1 to %2.</source>
+        <translation>p = %1 至 %2。</translation>
+    </message>
+    <message>
+        <source>No result is stated: what was evaluated does not represent the measurand; %1 trials have no value.</source>
+        <translation>不给出结果：所评定的内容不代表被测量；%1 次试验没有值。</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1.</source>
+        <translation>不关于估计值对称的包含区间：%1。</translation>
+    </message>
+    <message>
+        <source>Coverage intervals that are not symmetric about the estimate: %1; and %2 others.</source>
+        <translation>不关于估计值对称的包含区间：%1；以及另外 %2 个。</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 在 %2 内</translation>
+    </message>
+    <message>
+        <source>%1 (exact)</source>
+        <translation>%1（精确）</translation>
+    </message>
+    <message>
+        <source>%1 (U not finite)</source>
+        <translation>%1（U 不是有限值）</translation>
+    </message>
+    <message>
+        <source>without k, because u is not finite</source>
+        <translation>无 k，因为 u 不是有限值</translation>
+    </message>
+    <message>
+        <source>coverage interval %1</source>
+        <translation>包含区间 %1</translation>
+    </message>
+    <message>
+        <source>The standard uncertainty was determined by the law of propagation of uncertainty in accordance with JCGM 100.</source>
+        <translation>标准不确定度按 JCGM 100 的不确定度传播律确定。</translation>
+    </message>
+    <message>
+        <source>The distribution was determined by the propagation of distributions in accordance with JCGM 101.</source>
+        <translation>分布按 JCGM 101 的分布传播确定。</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the fixed coverage factor k; y ± U has the coverage probability p that is stated with it.</source>
+        <translation>± 之后给出的扩展不确定度 U 是标准不确定度乘以固定的包含因子 k；y ± U 的包含概率 p 与其一同给出。</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is half the width of the probabilistically symmetric coverage interval of the coverage probability p, and k = U/u.</source>
+        <translation>± 之后给出的扩展不确定度 U 是包含概率为 p 的概率对称包含区间的半宽，且 k = U/u。</translation>
+    </message>
+    <message>
+        <source>The expanded uncertainty U stated after ± is the standard uncertainty multiplied by the coverage factor k, which for a normal distribution, or for a t distribution of the effective degrees of freedom nu_eff where they are stated, corresponds to the coverage probability p.</source>
+        <translation>± 之后给出的扩展不确定度 U 是标准不确定度乘以包含因子 k；对于正态分布，或在给出有效自由度 nu_eff 时对于 t 分布，k 对应于包含概率 p。</translation>
+    </message>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>符合性声明</translation>
+    </message>
+    <message>
+        <source>Acceptance</source>
+        <translation>接受区间</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>判定规则</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Conforming</source>
+        <translation>符合概率</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>依据</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>未判定</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>JCGM 106: probability that the measurand lies inside the tolerance, by the distribution of the result: its trials, or by the law of propagation Student&apos;s t for the effective degrees of freedom. The acceptance interval is the tolerance less guard bands w. Decision rules are named as in ILAC-G8:09/2019. TUR: half of the tolerance over U. C_m: T/(2U) for U = 2u, T/(4u).</source>
+        <translation>JCGM 106：被测量处于容差内的概率，按结果的分布计算：其试验，或在传播律下按有效自由度的 t 分布。接受区间是容差减去保护带 w。判定规则的名称按 ILAC-G8:09/2019。TUR：容差的一半除以 U。C_m：U = 2u 时为 T/(2U)，即 T/(4u)。</translation>
+    </message>
+    <message>
+        <source>simple acceptance (w = 0)</source>
+        <translation>简单接受（w = 0）</translation>
+    </message>
+    <message>
+        <source>guard band w = %1</source>
+        <translation>保护带 w = %1</translation>
+    </message>
+    <message>
+        <source>guarded rejection (w = −%1)</source>
+        <translation>带保护的拒收（w = −%1）</translation>
+    </message>
+    <message>
+        <source>Results before and after</source>
+        <translation>前后结果</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -5035,6 +5231,10 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>图片 (*.png *.jpg *.jpeg)</translation>
     </message>
 </context>
 <context>
@@ -6238,6 +6438,13 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>%1 was removed by another program; saving writes it again</source>
         <translation>%1 已被另一程序移除；保存将重新写入</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FileEditor</name>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>选择文件：%1</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "ui/charts/chart_painter.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/theme.h"
 
 namespace covaria::ui {
@@ -49,7 +50,8 @@ void ReportMaker::make(Source source, Use use, JobQueue::Failure failure) {
         [this, source = std::move(source),
          use = std::move(use)](const std::stop_token& stop) -> JobQueue::Delivery {
             const ReportDocument document =
-                build_document(source.kind, *source.made, source.analyses, source.failed);
+                build_document(source.kind, *source.made, source.analyses, source.failed, false,
+                               document_language(source.made->project()));
             ScenePictures scenes(source.analyses);
             FigurePainters painters = report_painters(scenes);
             painters.paint_plot = [this, stop, paint = painters.paint_plot](

@@ -31,6 +31,9 @@ FieldSpec spec_of(const CertificateField& field) {
     spec.key = pointer_of(field);
     spec.title = field.title;
     spec.help = field.help;
+    if (field.kind == CertificateText::language)
+        for (const CertificateLanguage& one : certificate_languages())
+            spec.choices.push_back({one.code, one.name});
     if (*field.clause)
         spec.help += to_std(QLatin1Char(' ') +
                             (field.required ? CertificateForm::tr("Required by %1.")
@@ -103,6 +106,8 @@ FieldEditor* CertificateForm::make_editor(const CertificateField& field) {
             return new TextEditor(spec, this);
         case CertificateText::lines:
             return new ProseEditor(spec, this);
+        case CertificateText::language:
+            return new ListEditor(spec, this);
         case CertificateText::picture:
             return new FileEditor(spec, document_, tr("Pictures (*.png *.jpg *.jpeg)"), this);
         case CertificateText::date:

@@ -14,6 +14,7 @@
 #include "ui/forms/budget_sheet_view.h"
 #include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
 
@@ -154,6 +155,7 @@ void BudgetPage::take_correlation() {
 }
 
 QString BudgetPage::lines_of(const UncertaintyResult& result) const {
+    const DocumentLanguage in = language_of_window(user_numbers());
     QStringList lines;
     for (const OutputResult& output : result.outputs) {
         if (output.quantity.role != OutputRole::measurand) continue;
@@ -162,10 +164,9 @@ QString BudgetPage::lines_of(const UncertaintyResult& result) const {
             break;
         }
         const std::string symbol = to_html(symbol_text(output.quantity.symbol));
-        const std::string coverage =
-            to_html(running_text(coverage_statement(output, result, user_numbers())));
-        lines << to_qt("<b>" + symbol + "</b> = " +
-                       escape_html(value_statement(output, true, user_numbers())) + ", " + coverage);
+        const std::string coverage = to_html(running_text(coverage_statement(output, result, in)));
+        lines << to_qt("<b>" + symbol + "</b> = " + escape_html(value_statement(output, true, in)) + ", " +
+                       coverage);
     }
     return lines.join(QStringLiteral("<br>"));
 }

@@ -2,10 +2,12 @@
 #include "ui/print/pdf_report.h"
 
 #include <QBuffer>
+#include <QFontDatabase>
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
 #include <algorithm>
+#include <optional>
 
 #include "core/base/file_io.h"
 #include "core/base/version.h"
@@ -19,6 +21,21 @@ template <class Block>
 bool has(const ReportDocument& document) {
     return std::any_of(document.blocks.begin(), document.blocks.end(),
                        [](const ReportBlock& block) { return std::holds_alternative<Block>(block); });
+}
+
+/// Of languages whose letters are not in every font.
+std::optional<QFontDatabase::WritingSystem> letters_of(const std::string& language) {
+    if (language == "zh_CN") return QFontDatabase::SimplifiedChinese;
+    if (language == "ko") return QFontDatabase::Korean;
+    return std::nullopt;
+}
+
+Result<void> check_letters(const ReportDocument& document) {
+    if (const auto letters = letters_of(document.language);
+        letters && QFontDatabase::families(*letters).isEmpty())
+        return fail(ErrorCode::io, "no font of this system has the letters of the document's language, " +
+                                       document.language + " (Debian: install fonts-noto-cjk)");
+    return {};
 }
 
 Result<void> check_painters(const ReportDocument& document, const PdfOptions& options) {
@@ -41,6 +58,7 @@ void set_up(QPdfWriter& writer, const ReportDocument& document, PaperSize paper)
 
 Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& options) {
     if (auto checked = check_painters(document, options); !checked) return fail(checked.error());
+    if (auto checked = check_letters(document); !checked) return fail(checked.error());
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);

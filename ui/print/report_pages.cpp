@@ -21,7 +21,7 @@ public:
     void paint(QPainter& painter, int page, int pages) const {
         const QRectF area = style_.text_area();
         const double top = style_.mm(13.0);
-        const QString number = QString("Page %1 of %2").arg(page + 1).arg(pages);
+        const QString number = QString::fromStdString(document_.page_words).arg(page + 1).arg(pages);
         put(painter, number, QRectF(area.left(), top, area.width(), 0.0), Qt::AlignRight);
         if (page > 0 || document_.head_on_every_page) {
             const auto head = QString::fromStdString(escape_html(document_.running_head));

@@ -23,9 +23,10 @@ Certificate full_certificate() {
         certificate.*field.member = field.kind == CertificateText::date ? "2026-04-17"
                                     : field.kind == CertificateText::picture
                                         ? (data_directory() / "projects/chain.png").string()
-                                    : field.kind == CertificateText::country ? "DE"
-                                    : field.kind == CertificateText::dates   ? "2026-04-17/2026-04-18"
-                                                                             : pointer_of(field) + "\nß";
+                                    : field.kind == CertificateText::country  ? "DE"
+                                    : field.kind == CertificateText::language ? "de"
+                                    : field.kind == CertificateText::dates    ? "2026-04-17/2026-04-18"
+                                                                              : pointer_of(field) + "\nß";
     certificate.issued = "2026-04-20";
     return certificate;
 }
@@ -194,6 +195,8 @@ ordered_json schema_entry(const CertificateField& field) {
     const std::string day = "[0-9]{4}-[0-9]{2}-[0-9]{2}";
     ordered_json made{{"description", field.help}, {"type", "string"}};
     if (field.kind == CertificateText::country) made["pattern"] = "^[A-Z]{2}$";
+    if (field.kind == CertificateText::language)
+        for (const CertificateLanguage& one : certificate_languages()) made["enum"].push_back(one.code);
     if (field.kind == CertificateText::date) made["pattern"] = "^" + day + "$";
     if (field.kind == CertificateText::dates) made["pattern"] = "^" + day + "(/" + day + ")?$";
     return made;

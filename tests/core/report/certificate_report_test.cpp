@@ -84,7 +84,7 @@ TEST(ResultStatement, AnIntervalThatIsNotSymmetricIsStatedToo) {
     output.monte_carlo->symmetric = {9.4e-3, 11.4e-3};
     EXPECT_EQ(skewed_interval(output, result), "[9.4, 11.4]" + hard + "mm");
     EXPECT_TRUE(contains(coverage_statement(output, result), "coverage interval [9.4, 11.4]"));
-    const NumberLocale comma{.decimal = ","};
+    const DocumentLanguage comma("de", {.decimal = ","}, {});
     EXPECT_EQ(skewed_interval(output, result, comma), "[9,4; 11,4]" + hard + "mm");
     EXPECT_EQ(value_statement(output, true, comma), "(10,0 ± 1,0)" + hard + "mm");
     EXPECT_FALSE(contains(coverage_statement(output, result, comma), "."));
@@ -108,8 +108,9 @@ struct Made {
                 project.certificate.*field.member =
                     field.kind == CertificateText::line || field.kind == CertificateText::lines
                         ? std::string("given A_7 <") + field.key + ">"
-                    : field.kind == CertificateText::picture ? ""
-                                                             : "2026-04-17";
+                    : field.kind == CertificateText::picture || field.kind == CertificateText::language
+                        ? ""
+                        : "2026-04-17";
         project.analyses[0].requirements = {
             {"pose 1", "x", {}, Quantity{-121.0, test::mm()}, Quantity{-117.0, test::mm()}, 0.83}};
         analyses = {test::sample_analysis(test::sample_result({poses, 3, 3, false, "pose"}))};

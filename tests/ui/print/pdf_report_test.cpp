@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QBuffer>
+#include <QFontDatabase>
 #include <QGuiApplication>
 #include <QImage>
 #include <QPainter>
@@ -130,6 +131,20 @@ TEST_F(PdfReport, ACertificateHasItsNumberOnEveryPageAndAnEnd) {
     EXPECT_TRUE(contains(pages.front(), "not stated"));
     EXPECT_TRUE(contains(pages.back(), "E. Muster"));
     EXPECT_TRUE(contains(pages.back(), "End of certificate 2026-0417"));
+}
+
+/// Boxes instead of letters would be no document.
+TEST_F(PdfReport, ALanguageWithoutAFontIsRefused) {
+    ReportDocument document = test::sample_report();
+    const auto file = folder_.filePath("report.pdf").toStdString();
+    document.language = "de";
+    EXPECT_TRUE(write_pdf(document, options(), file));
+    document.language = "ko";
+    const auto written = write_pdf(document, options(), file);
+    EXPECT_EQ(written.has_value(), !QFontDatabase::families(QFontDatabase::Korean).isEmpty());
+    if (!written) {
+        EXPECT_TRUE(contains(written.error().message, "fonts-noto-cjk")) << written.error().message;
+    }
 }
 
 TEST_F(PdfReport, TheLogoIsAPictureOfTheFirstPage) {

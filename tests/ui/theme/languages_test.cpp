@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/preferences.h"
 
 namespace covaria::ui::languages_test {
@@ -60,6 +61,27 @@ TEST(Languages, TextsOfTheCoreAreLookedUpAndNamesStay) {
     const Text symbol = Text("Estimate") + Text(Text::Span{"c", Script::below, false});
     EXPECT_EQ(core_title(symbol), symbol);
     QCoreApplication::removeTranslator(&shouting);
+}
+
+TEST(DocumentLanguages, CertificatesHaveTheLanguagesOfTheWindow) {
+    std::vector<std::pair<QString, QString>> certificates, windows;
+    for (const CertificateLanguage& language : certificate_languages())
+        certificates.emplace_back(QString::fromUtf8(language.code), QString::fromUtf8(language.name));
+    for (const Language& language : offered_languages()) windows.emplace_back(language.code, language.name);
+    EXPECT_EQ(certificates, windows);
+}
+
+TEST(DocumentLanguages, SayPhrasesAndWriteNumbers) {
+    Project project;
+    EXPECT_EQ(document_language(project).say_declared("Decision rule"), "Decision rule");
+    project.certificate.language = "de";
+    const DocumentLanguage german = document_language(project);
+    EXPECT_EQ(german.code(), "de");
+    EXPECT_EQ(german.numbers().decimal, ",");
+    EXPECT_EQ(german.say_declared("Decision rule"), "Entscheidungsregel");
+    EXPECT_EQ(german.say_declared("a name that somebody gave"), "a name that somebody gave");
+    project.certificate.language = "xx";
+    EXPECT_EQ(document_language(project).code(), "en");
 }
 
 }  // namespace

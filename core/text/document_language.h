@@ -1,0 +1,49 @@
+// The language that a document is written in: its words and its numbers.
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "core/text/numbers.h"
+
+namespace covaria {
+
+/// A text of a document in English, "%1" to "%9" for what stands in it. Each is declared once, at namespace
+/// scope, and is then in the list that catalogues are filled from.
+class Phrase {
+public:
+    explicit Phrase(const char* english);
+    const char* english() const { return english_; }
+
+    static const std::vector<const char*>& all();
+
+private:
+    const char* english_;
+};
+
+/// English, with the decimal point, unless it is made for another one.
+class DocumentLanguage {
+public:
+    /// The translation of an English text; the text itself where there is none. Called from any thread.
+    using Words = std::function<std::string(const std::string& english)>;
+
+    DocumentLanguage() = default;
+    DocumentLanguage(std::string code, NumberLocale numbers, Words words)
+        : code_(std::move(code)), numbers_(std::move(numbers)), words_(std::move(words)) {}
+
+    const std::string& code() const { return code_; }  ///< "en", "pt", "zh_CN"
+    const NumberLocale& numbers() const { return numbers_; }
+
+    std::string say(const Phrase& phrase, std::initializer_list<std::string> arguments = {}) const;
+    /// What a registry declares: the title of a field, the name of an output. Names that people gave stay.
+    std::string say_declared(const std::string& english) const;
+
+private:
+    std::string code_ = "en";
+    NumberLocale numbers_;
+    Words words_;
+};
+
+}  // namespace covaria
