@@ -117,6 +117,7 @@ void HelpActions::add_to(QMenu& menu) {
     const auto add_page = [&](const QString& title, const char* page) {
         menu.addAction(title, this, [this, page] { show_place(QString::fromLatin1(page)); });
     };
+    add_page(tr("An Everyday &Budget"), "first-steps");
     add_page(tr("&Results and Requirements"), "results");
     add_page(tr("What Every &Analysis Has"), "analysis");
     add_page(tr("The S&cene"), "scene");
