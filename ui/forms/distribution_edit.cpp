@@ -77,6 +77,7 @@ DistributionEdit::DistributionEdit(QWidget* parent)
         kind_->addItem(core_text(kind.title), to_qt(kind.key));
     kind_->setAccessibleName(tr("Distribution"));
     kind_->setObjectName("distribution");
+    may_be_narrow(*kind_);
     unit_->setAccessibleName(tr("Unit"));
     unit_->setObjectName("unit");
     summary_->setWordWrap(true);

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "ui/document/setup_address.h"
+#include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -77,6 +78,7 @@ void StudiesForm::build_body() {
     method_ = new QComboBox;
     method_->setObjectName(QStringLiteral("study_method"));
     method_->setAccessibleName(tr("Method"));
+    may_be_narrow(*method_);
     method_->addItem(tr("Law of propagation"), int(Method::first_order));
     method_->addItem(tr("Monte Carlo"), int(Method::monte_carlo));
     trials_ = new QuantityEdit;
@@ -115,6 +117,7 @@ void StudiesForm::build_outputs() {
     outputs_->setAccessibleName(tr("Output quantities of the study"));
     outputs_->setToolTip(tr("Output quantities looked at; with none ticked, all measurands"));
     auto* title = new QLabel(tr("Outputs (none ticked: all measurands)"));
+    title->setWordWrap(true);
     static_cast<QVBoxLayout*>(body_->layout())->addWidget(title);
     static_cast<QVBoxLayout*>(body_->layout())->addWidget(outputs_);
     connect(outputs_, &OutputTicks::ticks_edited, this, [this](const std::vector<StudyOutput>& ticked) {

@@ -1,12 +1,12 @@
 #include "ui/forms/study_axis_edit.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <cmath>
 #include <limits>
 
 #include "ui/document/quantity_text.h"
+#include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -37,6 +37,7 @@ StudyAxisEdit::StudyAxisEdit(Choices choices, Use use, std::size_t number, QWidg
 }
 
 void StudyAxisEdit::build() {
+    for (QComboBox* box : {change_, spacing_}) may_be_narrow(*box);
     change_->addItem(tr("takes these values"), int(StudyChange::value));
     change_->addItem(tr("is multiplied with"), int(StudyChange::factor));
     change_->addItem(tr("has added to it"), int(StudyChange::added));
