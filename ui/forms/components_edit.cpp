@@ -70,6 +70,7 @@ void ComponentsEdit::build() {
     degrees_->set_range({0.0, Range::infinity_value, true});
     degrees_->setPlaceholderText(QStringLiteral("∞"));
     degrees_->set_help(tr("Degrees of freedom of the standard uncertainty; empty: infinitely many."));
+    for (QLineEdit* edit : {name_, origin_, static_cast<QLineEdit*>(degrees_)}) keep_letters(*edit);
     auto* form = new QFormLayout(details_);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Name"), name_);

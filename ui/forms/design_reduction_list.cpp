@@ -74,7 +74,10 @@ void DesignReductionList::add_row() {
     row.price->setObjectName(name("price"));
     row.price->setAccessibleName(tr("Price of the first halving"));
     row.price->set_range({0.0, std::numeric_limits<double>::infinity()});
-    for (QuantityEdit* edit : {row.least, row.price}) edit->set_optional(false);
+    for (QuantityEdit* edit : {row.least, row.price}) {
+        keep_letters(*edit);
+        edit->set_optional(false);
+    }
     row.law = new QComboBox;
     row.law->setObjectName(name("law"));
     row.law->setAccessibleName(tr("Law of the price"));

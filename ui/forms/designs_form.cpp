@@ -101,6 +101,7 @@ void DesignsForm::build_goal(QVBoxLayout& column) {
     objective_->addItem(tr("Mean of the ratios"), int(DesignObjective::mean));
     objective_->addItem(tr("Root mean square of the ratios"), int(DesignObjective::root_mean_square));
     objective_->addItem(tr("Cost of the rows, with all targets met"), int(DesignObjective::cost));
+    keep_letters(*name_);
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Smallest"), objective_);
     column.addLayout(form);
@@ -146,6 +147,7 @@ void DesignsForm::build_choice(QVBoxLayout& column) {
     fixed_->setObjectName(QStringLiteral("design_fixed"));
     fixed_->setAccessibleName(tr("Rows that stay"));
     fixed_->setToolTip(tr("Ticked rows stay in any case"));
+    for (QLineEdit* edit : {candidates_, static_cast<QLineEdit*>(keep_)}) keep_letters(*edit);
     form->addRow(tr("Table"), table_);
     form->addRow(tr("Keep"), keep_);
     form->addRow(tr("Candidates"), candidates_);

@@ -159,6 +159,7 @@ void DistributionEdit::rebuild_parameters() {
 
 void DistributionEdit::add_parameter(std::size_t index, const DistributionParameterInfo& info) {
     auto* edit = new QuantityEdit(this);
+    keep_letters(*edit);
     edit->set_keeps_unit(false);
     edit->set_interval(true);
     edit->set_optional(false);

@@ -4,6 +4,7 @@
 
 #include "core/text/symbol.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -41,6 +42,12 @@ void may_be_narrow(QComboBox& box) {
     QObject::connect(entries, &QAbstractItemModel::rowsInserted, &box, widen);
     QObject::connect(entries, &QAbstractItemModel::dataChanged, &box, widen);
     widen();
+}
+
+void keep_letters(QLineEdit& edit, int letters) {
+    follow_font(edit, [&edit, letters] {
+        edit.setMinimumWidth(letters * edit.fontMetrics().horizontalAdvance(QLatin1Char('0')) + 12);
+    });
 }
 
 void align_labels(QFormLayout& form, int width) {

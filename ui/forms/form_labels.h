@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <string>
 
 namespace covaria::ui {
@@ -16,6 +17,9 @@ QString as_label(const QString& words);
 
 /// A list in a form is as narrow as the form must be; opened it shows its entries whole.
 void may_be_narrow(QComboBox& box);
+
+/// Room for so many letters at least: a form that has less puts the field under its label.
+void keep_letters(QLineEdit& edit, int letters = 12);
 
 /// Gives all labels of the form the same least width, so that forms under each other line up.
 void align_labels(QFormLayout& form, int width);

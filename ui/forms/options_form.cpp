@@ -113,6 +113,7 @@ OptionsForm::Row OptionsForm::flag_row(const OptionField& field, bool Evaluation
 
 OptionsForm::Row OptionsForm::quantity_row(const OptionField& field) {
     auto* edit = new QuantityEdit(this);
+    keep_letters(*edit);
     edit->set_integer(is_whole(field.member));
     edit->set_range(range_of(field));
     edit->set_optional(may_be_absent(field));

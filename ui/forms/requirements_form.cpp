@@ -139,6 +139,7 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
 
 void RequirementsForm::add_row(const RequirementField& field) {
     auto* edit = new QuantityEdit(this);
+    keep_letters(*edit);
     const QString title = core_text(field.title);
     edit->setObjectName(field.key);
     edit->setAccessibleName(title);

@@ -87,6 +87,7 @@ void StudiesForm::build_body() {
     trials_->set_integer(true);
     trials_->set_optional(false);
     trials_->set_range({2.0, 1e12});
+    for (QLineEdit* edit : {name_, static_cast<QLineEdit*>(trials_)}) keep_letters(*edit);
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Method"), method_);
     form->addRow(tr("Trials per point"), trials_);

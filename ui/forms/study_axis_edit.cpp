@@ -54,6 +54,7 @@ void StudyAxisEdit::build() {
     tolerance_->set_range({0.0, std::numeric_limits<double>::infinity()});
     tolerance_->set_help(tr("It can be put into effect only so well: what counts is the worst within it"));
     for (QuantityEdit* edit : {from_, to_, values_, tolerance_}) edit->set_optional(false);
+    for (QuantityEdit* edit : {from_, to_, values_, tolerance_}) keep_letters(*edit);
     auto* form = new QFormLayout(this);
     form->addRow(tr("Varied"), target_);
     form->addRow(tr("It"), change_);

@@ -1,6 +1,7 @@
 // Forms fit into their pane with a large font: nothing of them is reached by scrolling sideways only.
 #include <QDir>
 #include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -90,6 +91,11 @@ TEST_F(LargeFontSession, ALongLabelStandsOverItsField) {
     box = field<QComboBox>("base_third_point");
     EXPECT_TRUE(wait_for(label_is_over, 5000));
     keep_picture(QStringLiteral("forms-18pt-set-up"));
+    show_tab(QStringLiteral("Options"));
+    const auto* trials = field<QLineEdit>("trials");
+    EXPECT_TRUE(wait_for(
+        [&] { return trials->width() > trials->fontMetrics().horizontalAdvance(trials->text()) + 8; }, 5000))
+        << "cut to " << trials->width();
     for (const char* tab : {"Inputs", "Options", "Studies", "Designs", "Requirements"}) {
         show_tab(QLatin1String(tab));
         keep_picture(QStringLiteral("forms-18pt-%1").arg(QString::fromLatin1(tab).toLower()));
