@@ -176,7 +176,7 @@ Result<std::vector<HelpPage>> help_pages() {
         pages.push_back(std::move(*page));
         return {};
     };
-    for (const char* id : {"analysis", "results", "scene"})
+    for (const char* id : {"first-steps", "analysis", "results", "scene"})
         if (auto added = add(shipped_page(id)); !added) return fail(added.error());
     pages.push_back(options_page());
     pages.push_back(certificate_page());

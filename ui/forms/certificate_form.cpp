@@ -51,7 +51,6 @@ CertificateForm::CertificateForm(Document& document, QWidget* parent)
       state_(new QLabel(this)),
       next_(new QPushButton(tr("Next Missing"), this)) {
     layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    layout_->setRowWrapPolicy(QFormLayout::DontWrapRows);
     add_head();
     for (const CertificateSection& section : certificate_sections()) add_section(section);
     refresh();

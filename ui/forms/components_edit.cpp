@@ -2,7 +2,6 @@
 #include "ui/forms/components_edit.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "core/project/component_edit.h"
 #include "core/text/symbol.h"
 #include "ui/document/quantity_edits.h"
+#include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
@@ -66,9 +66,11 @@ void ComponentsEdit::build() {
     origin_->setAccessibleName(tr("Origin"));
     reset_->setToolTip(tr("Back to the components that the model gives"));
     type_->addItems({tr("Type A (from observations)"), tr("Type B (other means)")});
+    may_be_narrow(*type_);
     degrees_->set_range({0.0, Range::infinity_value, true});
     degrees_->setPlaceholderText(QStringLiteral("∞"));
     degrees_->set_help(tr("Degrees of freedom of the standard uncertainty; empty: infinitely many."));
+    for (QLineEdit* edit : {name_, origin_, static_cast<QLineEdit*>(degrees_)}) keep_letters(*edit);
     auto* form = new QFormLayout(details_);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Name"), name_);
@@ -77,9 +79,8 @@ void ComponentsEdit::build() {
     form->addRow(tr("Origin"), origin_);
     form->addRow(distribution_);
     align_labels(*form, component_label_width(*this));
-    auto* buttons = new QHBoxLayout;
+    auto* buttons = new FlowLayout;
     for (QPushButton* button : {add_, remove_, reset_}) buttons->addWidget(button);
-    buttons->addStretch(1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(list_);

@@ -1,12 +1,12 @@
 // A matrix, a list of components to add, and the verdict.
 #include "ui/forms/correlation_edit.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
 
 #include "ui/forms/cell_delegate.h"
 #include "ui/forms/complaint.h"
+#include "ui/forms/flow_layout.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/typeset_views.h"
 
@@ -29,12 +29,12 @@ CorrelationEdit::CorrelationEdit(Document& document, QWidget* parent)
     components_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     components_->setMinimumContentsLength(16);
     keep_room(*state_, 4);
-    auto* row = new QHBoxLayout;
-    row->addWidget(components_, 1);
+    auto* row = new FlowLayout;
     row->addWidget(add_);
     row->addWidget(remove_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(components_);
     layout->addLayout(row);
     layout->addWidget(view_, 1);
     layout->addWidget(state_);

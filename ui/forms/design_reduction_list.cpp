@@ -1,20 +1,25 @@
 #include "ui/forms/design_reduction_list.h"
 
 #include <QFormLayout>
+#include <QLabel>
 #include <limits>
 
+#include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
 DesignReductionList::DesignReductionList(Choices choices, QWidget* parent)
-    : QGroupBox(tr("Reductions with a price, in place of variables and rows"), parent),
-      choices_(std::move(choices)) {
+    : QGroupBox(tr("Reductions"), parent), choices_(std::move(choices)) {
     column_ = new QVBoxLayout(this);
+    auto* note = new QLabel(tr("Each has a price; they take the place of variables and rows."));
+    note->setWordWrap(true);
+    note->setEnabled(false);
     auto* add = new QPushButton(tr("Add Reduction"));
     add->setObjectName(QStringLiteral("add_reduction"));
     add->setToolTip(tr("One more uncertainty that can be made smaller for money"));
     column_->addWidget(add, 0, Qt::AlignLeft);
+    column_->addWidget(note);
     connect(add, &QPushButton::clicked, this, &DesignReductionList::add_reduction);
 }
 
@@ -69,10 +74,14 @@ void DesignReductionList::add_row() {
     row.price->setObjectName(name("price"));
     row.price->setAccessibleName(tr("Price of the first halving"));
     row.price->set_range({0.0, std::numeric_limits<double>::infinity()});
-    for (QuantityEdit* edit : {row.least, row.price}) edit->set_optional(false);
+    for (QuantityEdit* edit : {row.least, row.price}) {
+        keep_letters(*edit);
+        edit->set_optional(false);
+    }
     row.law = new QComboBox;
     row.law->setObjectName(name("law"));
     row.law->setAccessibleName(tr("Law of the price"));
+    may_be_narrow(*row.law);
     row.law->addItem(tr("price (1/f − 1)"), int(PriceLaw::inverse));
     row.law->addItem(tr("price (1/f² − 1)/3: further readings"), int(PriceLaw::repeats));
     row.law->addItem(tr("price log₂(1/f): every halving the same"), int(PriceLaw::logarithmic));

@@ -10,6 +10,7 @@
 
 #include "core/project/options_json.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/form_labels.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
@@ -92,6 +93,7 @@ void DesignsForm::build_goal(QVBoxLayout& column) {
     objective_ = new QComboBox;
     objective_->setObjectName(QStringLiteral("design_objective"));
     objective_->setAccessibleName(tr("Objective"));
+    may_be_narrow(*objective_);
     objective_->setToolTip(tr(
         "What is made smallest of the ratios of U to the target uncertainties; without targets to U of the "
         "present design"));
@@ -99,6 +101,7 @@ void DesignsForm::build_goal(QVBoxLayout& column) {
     objective_->addItem(tr("Mean of the ratios"), int(DesignObjective::mean));
     objective_->addItem(tr("Root mean square of the ratios"), int(DesignObjective::root_mean_square));
     objective_->addItem(tr("Cost of the rows, with all targets met"), int(DesignObjective::cost));
+    keep_letters(*name_);
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Smallest"), objective_);
     column.addLayout(form);
@@ -107,7 +110,9 @@ void DesignsForm::build_goal(QVBoxLayout& column) {
     outputs_->setAccessibleName(tr("Output quantities of the design"));
     outputs_->setToolTip(tr(
         "Output quantities looked at; with none ticked, all with a target uncertainty, or all measurands"));
-    column.addWidget(new QLabel(tr("Outputs (none ticked: all with a target, or all measurands)")));
+    auto* title = new QLabel(tr("Outputs (none ticked: all with a target, or all measurands)"));
+    title->setWordWrap(true);
+    column.addWidget(title);
     column.addWidget(outputs_);
     connect(name_, &QLineEdit::editingFinished, this, [this] {
         change([this](Design& d) { d.name = to_std(name_->text()); }, QStringLiteral("name"));
@@ -127,6 +132,7 @@ void DesignsForm::build_choice(QVBoxLayout& column) {
     table_ = new QComboBox;
     table_->setObjectName(QStringLiteral("design_table"));
     table_->setAccessibleName(tr("Table to choose from"));
+    may_be_narrow(*table_);
     keep_ = new QuantityEdit;
     keep_->setObjectName(QStringLiteral("design_keep"));
     keep_->setAccessibleName(tr("Rows to keep"));
@@ -141,6 +147,7 @@ void DesignsForm::build_choice(QVBoxLayout& column) {
     fixed_->setObjectName(QStringLiteral("design_fixed"));
     fixed_->setAccessibleName(tr("Rows that stay"));
     fixed_->setToolTip(tr("Ticked rows stay in any case"));
+    for (QLineEdit* edit : {candidates_, static_cast<QLineEdit*>(keep_)}) keep_letters(*edit);
     form->addRow(tr("Table"), table_);
     form->addRow(tr("Keep"), keep_);
     form->addRow(tr("Candidates"), candidates_);

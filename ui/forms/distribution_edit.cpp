@@ -77,6 +77,7 @@ DistributionEdit::DistributionEdit(QWidget* parent)
         kind_->addItem(core_text(kind.title), to_qt(kind.key));
     kind_->setAccessibleName(tr("Distribution"));
     kind_->setObjectName("distribution");
+    may_be_narrow(*kind_);
     unit_->setAccessibleName(tr("Unit"));
     unit_->setObjectName("unit");
     summary_->setWordWrap(true);
@@ -158,6 +159,7 @@ void DistributionEdit::rebuild_parameters() {
 
 void DistributionEdit::add_parameter(std::size_t index, const DistributionParameterInfo& info) {
     auto* edit = new QuantityEdit(this);
+    keep_letters(*edit);
     edit->set_keeps_unit(false);
     edit->set_interval(true);
     edit->set_optional(false);

@@ -1,13 +1,17 @@
 #include "ui/forms/form_labels.h"
 
+#include <QAbstractItemView>
+
 #include "core/text/symbol.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
-constexpr int widest_label = 24;  // digits: longer titles take a second line
+constexpr int narrowest_list = 10;  // letters
+constexpr int widest_label = 24;    // digits: longer titles take a second line
 
 QString label_of(const std::string& title) {
     const Text text = title_text(core_words(title));
@@ -27,6 +31,23 @@ QLabel* make_form_label(const std::string& title, QWidget* parent) {
 
 QString as_label(const QString& words) {
     return words.isEmpty() ? words : words.front().toUpper() + words.mid(1);
+}
+
+void may_be_narrow(QComboBox& box) {
+    box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box.setMinimumContentsLength(narrowest_list);
+    box.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    const auto widen = [&box] { box.view()->setMinimumWidth(box.view()->sizeHintForColumn(0) + 8); };
+    const QAbstractItemModel* entries = box.model();
+    QObject::connect(entries, &QAbstractItemModel::rowsInserted, &box, widen);
+    QObject::connect(entries, &QAbstractItemModel::dataChanged, &box, widen);
+    widen();
+}
+
+void keep_letters(QLineEdit& edit, int letters) {
+    follow_font(edit, [&edit, letters] {
+        edit.setMinimumWidth(letters * edit.fontMetrics().horizontalAdvance(QLatin1Char('0')) + 12);
+    });
 }
 
 void align_labels(QFormLayout& form, int width) {

@@ -1,8 +1,10 @@
-// Labels of forms: symbols typeset, long titles on several lines, all equally wide.
+// Labels of forms: symbols typeset, long titles on several lines, all equally wide; lists that give way.
 #pragma once
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <string>
 
 namespace covaria::ui {
@@ -12,6 +14,12 @@ QLabel* make_form_label(const std::string& title, QWidget* parent);
 
 /// First letter as at the beginning of a sentence: for words that come in lower case.
 QString as_label(const QString& words);
+
+/// A list in a form is as narrow as the form must be; opened it shows its entries whole.
+void may_be_narrow(QComboBox& box);
+
+/// Room for so many letters at least: a form that has less puts the field under its label.
+void keep_letters(QLineEdit& edit, int letters = 12);
 
 /// Gives all labels of the form the same least width, so that forms under each other line up.
 void align_labels(QFormLayout& form, int width);

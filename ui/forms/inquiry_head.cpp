@@ -1,10 +1,12 @@
 #include "ui/forms/inquiry_head.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 
 #include "ui/forms/finish_typing.h"
+#include "ui/forms/flow_layout.h"
+#include "ui/forms/form_labels.h"
 
 namespace covaria::ui {
 
@@ -18,15 +20,15 @@ InquiryHead::InquiryHead(const Words& words, QWidget* parent)
     };
     list_->setObjectName(words.list);
     list_->setAccessibleName(words.title);
+    may_be_narrow(*list_);
     add_ = button(tr("Add"), "add_", words.add);
     duplicate_ = button(tr("Duplicate"), "duplicate_", words.duplicate);
     remove_ = button(tr("Delete"), "remove_", words.remove);
     run_ = button(tr("Run"), "run_", words.run);
     hint_->setWordWrap(true);
     hint_->setEnabled(false);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowLayout;
     for (QPushButton* each : {add_, duplicate_, remove_, run_}) row->addWidget(each);
-    row->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(list_);

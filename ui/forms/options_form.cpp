@@ -7,6 +7,7 @@
 
 #include "core/manual/help_page.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
@@ -83,6 +84,7 @@ void OptionsForm::add(const OptionField& field) {
 
 OptionsForm::Row OptionsForm::choice_row(const OptionField& field, const ChosenOption& member) {
     auto* box = new QComboBox(this);
+    may_be_narrow(*box);
     for (const Choice& choice : field.choices) box->addItem(core_text(choice.title), to_qt(choice.key));
     box->setToolTip(core_text(field.help));
     layout_->addRow(core_text(field.title), box);
@@ -111,6 +113,7 @@ OptionsForm::Row OptionsForm::flag_row(const OptionField& field, bool Evaluation
 
 OptionsForm::Row OptionsForm::quantity_row(const OptionField& field) {
     auto* edit = new QuantityEdit(this);
+    keep_letters(*edit);
     edit->set_integer(is_whole(field.member));
     edit->set_range(range_of(field));
     edit->set_optional(may_be_absent(field));

@@ -4,10 +4,16 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "ui/forms/form_labels.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+constexpr int letters = 7;  // of two fields beside each other
+
+}  // namespace
 
 PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
     : FieldEditor(parent) {
@@ -17,6 +23,7 @@ PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWid
     layout->setContentsMargins(0, 0, 0, 0);
     for (std::size_t i = 0; i < edits_.size(); ++i) {
         auto* edit = edits_[i] = new QuantityEdit(this);
+        keep_letters(*edit, letters);
         edit->set_keeps_unit(false);
         edit->set_optional(false);
         edit->set_help(help_text(field));

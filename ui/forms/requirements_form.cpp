@@ -8,6 +8,7 @@
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
@@ -114,6 +115,7 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
       jobs_(Execution::threads) {
     outputs_->setAccessibleName(tr("Result"));
     outputs_->setObjectName("requirement_of");
+    may_be_narrow(*outputs_);
     layout_->addRow(tr("Result"), outputs_);
     for (const RequirementField& field : requirement_fields()) add_row(field);
     verdict_->setWordWrap(true);
@@ -137,6 +139,7 @@ RequirementsForm::RequirementsForm(Document& document, AnalysisRunner& runner, s
 
 void RequirementsForm::add_row(const RequirementField& field) {
     auto* edit = new QuantityEdit(this);
+    keep_letters(*edit);
     const QString title = core_text(field.title);
     edit->setObjectName(field.key);
     edit->setAccessibleName(title);

@@ -23,7 +23,6 @@ SetupForm::SetupForm(Document& document, SetupAddress address, const SetupSchema
       schema_(schema),
       layout_(new QFormLayout(this)) {
     layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    layout_->setRowWrapPolicy(QFormLayout::DontWrapRows);
     if (schema_) build();
     refresh();
     refresh_problems();

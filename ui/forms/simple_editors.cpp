@@ -8,6 +8,7 @@
 
 #include "ui/document/project_edits.h"
 #include "ui/forms/complaint.h"
+#include "ui/forms/form_labels.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
@@ -31,6 +32,7 @@ Widget* fill(FieldEditor* editor, Widget* widget, const FieldSpec& field) {
 
 NumberEditor::NumberEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
     : FieldEditor(parent), edit_(fill(this, new QuantityEdit(this), field)) {
+    keep_letters(*edit_);
     edit_->set_unit(field.unit);
     edit_->set_range(field.range);
     edit_->set_integer(field.kind == FieldKind::integer);
@@ -49,6 +51,7 @@ void NumberEditor::set_value(const SetupValue& value) {
 
 TextEditor::TextEditor(const FieldSpec& field, QWidget* parent)
     : FieldEditor(parent), edit_(fill(this, new QLineEdit(this), field)), help_(help_text(field)) {
+    keep_letters(*edit_);
     connect(edit_, &QLineEdit::textEdited, this, [this](const QString& text) {
         emit edited(text.isEmpty() ? SetupValue() : SetupValue(to_std(text)));
     });

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "ui/document/setup_address.h"
+#include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -77,6 +78,7 @@ void StudiesForm::build_body() {
     method_ = new QComboBox;
     method_->setObjectName(QStringLiteral("study_method"));
     method_->setAccessibleName(tr("Method"));
+    may_be_narrow(*method_);
     method_->addItem(tr("Law of propagation"), int(Method::first_order));
     method_->addItem(tr("Monte Carlo"), int(Method::monte_carlo));
     trials_ = new QuantityEdit;
@@ -85,6 +87,7 @@ void StudiesForm::build_body() {
     trials_->set_integer(true);
     trials_->set_optional(false);
     trials_->set_range({2.0, 1e12});
+    for (QLineEdit* edit : {name_, static_cast<QLineEdit*>(trials_)}) keep_letters(*edit);
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Method"), method_);
     form->addRow(tr("Trials per point"), trials_);
@@ -115,6 +118,7 @@ void StudiesForm::build_outputs() {
     outputs_->setAccessibleName(tr("Output quantities of the study"));
     outputs_->setToolTip(tr("Output quantities looked at; with none ticked, all measurands"));
     auto* title = new QLabel(tr("Outputs (none ticked: all measurands)"));
+    title->setWordWrap(true);
     static_cast<QVBoxLayout*>(body_->layout())->addWidget(title);
     static_cast<QVBoxLayout*>(body_->layout())->addWidget(outputs_);
     connect(outputs_, &OutputTicks::ticks_edited, this, [this](const std::vector<StudyOutput>& ticked) {

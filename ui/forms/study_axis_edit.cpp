@@ -1,12 +1,12 @@
 #include "ui/forms/study_axis_edit.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <cmath>
 #include <limits>
 
 #include "ui/document/quantity_text.h"
+#include "ui/forms/form_labels.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -37,6 +37,7 @@ StudyAxisEdit::StudyAxisEdit(Choices choices, Use use, std::size_t number, QWidg
 }
 
 void StudyAxisEdit::build() {
+    for (QComboBox* box : {change_, spacing_}) may_be_narrow(*box);
     change_->addItem(tr("takes these values"), int(StudyChange::value));
     change_->addItem(tr("is multiplied with"), int(StudyChange::factor));
     change_->addItem(tr("has added to it"), int(StudyChange::added));
@@ -53,6 +54,7 @@ void StudyAxisEdit::build() {
     tolerance_->set_range({0.0, std::numeric_limits<double>::infinity()});
     tolerance_->set_help(tr("It can be put into effect only so well: what counts is the worst within it"));
     for (QuantityEdit* edit : {from_, to_, values_, tolerance_}) edit->set_optional(false);
+    for (QuantityEdit* edit : {from_, to_, values_, tolerance_}) keep_letters(*edit);
     auto* form = new QFormLayout(this);
     form->addRow(tr("Varied"), target_);
     form->addRow(tr("It"), change_);

@@ -2,7 +2,6 @@
 #include "ui/forms/table_editor.h"
 
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
 #include <QVBoxLayout>
@@ -10,6 +9,7 @@
 #include "core/text/display_units.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/csv_import_dialog.h"
+#include "ui/forms/flow_layout.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
@@ -26,21 +26,18 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
     view_->setAccessibleName(core_text(field.title));
     view_->setObjectName(to_qt(field.key));
     keep_room(*note_, 1);
-    auto* buttons = new QHBoxLayout;
+    auto* buttons = new FlowLayout;
     buttons->addWidget(add_button(tr("Add row"), view_->append_row_action()));
     buttons->addWidget(add_button(tr("Delete rows"), view_->remove_rows_action()));
     auto* import = new QPushButton(tr("Import CSV…"), this);
     buttons->addWidget(import);
-    buttons->addStretch(1);
-    auto* origin = new QHBoxLayout;
+    buttons->addWidget(embed_);
     origin_->setWordWrap(true);
-    origin->addWidget(origin_, 1);
-    origin->addWidget(embed_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(view_);
     layout->addLayout(buttons);
-    layout->addLayout(origin);
+    layout->addWidget(origin_);
     layout->addWidget(note_);
     setFocusProxy(view_);
     view_->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -15,7 +15,7 @@ TargetBox::TargetBox(std::function<std::vector<StudyTargetChoice>()> choices, QW
     setEditable(true);
     setInsertPolicy(NoInsert);
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
-    setMinimumContentsLength(18);
+    setMinimumContentsLength(12);
     completer()->setFilterMode(Qt::MatchContains);
     completer()->setCompletionMode(QCompleter::PopupCompletion);
     help_ = tr("What is varied: type a part of its name to search");

@@ -34,6 +34,8 @@ QString keys_text() {
         "| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |\n"
         "| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |\n"
         "| D, A | measure a distance, an angle in the scene; Esc puts the tool away |\n"
+        "| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page "
+        "|\n"
         "| Ctrl+C, Ctrl+V | copy and paste blocks of cells |\n"
         "| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |\n"
         "| F1 | help on the field, cell or entry with the focus |\n");
@@ -115,6 +117,7 @@ void HelpActions::add_to(QMenu& menu) {
     const auto add_page = [&](const QString& title, const char* page) {
         menu.addAction(title, this, [this, page] { show_place(QString::fromLatin1(page)); });
     };
+    add_page(tr("An Everyday &Budget"), "first-steps");
     add_page(tr("&Results and Requirements"), "results");
     add_page(tr("What Every &Analysis Has"), "analysis");
     add_page(tr("The S&cene"), "scene");

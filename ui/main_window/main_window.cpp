@@ -17,6 +17,7 @@
 #include "ui/forms/finish_typing.h"
 #include "ui/main_window/dock_title.h"
 #include "ui/main_window/export_actions.h"
+#include "ui/main_window/first_steps_guide.h"
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/import_actions.h"
 #include "ui/main_window/preferences_dialog.h"
@@ -193,6 +194,8 @@ void MainWindow::make_toolbar() {
     toolbar_->insertSeparator(run_->run);
     if (auto* button = qobject_cast<QToolButton*>(toolbar_->widgetForAction(add_->menuAction())))
         button->setPopupMode(QToolButton::InstantPopup);
+    toolbar_->widgetForAction(add_->menuAction())->setObjectName(QStringLiteral("add_button"));
+    toolbar_->widgetForAction(exports_->pdf_action)->setObjectName(QStringLiteral("export_pdf_button"));
     project_actions_ << exports_->pdf_action;
 }
 
@@ -265,6 +268,7 @@ void MainWindow::make_help_menu() {
                                 [this](const QString& path) { go_to(path); });
     QMenu* menu = menuBar()->addMenu(tr("&Help"));
     search_->add_to(*menu);
+    menu->addAction(tr("First &Steps"), this, [this] { show_first_steps(); });
     help_->add_to(*menu);
 }
 
@@ -272,6 +276,7 @@ void MainWindow::connect_panes() {
     connect(start_, &StartPage::new_wanted, &files_, &FileActions::new_project);
     connect(start_, &StartPage::open_wanted, &files_, &FileActions::open);
     connect(start_, &StartPage::library_wanted, this, &MainWindow::show_library);
+    connect(start_, &StartPage::first_steps_wanted, this, &MainWindow::show_first_steps);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
     connect(start_, &StartPage::file_wanted, &files_, &FileActions::open_file);
     connect(start_, &StartPage::example_wanted, &files_, &FileActions::open_example);
@@ -392,6 +397,20 @@ void MainWindow::connect_library() {
         with_project();
         project_->add_copy(asset);
     });
+}
+
+FirstStepsGuide& MainWindow::first_steps() {
+    if (!first_steps_)
+        first_steps_ =
+            new FirstStepsGuide({*this, document_, runner_, selection_, *budget_, *results_, *exports_});
+    return *first_steps_;
+}
+
+/// A newcomer begins with an empty project; a project that is open stays.
+void MainWindow::show_first_steps() {
+    if (!has_project_) files_.new_project();
+    pages_->setCurrentWidget(scene_);
+    first_steps().begin();
 }
 
 /// While the tab of a study or design is on top, the scene shows its map.

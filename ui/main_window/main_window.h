@@ -19,6 +19,7 @@ namespace covaria::ui {
 
 class BudgetPage;
 class ExportActions;
+class FirstStepsGuide;
 class HelpActions;
 class ImportActions;
 class LibraryBrowser;
@@ -61,6 +62,9 @@ public:
     ImportActions& imports() { return *imports_; }
     /// Made when it is first asked for.
     LibraryBrowser& library();
+    /// Likewise.
+    FirstStepsGuide& first_steps();
+    void show_first_steps();
 
 protected:
     bool event(QEvent* event) override;
@@ -118,6 +122,7 @@ private:
     LibraryBrowser* library_ = nullptr;
     RunActions* run_ = nullptr;
     HelpActions* help_ = nullptr;
+    FirstStepsGuide* first_steps_ = nullptr;
     SearchActions* search_ = nullptr;
     ThemeSwitch* theme_ = nullptr;
     QMenu* add_ = nullptr;

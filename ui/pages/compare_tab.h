@@ -32,6 +32,7 @@ public:
     QComboBox& chart_list() { return *chart_list_; }
     void set_units(const DisplayUnits& units);
     void set_digits(int digits);
+    const KeptStates& kept() const { return kept_; }
     /// Another project: nothing is kept of it.
     void start_over() { kept_.clear(); }
 

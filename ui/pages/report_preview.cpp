@@ -3,86 +3,43 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
-#include <QPainter>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QSignalBlocker>
+#include <QSplitter>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <cmath>
 
 #include "ui/forms/finish_typing.h"
 #include "ui/pages/current_results.h"
-#include "ui/print/report_pages.h"
+#include "ui/pages/page_bar.h"
+#include "ui/pages/page_list.h"
+#include "ui/pages/page_view.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 namespace {
 
 constexpr int preview_dots_per_inch = 96;
-constexpr QSize small_page(51, 72);
-
-/// A page, as wide as there is room, but no wider than it was made.
-class Sheet : public QWidget {
-public:
-    explicit Sheet(const QImage& image) : image_(image) {
-        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-        policy.setHeightForWidth(true);
-        setSizePolicy(policy);
-    }
-    QSize sizeHint() const override { return shown(image_.width()); }
-    QSize minimumSizeHint() const override { return {200, 100}; }
-    bool hasHeightForWidth() const override { return true; }
-    int heightForWidth(int width) const override { return shown(width).height(); }
-
-protected:
-    void paintEvent(QPaintEvent*) override {
-        const QSize size = shown(width());
-        const QRect place(QPoint((width() - size.width()) / 2, 0), size);
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(place, image_);
-        painter.setPen(palette().color(QPalette::Mid));
-        painter.drawRect(place.adjusted(0, 0, -1, -1));
-    }
-
-private:
-    QSize shown(int room) const {
-        const int width = std::min(room, image_.width());
-        return {width, int(std::lround(double(width) * image_.height() / image_.width()))};
-    }
-    QImage image_;
-};
 
 }  // namespace
 
 ReportPreview::ReportPreview(Document& document, AnalysisRunner& runner, QWidget* parent)
     : QWidget(parent), document_(document), runner_(runner) {
-    area_ = new QScrollArea;
-    area_->setFrameShape(QFrame::NoFrame);
-    area_->setWidgetResizable(true);
-    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area_->setBackgroundRole(QPalette::AlternateBase);
-    list_ = new QListWidget;
-    list_->setAccessibleName(tr("Pages"));
-    list_->setFrameShape(QFrame::NoFrame);
-    list_->setIconSize(small_page);
-    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list_->setFixedWidth(small_page.width() + 3 * list_->fontMetrics().horizontalAdvance(QLatin1Char('0')) +
-                         list_->verticalScrollBar()->sizeHint().width() + 24);
-    auto* pages = new QHBoxLayout;
-    pages->setSpacing(0);
+    view_ = new PageView;
+    view_->setAccessibleName(tr("Pages as they are printed"));
+    list_ = new PageList;
+    bar_ = new PageBar(*view_, *this);
+    auto* pages = new QSplitter(Qt::Horizontal);
+    pages->setChildrenCollapsible(false);
     pages->addWidget(list_);
-    pages->addWidget(area_, 1);
+    pages->addWidget(view_);
+    pages->setStretchFactor(1, 1);
+    pages->setSizes({list_->sizeHint().width(), 1000});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(make_head());
-    column->addLayout(pages, 1);
-    connect(list_, &QListWidget::currentRowChanged, this, &ReportPreview::go_to_page);
-    connect(area_->verticalScrollBar(), &QScrollBar::valueChanged, this, &ReportPreview::show_page_of);
+    column->addWidget(pages, 1);
+    connect(list_, &PageList::page_wanted, view_, &PageView::go_to_page);
+    connect(view_, &PageView::current_page_changed, list_, &PageList::show_page);
     connect(&document_, &Document::project_changed, this, &ReportPreview::mark_old);
     connect(&runner_, &AnalysisRunner::result_changed, this, &ReportPreview::mark_old);
     connect(&runner_.kept(), &KeptStates::changed, this, &ReportPreview::mark_old);
@@ -105,9 +62,12 @@ QLayout* ReportPreview::make_head() {
     kind_->setToolTip(tr("What is shown: the report, or the calibration certificate"));
     kind_->addItems({tr("Report"), tr("Certificate")});
     state_ = new QLabel;
+    state_->setWordWrap(true);
     state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* update = new QPushButton(tr("Update"));
+    update->setObjectName(QStringLiteral("update_report"));
     head->addWidget(kind_);
+    head->addWidget(bar_);
     head->addWidget(state_, 1);
     head->addWidget(update);
     connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
@@ -121,6 +81,12 @@ QLayout* ReportPreview::make_head() {
     return head;
 }
 
+/// Two lines where there is little room, and all of it in the tooltip.
+void ReportPreview::say(const QString& words) {
+    state_->setText(words);
+    state_->setToolTip(words);
+}
+
 DocumentKind ReportPreview::kind() const {
     return kind_->currentIndex() == 0 ? DocumentKind::report : DocumentKind::certificate;
 }
@@ -131,7 +97,7 @@ QString ReportPreview::kind_words() const {
 
 void ReportPreview::mark_old() {
     old_ = true;
-    if (!pages_.empty()) state_->setText(tr("Out of date: the project or its results have changed since."));
+    if (!pages_.empty()) say(tr("Out of date: the project or its results have changed since."));
 }
 
 void ReportPreview::showEvent(QShowEvent*) {
@@ -142,10 +108,8 @@ void ReportPreview::start_over() {
     maker_.cancel();
     waiting_ = false;
     old_ = true;
-    pages_.clear();
-    list_->clear();
-    delete area_->takeWidget();
-    state_->setText(tr("%1 has not been made yet.").arg(kind_words()));
+    show_pages({}, {});
+    say(tr("%1 has not been made yet.").arg(kind_words()));
 }
 
 void ReportPreview::refresh() {
@@ -153,43 +117,36 @@ void ReportPreview::refresh() {
     if (waiting_) return;
     ReportMaker::Source source = document_source(kind(), document_.project(), runner_);
     if (source.analyses.empty()) {
-        state_->setText(runner_.is_busy()
-                            ? tr("The analyses are running: %1 waits for them.").arg(kind_words().toLower())
-                            : tr("No analysis is up to date: run one first (F5)."));
+        say(runner_.is_busy() ? tr("The analyses are running: %1 waits for them.").arg(kind_words().toLower())
+                              : tr("No analysis is up to date: run one first (F5)."));
         return;
     }
     old_ = false;
-    state_->setText(tr("%1 is being made …").arg(kind_words()));
+    say(tr("%1 is being made …").arg(kind_words()));
     maker_.make(
         std::move(source),
         [this](const ReportDocument& report, const FigurePainters& figures,
                const std::stop_token&) -> JobQueue::Delivery {
             const PdfOptions options{.paint_plot = figures.paint_plot, .render_scene = figures.render_scene};
+            std::vector<PrintedPage> pages = printed_pages(report, options);
+            std::vector<QImage> images;
+            for (const PrintedPage& page : pages) images.push_back(page_image(page, preview_dots_per_inch));
             return
-                [this, images = page_images(report, options, preview_dots_per_inch)] { show_pages(images); };
+                [this, pages = std::move(pages), images = std::move(images)] { show_pages(pages, images); };
         },
         [this](const Error& error) {
             old_ = true;
-            state_->setText(tr("%1 could not be made: %2").arg(kind_words(), to_qt(error.message)));
+            say(tr("%1 could not be made: %2").arg(kind_words(), to_qt(error.message)));
         });
 }
 
-void ReportPreview::show_pages(const std::vector<QImage>& images) {
-    auto* sheets = new QWidget;
-    auto* column = new QVBoxLayout(sheets);
-    column->setSpacing(16);
-    const QSignalBlocker quiet(list_);
-    list_->clear();
-    for (const QImage& image : images) {
-        column->addWidget(new Sheet(image));
-        const QImage small =
-            image.scaled(small_page * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation);
-        list_->addItem(new QListWidgetItem(QPixmap::fromImage(small), QString::number(list_->count() + 1)));
-    }
-    area_->setWidget(sheets);
+void ReportPreview::show_pages(const std::vector<PrintedPage>& pages, const std::vector<QImage>& images) {
     pages_ = images;
-    list_->setCurrentRow(0);
-    if (!old_) state_->setText(page_words());
+    list_->set_pages(pages, images);
+    view_->set_pages(pages);
+    bar_->take_pages();
+    list_->show_page(view_->current_page());
+    if (!old_) say(page_words());
 }
 
 QString ReportPreview::page_words() const {
@@ -199,22 +156,6 @@ QString ReportPreview::page_words() const {
     if (kind() == DocumentKind::report || missing == 0) return pages;
     return missing == 1 ? tr("%1; one required text is not stated").arg(pages)
                         : tr("%1; %2 required texts are not stated").arg(pages).arg(missing);
-}
-
-void ReportPreview::go_to_page(int page) {
-    const QLayout* sheets = area_->widget() ? area_->widget()->layout() : nullptr;
-    if (!sheets || page < 0 || page >= sheets->count()) return;
-    area_->verticalScrollBar()->setValue(sheets->itemAt(page)->geometry().top());
-}
-
-/// The list follows what is scrolled to.
-void ReportPreview::show_page_of(int position) {
-    const QLayout* sheets = area_->widget() ? area_->widget()->layout() : nullptr;
-    if (!sheets) return;
-    int page = 0;
-    while (page + 1 < sheets->count() && sheets->itemAt(page + 1)->geometry().top() <= position + 8) ++page;
-    const QSignalBlocker quiet(list_);
-    if (position < area_->verticalScrollBar()->maximum()) list_->setCurrentRow(page);
 }
 
 }  // namespace covaria::ui

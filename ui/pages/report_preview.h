@@ -7,15 +7,17 @@
 
 #include "ui/document/document.h"
 #include "ui/export/report_maker.h"
+#include "ui/print/report_pages.h"
 #include "ui/run/analysis_runner.h"
 
 class QComboBox;
 class QLabel;
-class QListWidget;
-class QScrollArea;
-class QVBoxLayout;
 
 namespace covaria::ui {
+
+class PageBar;
+class PageList;
+class PageView;
 
 /// Made when it is looked at; says so when results or project have changed since.
 class ReportPreview : public QWidget {
@@ -29,20 +31,20 @@ public:
     DocumentKind kind() const;
     bool is_busy() const { return maker_.is_busy(); }
     std::size_t page_count() const { return pages_.size(); }
-    /// As they are shown; the same as the pages of the PDF.
+    /// At 96 dots an inch; the same as the pages of the PDF.
     const std::vector<QImage>& pages() const { return pages_; }
+    PageView& view() { return *view_; }
 
 protected:
     void showEvent(QShowEvent* event) override;
 
 private:
     QLayout* make_head();
+    void say(const QString& words);
     void mark_old();
     QString kind_words() const;
     QString page_words() const;
-    void go_to_page(int page);
-    void show_page_of(int position);
-    void show_pages(const std::vector<QImage>& images);
+    void show_pages(const std::vector<PrintedPage>& pages, const std::vector<QImage>& images);
 
     Document& document_;
     AnalysisRunner& runner_;
@@ -51,8 +53,9 @@ private:
     std::vector<QImage> pages_;
     QComboBox* kind_;
     QLabel* state_;
-    QListWidget* list_;  ///< of the pages
-    QScrollArea* area_;
+    PageList* list_;
+    PageView* view_;
+    PageBar* bar_;
     ReportMaker maker_;
 };
 

@@ -176,6 +176,7 @@ void ResultsPane::take_requirements() {
 
 QWidget* ResultsPane::make_results_tab() {
     results_ = new SortableTable(result_model_, tr("results"));
+    results_->setObjectName(QStringLiteral("results_table"));
     results_->set_columns(QStringLiteral("results"),
                           {tr("Group"), tr("Estimate (first order)"), tr("U (first order)")});
     results_->extend_menu = [this](QMenu& menu, int row) {
@@ -205,6 +206,7 @@ QWidget* ResultsPane::make_budget_tab() {
     budget_ = new SortableTable(budget_model_, tr("budget"));
     budget_->set_columns(QStringLiteral("budget"), {});
     contributions_ = new ChartView;
+    contributions_->setObjectName(QStringLiteral("contributions_chart"));
     return side_by_side(budget_, contributions_, 3, 2);
 }
 

@@ -59,6 +59,7 @@ public:
     StudyTab& study_tab() { return *study_; }
     DesignTab& design_tab() { return *design_; }
     CompareTab& compare_tab() { return *compare_; }
+    ReportPreview& report() { return *report_; }
     AllResultsTab& all_results_tab() { return *all_; }
 
     /// The one next step of an analysis that is not complete.

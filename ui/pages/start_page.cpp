@@ -150,6 +150,11 @@ QWidget* StartPage::make_actions() {
     auto* library = action_button(QStringLiteral("layers"), tr("Library and Examples …"));
     connect(library, &QPushButton::clicked, this, &StartPage::library_wanted);
     column->addWidget(library);
+    auto* steps = action_button(QStringLiteral("help"), tr("First Steps"));
+    steps->setObjectName(QStringLiteral("first_steps"));
+    steps->setToolTip(tr("A budget from nothing to a PDF, in ten steps beside the window"));
+    connect(steps, &QPushButton::clicked, this, &StartPage::first_steps_wanted);
+    column->addWidget(steps);
     column->addSpacing(20);
     column->addWidget(heading(tr("Recent")));
     recent_ = new QVBoxLayout;

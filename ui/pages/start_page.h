@@ -21,6 +21,7 @@ signals:
     void new_wanted();
     void open_wanted();
     void library_wanted();
+    void first_steps_wanted();
     void file_wanted(const QString& file);
     /// Opens as a new project, so that the shipped file stays as it is.
     void example_wanted(const QString& file);

@@ -1,7 +1,5 @@
-// Pages of a report: running head, foot and flowed items on any paint device; images for the preview.
+// Pages of a report: running head, foot and flowed items on any paint device; drawings for the preview.
 #include "ui/print/report_pages.h"
-
-#include <cmath>
 
 #include "core/text/symbol.h"
 #include "ui/print/report_layout.h"
@@ -47,15 +45,21 @@ private:
     const PageStyle& style_;
 };
 
-/// White, and for who paints on it of that resolution: fonts and lengths come out as they do there.
-QImage blank_page(QSize size, int dots_per_inch) {
-    QImage image(size, QImage::Format_RGB32);
-    const int dots_per_metre = int(std::lround(dots_per_inch * 1000.0 / millimetres_per_inch));
-    image.setDotsPerMeterX(dots_per_metre);
-    image.setDotsPerMeterY(dots_per_metre);
-    image.fill(Qt::white);
-    return image;
-}
+/// Remembers what is painted on it at the printed resolution: fonts and lengths come out as they do there.
+class PrintedDrawing : public QPicture {
+protected:
+    int metric(PaintDeviceMetric which) const override {
+        switch (which) {
+            case PdmDpiX:
+            case PdmDpiY:
+            case PdmPhysicalDpiX:
+            case PdmPhysicalDpiY:
+                return printed_dots_per_inch;
+            default:
+                return QPicture::metric(which);
+        }
+    }
+};
 
 }  // namespace
 
@@ -84,24 +88,33 @@ std::vector<Bookmark> ReportPages::bookmarks() const {
     return bookmarks;
 }
 
-std::vector<QImage> page_images(const ReportDocument& document, const PdfOptions& options,
-                                int dots_per_inch) {
-    QImage measure = blank_page(QSize(1, 1), printed_dots_per_inch);
+std::vector<PrintedPage> printed_pages(const ReportDocument& document, const PdfOptions& options) {
+    PrintedDrawing measure;
     const ReportPages pages(document, options, &measure);
-    const double scale = double(dots_per_inch) / printed_dots_per_inch;
-    const QSize size = (PageStyle(&measure, options.paper).sheet().size() * scale).toSize();
-    std::vector<QImage> images;
+    const QSizeF inches = PageStyle(&measure, options.paper).sheet().size() / printed_dots_per_inch;
+    std::vector<PrintedPage> printed;
     for (int page = 0; page < pages.count(); ++page) {
-        QImage image = blank_page(size, printed_dots_per_inch);
-        QPainter painter(&image);
+        PrintedDrawing drawing;
+        QPainter painter(&drawing);
         painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing |
                                QPainter::SmoothPixmapTransform);
-        painter.scale(scale, scale);
         pages.paint(page, painter);
         painter.end();
-        images.push_back(std::move(image));
+        printed.push_back({inches, drawing});
     }
-    return images;
+    for (const Bookmark& bookmark : pages.bookmarks())
+        printed[std::size_t(bookmark.page)].headings.push_back(bookmark.title);
+    return printed;
+}
+
+QImage page_image(const PrintedPage& page, double dots_per_inch) {
+    QImage image((page.inches * dots_per_inch).toSize(), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    const double scale = dots_per_inch / printed_dots_per_inch;
+    QPainter painter(&image);
+    painter.scale(scale, scale);
+    painter.drawPicture(QPointF(), page.drawing);
+    return image;
 }
 
 }  // namespace covaria::ui

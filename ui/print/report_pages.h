@@ -1,8 +1,10 @@
-// A report laid out on pages for one paint device: a PDF, or images for the preview on the screen.
+// A report laid out on pages for one paint device: a PDF, or drawings for the preview on the screen.
 #pragma once
 
 #include <QImage>
 #include <QPainter>
+#include <QPicture>
+#include <string>
 #include <vector>
 
 #include "ui/print/flow.h"
@@ -31,7 +33,16 @@ private:
     FlowedPages pages_;
 };
 
-/// The pages as they are printed, on white, with `dots_per_inch` pixels an inch.
-std::vector<QImage> page_images(const ReportDocument& document, const PdfOptions& options, int dots_per_inch);
+/// A page as it is printed: what was drawn on it, for any size on a screen.
+struct PrintedPage {
+    QSizeF inches;
+    QPicture drawing;                        ///< in units of the printed resolution
+    std::vector<std::string> headings = {};  ///< UTF-8: of the first two levels, that begin on it
+};
+
+std::vector<PrintedPage> printed_pages(const ReportDocument& document, const PdfOptions& options);
+
+/// On white, with `dots_per_inch` pixels an inch.
+QImage page_image(const PrintedPage& page, double dots_per_inch);
 
 }  // namespace covaria::ui

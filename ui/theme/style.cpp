@@ -1,6 +1,7 @@
 #include "ui/theme/style.h"
 
 #include <QApplication>
+#include <QFormLayout>
 #include <QPainter>
 #include <QPalette>
 #include <QStyleOption>
@@ -16,6 +17,7 @@ Style::Style() : QProxyStyle(QStringLiteral("Fusion")) {
 
 int Style::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                      QStyleHintReturn* data) const {
+    if (hint == SH_FormLayoutWrapPolicy) return QFormLayout::WrapLongRows;
     if (hint != SH_Table_GridLineColor) return QProxyStyle::styleHint(hint, option, widget, data);
     const QPalette palette = option ? option->palette : QApplication::palette();
     return int(mix(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.16).rgb());

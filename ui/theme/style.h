@@ -1,4 +1,5 @@
-// The Fusion style with what it lacks for us: grid lines and check boxes seen on dark ground.
+// The Fusion style with what it lacks for us: grid lines and check boxes seen on dark ground, and
+// fields of forms under their labels where both have no room beside each other.
 #pragma once
 
 #include <QProxyStyle>

@@ -1,0 +1,111 @@
+// Forms fit into their pane with a large font: nothing of them is reached by scrolling sideways only.
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+
+#include "tests/ui/main_window/session_fixture.h"
+
+namespace covaria::ui::large_font_session_test {
+namespace {
+
+class LargeFontSession : public Session {
+protected:
+    void choose_font(int points) {
+        Preferences wanted = window_->preferences().now();
+        wanted.font_points = points;
+        window_->preferences().set(wanted);
+    }
+    /// Of the forms of what is selected, those that scroll sideways.
+    QStringList too_wide() {
+        QStringList found;
+        QTabWidget& tabs = *window_->properties().tabs();
+        for (int tab = 0; tab < tabs.count(); ++tab) {
+            tabs.setCurrentIndex(tab);
+            for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
+            for (const QScrollArea* area : tabs.widget(tab)->parentWidget()->findChildren<QScrollArea*>())
+                if (area->isVisible() && area->horizontalScrollBar()->maximum() > 0)
+                    found << QStringLiteral("%1: %2 px")
+                                     .arg(tabs.tabText(tab))
+                                     .arg(area->horizontalScrollBar()->maximum()) +
+                                 widest(*area->widget(), area->viewport()->width());
+        }
+        return found;
+    }
+    /// What makes it so.
+    static QString widest(const QWidget& form, int room) {
+        QString words;
+        for (const QWidget* child : form.findChildren<QWidget*>())
+            if (child->isVisible() && child->minimumSizeHint().width() > room / 2)
+                words += QStringLiteral("\n    %1 %2 %3 %4")
+                             .arg(QLatin1String(child->metaObject()->className()), child->objectName(),
+                                  child->accessibleName())
+                             .arg(child->minimumSizeHint().width());
+        return words;
+    }
+    void keep_picture(const QString& name) {
+        settle();
+        window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(name));
+    }
+    void expect_all_fit(const QString& folder) {
+        const QDir projects(QStringLiteral(COVARIA_SOURCE_DIR "/") + folder);
+        const QFileInfoList files = projects.entryInfoList({QStringLiteral("*.covaria")}, QDir::Files);
+        ASSERT_GT(files.size(), 3);
+        for (const QFileInfo& file : files) {
+            open(file.absoluteFilePath());
+            trigger(QStringLiteral("Reset Layout"));
+            for (const AnalysisEntry& analysis : window_->document().project().analyses) {
+                select(SetupOwner::analysis, analysis.id);
+                const QStringList wide = too_wide();
+                EXPECT_TRUE(wide.isEmpty()) << file.fileName().toStdString() << ", " << analysis.id << '\n'
+                                            << wide.join(QLatin1Char('\n')).toStdString();
+            }
+            window_->runner().stop_all();
+        }
+    }
+};
+
+TEST_F(LargeFontSession, NoFormOfAnExampleScrollsSideways) {
+    choose_font(18);
+    expect_all_fit(QStringLiteral("projects"));
+    expect_all_fit(QStringLiteral("projects/gum"));
+    EXPECT_EQ(window_->width(), 1280);
+}
+
+TEST_F(LargeFontSession, ALongLabelStandsOverItsField) {
+    open(project_copy());
+    wait_until_idle();
+    const auto* box = field<QComboBox>("base_third_point");
+    const auto label_is_over = [&] {
+        for (const QLabel* label : window_->properties().findChildren<QLabel*>())
+            if (label->buddy() && label->buddy()->isAncestorOf(box))
+                return label->mapTo(window_.get(), QPoint(0, label->height())).y() <=
+                       box->mapTo(window_.get(), QPoint()).y();
+        return false;
+    };
+    EXPECT_FALSE(label_is_over()) << "beside it where there is room";
+    keep_picture(QStringLiteral("forms-usual-font"));
+    choose_font(18);
+    for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
+    box = field<QComboBox>("base_third_point");
+    EXPECT_TRUE(wait_for(label_is_over, 5000));
+    keep_picture(QStringLiteral("forms-18pt-set-up"));
+    show_tab(QStringLiteral("Options"));
+    const auto* trials = field<QLineEdit>("trials");
+    EXPECT_TRUE(wait_for(
+        [&] { return trials->width() > trials->fontMetrics().horizontalAdvance(trials->text()) + 8; }, 5000))
+        << "cut to " << trials->width();
+    for (const char* tab : {"Inputs", "Options", "Studies", "Designs", "Requirements"}) {
+        show_tab(QLatin1String(tab));
+        keep_picture(QStringLiteral("forms-18pt-%1").arg(QString::fromLatin1(tab).toLower()));
+    }
+}
+
+TEST_F(LargeFontSession, NorWithTheUsualFont) {
+    expect_all_fit(QStringLiteral("projects"));
+    expect_all_fit(QStringLiteral("projects/gum"));
+}
+
+}  // namespace
+}  // namespace covaria::ui::large_font_session_test
