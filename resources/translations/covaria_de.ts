@@ -4951,42 +4951,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Die Analyse hat Probleme; sie sind unten aufgeführt.</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># Tasten
-
-| Taste | Wirkung |
-|---|---|
-| Strg+N, Strg+O, Strg+S | neu, öffnen, speichern |
-| Strg+Z, Strg+Y | rückgängig, wiederholen |
-| F5, Strg+F5, Esc | diese Analyse rechnen, alle rechnen, anhalten |
-| F2, Strg+D, Entf | gewählten Eintrag umbenennen, verdoppeln, löschen |
-| Pfeiltasten, + und − | Szene drehen und vergrößern |
-| 1 bis 7, F | isometrisch, oben, vorn, rechts, unten, hinten, links, einpassen (Strg+1 bis Strg+7 überall) |
-| H, I, Umschalt+H | das in der Szene Gewählte ausblenden, nur dieses zeigen, alles zeigen |
-| Ziehen in der Szene | verschiebt ein Ding, dreht es an der Spitze einer Achse; mit Strg in runden Schritten |
-| D, A | Abstand, Winkel in der Szene messen; Esc legt das Werkzeug weg |
-| Strg+C, Strg+V | Blöcke von Zellen kopieren und einfügen |
-| Strg+K | alles finden: Analysen, Größen, Ergebnisse, Felder, Befehle, Hilfe |
-| F1 | Hilfe zu Feld, Zelle oder Eintrag mit dem Fokus |
-</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>das Bild kein Ergebnis der Analyse zeigt</translation>
     </message>
@@ -5053,6 +5017,124 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Left</source>
         <translation>Links</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z, Ctrl+Y | undo, redo |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># Tasten
+
+| Taste | Wirkung |
+|---|---|
+| Strg+N, Strg+O, Strg+S | neu, öffnen, speichern |
+| Strg+Z, Strg+Y | rückgängig, wiederholen |
+| F5, Strg+F5, Esc | diese Analyse rechnen, alle rechnen, anhalten |
+| F2, Strg+D, Entf | gewählten Eintrag umbenennen, verdoppeln, löschen |
+| Pfeiltasten, + und − | Szene drehen und vergrößern |
+| 1 bis 7, F | isometrisch, oben, vorn, rechts, unten, hinten, links, einpassen (Strg+1 bis Strg+7 überall) |
+| H, I, Umschalt+H | das in der Szene Gewählte ausblenden, nur dieses zeigen, alles zeigen |
+| Ziehen in der Szene | verschiebt ein Ding, dreht es an der Spitze einer Achse; mit Strg in runden Schritten |
+| D, A | Abstand, Winkel in der Szene messen; Esc legt das Werkzeug weg |
+| +, −, Strg+Rad im Bericht | größere, kleinere Seiten; Alt+Auf und Alt+Ab: vorige, nächste Seite |
+| Strg+C, Strg+V | Blöcke von Zellen kopieren und einfügen |
+| Strg+K | alles finden: Analysen, Größen, Ergebnisse, Felder, Befehle, Hilfe |
+| F1 | Hilfe zu Feld, Zelle oder Eintrag mit dem Fokus |
+</translation>
+    </message>
+    <message>
+        <source>Add an analysis</source>
+        <translation>Eine Analyse hinzufügen</translation>
+    </message>
+    <message>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
+        <translation>Das Pluszeichen in der Werkzeugleiste fügt hinzu, woraus ein Projekt besteht. Wählen Sie in seinem Menü Analyse: Messgleichung.</translation>
+    </message>
+    <message>
+        <source>Name the quantities</source>
+        <translation>Die Größen benennen</translation>
+    </message>
+    <message>
+        <source>Replace the equation in the field Equations by yours, such as l = l_S + d. Every name that it uses becomes a row of the budget when you leave the field.</source>
+        <translation>Ersetzen Sie die Gleichung im Feld Gleichungen durch Ihre, etwa l = l_S + d. Jeder Name darin wird eine Zeile des Budgets, sobald Sie das Feld verlassen.</translation>
+    </message>
+    <message>
+        <source>State an uncertainty</source>
+        <translation>Eine Unsicherheit angeben</translation>
+    </message>
+    <message>
+        <source>Type the estimate of each quantity into its row, such as 50 mm, and what is known of it under “stated as”, such as 75 nm. “rect 30 nm” and “U = 0.3 um, k = 2” are read as they are typed.</source>
+        <translation>Tippen Sie den Schätzwert jeder Größe in ihre Zeile, etwa 50 mm, und was man von ihr weiß unter „angegeben als“, etwa 75 nm. „rect 30 nm“ und „U = 0.3 um, k = 2“ werden so gelesen, wie sie getippt sind.</translation>
+    </message>
+    <message>
+        <source>See the result</source>
+        <translation>Das Ergebnis sehen</translation>
+    </message>
+    <message>
+        <source>The result is there when every quantity has its uncertainty, below the budget and in the tab Results. It follows every change at once.</source>
+        <translation>Das Ergebnis steht da, sobald jede Größe ihre Unsicherheit hat: unter dem Budget und im Reiter Ergebnisse. Es folgt jeder Änderung sofort.</translation>
+    </message>
+    <message>
+        <source>Correlate two quantities</source>
+        <translation>Zwei Größen korrelieren</translation>
+    </message>
+    <message>
+        <source>Select two rows of the budget, the second with Ctrl, and type their correlation coefficient r into the field below, such as 0.5. The result takes it into account at once.</source>
+        <translation>Wählen Sie zwei Zeilen des Budgets, die zweite mit Strg, und tippen Sie ihren Korrelationskoeffizienten r in das Feld darunter, etwa 0.5. Das Ergebnis berücksichtigt ihn sofort.</translation>
+    </message>
+    <message>
+        <source>State a requirement</source>
+        <translation>Eine Anforderung angeben</translation>
+    </message>
+    <message>
+        <source>Type the uncertainty that must not be exceeded as Target uncertainty. The verdict below it, and in the table of results, follows every change.</source>
+        <translation>Tippen Sie die Unsicherheit, die nicht überschritten werden darf, als Zielunsicherheit ein. Das Urteil darunter und in der Ergebnistabelle folgt jeder Änderung.</translation>
+    </message>
+    <message>
+        <source>See what contributes most</source>
+        <translation>Sehen, was am meisten beiträgt</translation>
+    </message>
+    <message>
+        <source>The tab Budget has the contributions as a table and as a chart, the largest first. What is at the top is worth improving.</source>
+        <translation>Der Reiter Budget zeigt die Beiträge als Tabelle und als Diagramm, den größten zuerst. Was oben steht, lohnt die Verbesserung.</translation>
+    </message>
+    <message>
+        <source>Keep and compare</source>
+        <translation>Behalten und vergleichen</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), press Keep as Before, and change a value of the budget. The tab Compare shows the results before and after beside each other.</source>
+        <translation>Rechnen Sie die Analyse (F5), drücken Sie Als Vorher behalten, und ändern Sie einen Wert des Budgets. Der Reiter Vergleich zeigt die Ergebnisse vorher und nachher nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Look at the report</source>
+        <translation>Den Bericht ansehen</translation>
+    </message>
+    <message>
+        <source>The tab Report shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
+        <translation>Der Reiter Bericht zeigt die Seiten, wie sie gedruckt werden, des Berichts oder des Kalibrierscheins. Er hat nur aktuelle Ergebnisse: Rechnen Sie die Analyse zuerst (F5).</translation>
+    </message>
+    <message>
+        <source>Save it as PDF</source>
+        <translation>Als PDF speichern</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
+        <translation>Bericht als PDF in der Werkzeugleiste (Strg+P) schreibt den Bericht mit dem Projekt darin, so dass Covaria ihn wieder öffnen kann. Der Kalibrierschein steht im Menü Datei unter Exportieren.</translation>
     </message>
 </context>
 <context>
@@ -5672,10 +5754,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
-        <source>Reductions with a price, in place of variables and rows</source>
-        <translation>Reduktionen mit einem Preis, anstelle von Variablen und Zeilen</translation>
-    </message>
-    <message>
         <source>Add Reduction</source>
         <translation>Reduktion hinzufügen</translation>
     </message>
@@ -5734,6 +5812,14 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>choose what is reduced</source>
         <translation>wählen, was reduziert wird</translation>
+    </message>
+    <message>
+        <source>Reductions</source>
+        <translation>Verringerungen</translation>
+    </message>
+    <message>
+        <source>Each has a price; they take the place of variables and rows.</source>
+        <translation>Jede hat einen Preis; sie treten an die Stelle von Variablen und Zeilen.</translation>
     </message>
 </context>
 <context>
@@ -6451,6 +6537,53 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
 </context>
 <context>
+    <name>covaria::ui::FirstStepsGuide</name>
+    <message>
+        <source>First Steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Not there yet: first step %1, %2.</source>
+        <translation>Noch nicht da: erst Schritt %1, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FirstStepsPanel</name>
+    <message>
+        <source>Show Me</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Shows where it is done: opens the tab and puts a frame around it</source>
+        <translation>Zeigt, wo es geht: öffnet den Reiter und setzt einen Rahmen darum</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>step 3 of 10</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::HelpActions</name>
     <message>
         <source>Help</source>
@@ -6495,6 +6628,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>The S&amp;cene</source>
         <translation>Die S&amp;zene</translation>
+    </message>
+    <message>
+        <source>An Everyday &amp;Budget</source>
+        <translation>Ein alltägliches &amp;Budget</translation>
     </message>
 </context>
 <context>
@@ -7042,6 +7179,10 @@ Gewählt: %2</translation>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
     </message>
+    <message>
+        <source>First &amp;Steps</source>
+        <translation>Erste &amp;Schritte</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -7121,6 +7262,69 @@ Gewählt: %2</translation>
     <message>
         <source> of %1</source>
         <translation> von %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageBar</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Number of the page that is shown</source>
+        <translation>Nummer der gezeigten Seite</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Vorige Seite</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Nächste Seite</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Size of the pages</source>
+        <translation>Größe der Seiten</translation>
+    </message>
+    <message>
+        <source>Size of the pages: fitted, or in per cent of the paper (Ctrl with the wheel)</source>
+        <translation>Größe der Seiten: eingepasst oder in Prozent des Papiers (Strg mit dem Rad)</translation>
+    </message>
+    <message>
+        <source>Fit Width</source>
+        <translation>Seitenbreite</translation>
+    </message>
+    <message>
+        <source>Fit Page</source>
+        <translation>Ganze Seite</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <comment>page 3 of 17</comment>
+        <translation> von %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
     </message>
 </context>
 <context>
@@ -7660,10 +7864,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
-        <source>Pages</source>
-        <translation>Seiten</translation>
-    </message>
-    <message>
         <source>Document</source>
         <translation>Dokument</translation>
     </message>
@@ -7730,6 +7930,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>%1; %2 required texts are not stated</source>
         <translation>%1; %2 geforderte Texte sind nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Pages as they are printed</source>
+        <translation>Seiten, wie sie gedruckt werden</translation>
     </message>
 </context>
 <context>
@@ -8498,6 +8702,14 @@ und Großraummetrologie</translation>
     <message>
         <source>Projects that you open are listed here.</source>
         <translation>Geöffnete Projekte stehen hier.</translation>
+    </message>
+    <message>
+        <source>First Steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>A budget from nothing to a PDF, in ten steps beside the window</source>
+        <translation>Ein Budget von nichts bis zum PDF, in zehn Schritten neben dem Fenster</translation>
     </message>
 </context>
 <context>

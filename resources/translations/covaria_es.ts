@@ -4951,42 +4951,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <translation>El análisis tiene problemas; se enumeran abajo.</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># Teclas
-
-| Tecla | Acción |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | nuevo, abrir, guardar |
-| Ctrl+Z, Ctrl+Y | deshacer, rehacer |
-| F5, Ctrl+F5, Esc | calcular este análisis, calcular todos, detener |
-| F2, Ctrl+D, Supr | renombrar, duplicar, borrar la entrada elegida |
-| Flechas, + y − | girar y ampliar la escena |
-| 1 a 7, F | vista isométrica, superior, frontal, derecha, inferior, posterior, izquierda, ajustar (Ctrl+1 a Ctrl+7 en todas partes) |
-| H, I, Mayús+H | ocultar lo seleccionado en la escena, mostrar solo eso, mostrar todo |
-| Arrastrar en la escena | mueve un objeto, lo gira por la punta de un eje; con Ctrl en pasos redondos |
-| D, A | medir una distancia, un ángulo en la escena; Esc deja la herramienta |
-| Ctrl+C, Ctrl+V | copiar y pegar bloques de celdas |
-| Ctrl+K | buscar cualquier cosa: análisis, magnitudes, resultados, campos, órdenes, ayuda |
-| F1 | ayuda sobre el campo, la celda o la entrada con el foco |
-</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>la imagen no muestra ningún resultado del análisis</translation>
     </message>
@@ -5053,6 +5017,124 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>Left</source>
         <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z, Ctrl+Y | undo, redo |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># Teclas
+
+| Tecla | Acción |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | nuevo, abrir, guardar |
+| Ctrl+Z, Ctrl+Y | deshacer, rehacer |
+| F5, Ctrl+F5, Esc | calcular este análisis, calcular todos, detener |
+| F2, Ctrl+D, Supr | renombrar, duplicar, borrar la entrada elegida |
+| Flechas, + y − | girar y ampliar la escena |
+| 1 a 7, F | vista isométrica, superior, frontal, derecha, inferior, posterior, izquierda, ajustar (Ctrl+1 a Ctrl+7 en todas partes) |
+| H, I, Mayús+H | ocultar lo seleccionado en la escena, mostrar solo eso, mostrar todo |
+| Arrastrar en la escena | mueve un objeto, lo gira por la punta de un eje; con Ctrl en pasos redondos |
+| D, A | medir una distancia, un ángulo en la escena; Esc deja la herramienta |
+| +, −, Ctrl+rueda en el informe | páginas más grandes, más pequeñas; Alt+Arriba y Alt+Abajo: página anterior, siguiente |
+| Ctrl+C, Ctrl+V | copiar y pegar bloques de celdas |
+| Ctrl+K | buscar cualquier cosa: análisis, magnitudes, resultados, campos, órdenes, ayuda |
+| F1 | ayuda sobre el campo, la celda o la entrada con el foco |
+</translation>
+    </message>
+    <message>
+        <source>Add an analysis</source>
+        <translation>Añadir un análisis</translation>
+    </message>
+    <message>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
+        <translation>El signo más de la barra de herramientas añade las partes de un proyecto. Elija en su menú Análisis: Ecuación de medida.</translation>
+    </message>
+    <message>
+        <source>Name the quantities</source>
+        <translation>Nombrar las magnitudes</translation>
+    </message>
+    <message>
+        <source>Replace the equation in the field Equations by yours, such as l = l_S + d. Every name that it uses becomes a row of the budget when you leave the field.</source>
+        <translation>Sustituya la ecuación del campo Ecuaciones por la suya, como l = l_S + d. Cada nombre que use será una fila del balance al salir del campo.</translation>
+    </message>
+    <message>
+        <source>State an uncertainty</source>
+        <translation>Declarar una incertidumbre</translation>
+    </message>
+    <message>
+        <source>Type the estimate of each quantity into its row, such as 50 mm, and what is known of it under “stated as”, such as 75 nm. “rect 30 nm” and “U = 0.3 um, k = 2” are read as they are typed.</source>
+        <translation>Escriba la estimación de cada magnitud en su fila, como 50 mm, y lo que se sabe de ella en “indicada como”, como 75 nm. “rect 30 nm” y “U = 0.3 um, k = 2” se leen tal como se escriben.</translation>
+    </message>
+    <message>
+        <source>See the result</source>
+        <translation>Ver el resultado</translation>
+    </message>
+    <message>
+        <source>The result is there when every quantity has its uncertainty, below the budget and in the tab Results. It follows every change at once.</source>
+        <translation>El resultado aparece cuando cada magnitud tiene su incertidumbre, debajo del balance y en la pestaña Resultados. Sigue cada cambio al instante.</translation>
+    </message>
+    <message>
+        <source>Correlate two quantities</source>
+        <translation>Correlacionar dos magnitudes</translation>
+    </message>
+    <message>
+        <source>Select two rows of the budget, the second with Ctrl, and type their correlation coefficient r into the field below, such as 0.5. The result takes it into account at once.</source>
+        <translation>Seleccione dos filas del balance, la segunda con Ctrl, y escriba su coeficiente de correlación r en el campo de abajo, como 0.5. El resultado lo tiene en cuenta al instante.</translation>
+    </message>
+    <message>
+        <source>State a requirement</source>
+        <translation>Declarar un requisito</translation>
+    </message>
+    <message>
+        <source>Type the uncertainty that must not be exceeded as Target uncertainty. The verdict below it, and in the table of results, follows every change.</source>
+        <translation>Escriba como incertidumbre objetivo la que no debe superarse. El veredicto de debajo, y el de la tabla de resultados, sigue cada cambio.</translation>
+    </message>
+    <message>
+        <source>See what contributes most</source>
+        <translation>Ver qué contribuye más</translation>
+    </message>
+    <message>
+        <source>The tab Budget has the contributions as a table and as a chart, the largest first. What is at the top is worth improving.</source>
+        <translation>La pestaña Balance muestra las contribuciones en una tabla y un gráfico, la mayor primero. Lo que está arriba merece mejorarse.</translation>
+    </message>
+    <message>
+        <source>Keep and compare</source>
+        <translation>Conservar y comparar</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), press Keep as Before, and change a value of the budget. The tab Compare shows the results before and after beside each other.</source>
+        <translation>Ejecute el análisis (F5), pulse Conservar como antes y cambie un valor del balance. La pestaña Comparar muestra los resultados de antes y después lado a lado.</translation>
+    </message>
+    <message>
+        <source>Look at the report</source>
+        <translation>Mirar el informe</translation>
+    </message>
+    <message>
+        <source>The tab Report shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
+        <translation>La pestaña Informe muestra las páginas tal como se imprimen, del informe o del certificado. Solo tiene resultados actualizados: ejecute antes el análisis (F5).</translation>
+    </message>
+    <message>
+        <source>Save it as PDF</source>
+        <translation>Guardarlo como PDF</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
+        <translation>Informe en PDF en la barra de herramientas (Ctrl+P) escribe el informe con el proyecto dentro, de modo que Covaria puede abrirlo de nuevo. El certificado está en el menú Archivo, en Exportar.</translation>
     </message>
 </context>
 <context>
@@ -5672,10 +5754,6 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
-        <source>Reductions with a price, in place of variables and rows</source>
-        <translation>Reducciones con precio, en lugar de variables y filas</translation>
-    </message>
-    <message>
         <source>Add Reduction</source>
         <translation>Añadir reducción</translation>
     </message>
@@ -5734,6 +5812,14 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     <message>
         <source>choose what is reduced</source>
         <translation>elija lo que se reduce</translation>
+    </message>
+    <message>
+        <source>Reductions</source>
+        <translation>Reducciones</translation>
+    </message>
+    <message>
+        <source>Each has a price; they take the place of variables and rows.</source>
+        <translation>Cada una tiene un precio; ocupan el lugar de variables y filas.</translation>
     </message>
 </context>
 <context>
@@ -6451,6 +6537,53 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     </message>
 </context>
 <context>
+    <name>covaria::ui::FirstStepsGuide</name>
+    <message>
+        <source>First Steps</source>
+        <translation>Primeros pasos</translation>
+    </message>
+    <message>
+        <source>Not there yet: first step %1, %2.</source>
+        <translation>Aún no está: antes, el paso %1, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FirstStepsPanel</name>
+    <message>
+        <source>Show Me</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Primeros pasos</translation>
+    </message>
+    <message>
+        <source>Shows where it is done: opens the tab and puts a frame around it</source>
+        <translation>Muestra dónde se hace: abre la pestaña y pone un marco alrededor</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>step 3 of 10</comment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>hecho</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::HelpActions</name>
     <message>
         <source>Help</source>
@@ -6495,6 +6628,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>The S&amp;cene</source>
         <translation>La es&amp;cena</translation>
+    </message>
+    <message>
+        <source>An Everyday &amp;Budget</source>
+        <translation>Un &amp;balance cotidiano</translation>
     </message>
 </context>
 <context>
@@ -7042,6 +7179,10 @@ Elegido: %2</translation>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
     </message>
+    <message>
+        <source>First &amp;Steps</source>
+        <translation>Primeros &amp;pasos</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -7121,6 +7262,69 @@ Elegido: %2</translation>
     <message>
         <source> of %1</source>
         <translation> de %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageBar</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Number of the page that is shown</source>
+        <translation>Número de la página que se muestra</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Página anterior</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Página siguiente</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Más pequeño</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Más grande</translation>
+    </message>
+    <message>
+        <source>Size of the pages</source>
+        <translation>Tamaño de las páginas</translation>
+    </message>
+    <message>
+        <source>Size of the pages: fitted, or in per cent of the paper (Ctrl with the wheel)</source>
+        <translation>Tamaño de las páginas: ajustado, o en tanto por ciento del papel (Ctrl con la rueda)</translation>
+    </message>
+    <message>
+        <source>Fit Width</source>
+        <translation>Ajustar al ancho</translation>
+    </message>
+    <message>
+        <source>Fit Page</source>
+        <translation>Ajustar a la página</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <comment>page 3 of 17</comment>
+        <translation> de %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Página %1</translation>
     </message>
 </context>
 <context>
@@ -7660,10 +7864,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
-        <source>Pages</source>
-        <translation>Páginas</translation>
-    </message>
-    <message>
         <source>Document</source>
         <translation>Documento</translation>
     </message>
@@ -7730,6 +7930,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>%1; %2 required texts are not stated</source>
         <translation>%1; %2 textos exigidos no están indicados</translation>
+    </message>
+    <message>
+        <source>Pages as they are printed</source>
+        <translation>Páginas tal como se imprimen</translation>
     </message>
 </context>
 <context>
@@ -8498,6 +8702,14 @@ y metrología de grandes dimensiones</translation>
     <message>
         <source>Projects that you open are listed here.</source>
         <translation>Aquí figuran los proyectos que abra.</translation>
+    </message>
+    <message>
+        <source>First Steps</source>
+        <translation>Primeros pasos</translation>
+    </message>
+    <message>
+        <source>A budget from nothing to a PDF, in ten steps beside the window</source>
+        <translation>Un balance desde cero hasta el PDF, en diez pasos junto a la ventana</translation>
     </message>
 </context>
 <context>

@@ -4951,42 +4951,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <translation>분석에 문제가 있습니다. 아래에 나열되어 있습니다.</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># 단축키
-
-| 키 | 동작 |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | 새로 만들기, 열기, 저장 |
-| Ctrl+Z, Ctrl+Y | 실행 취소, 다시 실행 |
-| F5, Ctrl+F5, Esc | 이 분석 실행, 모두 실행, 중지 |
-| F2, Ctrl+D, Delete | 선택한 항목 이름 바꾸기, 복제, 삭제 |
-| 화살표 키, + 및 − | 장면 회전과 확대/축소 |
-| 1부터 7, F | 등각, 위, 앞, 오른쪽, 아래, 뒤, 왼쪽 보기, 맞춤 (어디서나 Ctrl+1부터 Ctrl+7) |
-| H, I, Shift+H | 장면에서 선택한 것 숨기기, 그것만 표시, 모두 표시 |
-| 장면에서 끌기 | 대상을 옮기고, 축의 끝을 끌면 회전합니다. Ctrl을 누르면 일정한 간격으로 움직입니다 |
-| D, A | 장면에서 거리, 각도 측정. Esc를 누르면 도구를 끝냅니다 |
-| Ctrl+C, Ctrl+V | 셀 블록 복사와 붙여넣기 |
-| Ctrl+K | 모두 찾기: 분석, 양, 결과, 필드, 명령, 도움말 |
-| F1 | 포커스가 있는 필드, 셀, 항목의 도움말 |
-</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>그림이 이 분석의 결과를 보여 주지 않습니다</translation>
     </message>
@@ -5053,6 +5017,124 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>Left</source>
         <translation>왼쪽</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z, Ctrl+Y | undo, redo |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># 단축키
+
+| 키 | 동작 |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | 새로 만들기, 열기, 저장 |
+| Ctrl+Z, Ctrl+Y | 실행 취소, 다시 실행 |
+| F5, Ctrl+F5, Esc | 이 분석 실행, 모두 실행, 중지 |
+| F2, Ctrl+D, Delete | 선택한 항목 이름 바꾸기, 복제, 삭제 |
+| 화살표 키, + 및 − | 장면 회전과 확대/축소 |
+| 1부터 7, F | 등각, 위, 앞, 오른쪽, 아래, 뒤, 왼쪽 보기, 맞춤 (어디서나 Ctrl+1부터 Ctrl+7) |
+| H, I, Shift+H | 장면에서 선택한 것 숨기기, 그것만 표시, 모두 표시 |
+| 장면에서 끌기 | 대상을 옮기고, 축의 끝을 끌면 회전합니다. Ctrl을 누르면 일정한 간격으로 움직입니다 |
+| D, A | 장면에서 거리, 각도 측정. Esc를 누르면 도구를 끝냅니다 |
+| 보고서에서 +, −, Ctrl+휠 | 쪽을 크게, 작게; Alt+위, Alt+아래: 이전, 다음 쪽 |
+| Ctrl+C, Ctrl+V | 셀 블록 복사와 붙여넣기 |
+| Ctrl+K | 모두 찾기: 분석, 양, 결과, 필드, 명령, 도움말 |
+| F1 | 포커스가 있는 필드, 셀, 항목의 도움말 |
+</translation>
+    </message>
+    <message>
+        <source>Add an analysis</source>
+        <translation>분석 추가</translation>
+    </message>
+    <message>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
+        <translation>도구 모음의 더하기 표시는 프로젝트를 이루는 것을 추가합니다. 그 메뉴에서 분석: 측정 방정식을 고르십시오.</translation>
+    </message>
+    <message>
+        <source>Name the quantities</source>
+        <translation>양에 이름 붙이기</translation>
+    </message>
+    <message>
+        <source>Replace the equation in the field Equations by yours, such as l = l_S + d. Every name that it uses becomes a row of the budget when you leave the field.</source>
+        <translation>방정식 필드의 식을 l = l_S + d 같은 자신의 식으로 바꾸십시오. 필드를 떠나면 식에 쓰인 이름마다 총괄표의 행이 생깁니다.</translation>
+    </message>
+    <message>
+        <source>State an uncertainty</source>
+        <translation>불확도 적기</translation>
+    </message>
+    <message>
+        <source>Type the estimate of each quantity into its row, such as 50 mm, and what is known of it under “stated as”, such as 75 nm. “rect 30 nm” and “U = 0.3 um, k = 2” are read as they are typed.</source>
+        <translation>각 양의 행에 50 mm 같은 추정값을, “제시 형식”에는 75 nm처럼 알려진 것을 입력하십시오. “rect 30 nm”와 “U = 0.3 um, k = 2”는 입력한 그대로 읽힙니다.</translation>
+    </message>
+    <message>
+        <source>See the result</source>
+        <translation>결과 보기</translation>
+    </message>
+    <message>
+        <source>The result is there when every quantity has its uncertainty, below the budget and in the tab Results. It follows every change at once.</source>
+        <translation>모든 양에 불확도가 있으면 총괄표 아래와 결과 탭에 결과가 나타납니다. 결과는 바꿀 때마다 바로 따라옵니다.</translation>
+    </message>
+    <message>
+        <source>Correlate two quantities</source>
+        <translation>두 양의 상관</translation>
+    </message>
+    <message>
+        <source>Select two rows of the budget, the second with Ctrl, and type their correlation coefficient r into the field below, such as 0.5. The result takes it into account at once.</source>
+        <translation>총괄표의 두 행을 고르고(둘째 행은 Ctrl과 함께) 아래 필드에 상관계수 r을 0.5처럼 입력하십시오. 결과에 바로 반영됩니다.</translation>
+    </message>
+    <message>
+        <source>State a requirement</source>
+        <translation>요구 사항 적기</translation>
+    </message>
+    <message>
+        <source>Type the uncertainty that must not be exceeded as Target uncertainty. The verdict below it, and in the table of results, follows every change.</source>
+        <translation>넘어서는 안 되는 불확도를 목표불확도로 입력하십시오. 그 아래와 결과 표의 판정이 바꿀 때마다 따라옵니다.</translation>
+    </message>
+    <message>
+        <source>See what contributes most</source>
+        <translation>가장 크게 기여하는 것 보기</translation>
+    </message>
+    <message>
+        <source>The tab Budget has the contributions as a table and as a chart, the largest first. What is at the top is worth improving.</source>
+        <translation>총괄표 탭은 기여를 큰 것부터 표와 차트로 보여 줍니다. 맨 위의 것이 개선할 만한 것입니다.</translation>
+    </message>
+    <message>
+        <source>Keep and compare</source>
+        <translation>보관하고 비교하기</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), press Keep as Before, and change a value of the budget. The tab Compare shows the results before and after beside each other.</source>
+        <translation>분석을 실행하고(F5) 이전 결과로 보관을 누른 다음 총괄표의 값을 바꾸십시오. 비교 탭이 전후 결과를 나란히 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>Look at the report</source>
+        <translation>보고서 보기</translation>
+    </message>
+    <message>
+        <source>The tab Report shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
+        <translation>보고서 탭은 보고서나 성적서의 쪽을 인쇄될 모습으로 보여 줍니다. 최신 결과만 들어 있으므로 먼저 분석을 실행하십시오(F5).</translation>
+    </message>
+    <message>
+        <source>Save it as PDF</source>
+        <translation>PDF로 저장</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
+        <translation>도구 모음의 PDF 보고서(Ctrl+P)는 프로젝트를 담은 보고서를 써서 Covaria가 다시 열 수 있게 합니다. 성적서는 파일 메뉴의 내보내기에 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -5670,10 +5752,6 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
-        <source>Reductions with a price, in place of variables and rows</source>
-        <translation>변수와 행 대신, 가격이 있는 감소</translation>
-    </message>
-    <message>
         <source>Add Reduction</source>
         <translation>감소 추가</translation>
     </message>
@@ -5732,6 +5810,14 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     <message>
         <source>choose what is reduced</source>
         <translation>감소 대상 선택</translation>
+    </message>
+    <message>
+        <source>Reductions</source>
+        <translation>감소 방안</translation>
+    </message>
+    <message>
+        <source>Each has a price; they take the place of variables and rows.</source>
+        <translation>각각 값이 있으며, 변수와 행을 대신합니다.</translation>
     </message>
 </context>
 <context>
@@ -6448,6 +6534,53 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
 </context>
 <context>
+    <name>covaria::ui::FirstStepsGuide</name>
+    <message>
+        <source>First Steps</source>
+        <translation>첫걸음</translation>
+    </message>
+    <message>
+        <source>Not there yet: first step %1, %2.</source>
+        <translation>아직 없습니다. 먼저 %1단계, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FirstStepsPanel</name>
+    <message>
+        <source>Show Me</source>
+        <translation>보여 주기</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>뒤</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>다음</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>첫걸음</translation>
+    </message>
+    <message>
+        <source>Shows where it is done: opens the tab and puts a frame around it</source>
+        <translation>어디서 하는지 보여 줍니다. 탭을 열고 테두리를 두릅니다</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>step 3 of 10</comment>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>완료</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::HelpActions</name>
     <message>
         <source>Help</source>
@@ -6492,6 +6625,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>The S&amp;cene</source>
         <translation>장면(&amp;C)</translation>
+    </message>
+    <message>
+        <source>An Everyday &amp;Budget</source>
+        <translation>일상적인 총괄표(&amp;B)</translation>
     </message>
 </context>
 <context>
@@ -7039,6 +7176,10 @@ Chosen: %2</source>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
     </message>
+    <message>
+        <source>First &amp;Steps</source>
+        <translation>첫걸음(&amp;S)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -7118,6 +7259,69 @@ Chosen: %2</source>
     <message>
         <source> of %1</source>
         <translation> (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageBar</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>쪽</translation>
+    </message>
+    <message>
+        <source>Number of the page that is shown</source>
+        <translation>보이는 쪽의 번호</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>이전 쪽</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>다음 쪽</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>작게</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>크게</translation>
+    </message>
+    <message>
+        <source>Size of the pages</source>
+        <translation>쪽 크기</translation>
+    </message>
+    <message>
+        <source>Size of the pages: fitted, or in per cent of the paper (Ctrl with the wheel)</source>
+        <translation>쪽 크기: 창에 맞춤, 또는 용지의 백분율(Ctrl과 휠)</translation>
+    </message>
+    <message>
+        <source>Fit Width</source>
+        <translation>너비에 맞춤</translation>
+    </message>
+    <message>
+        <source>Fit Page</source>
+        <translation>쪽에 맞춤</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <comment>page 3 of 17</comment>
+        <translation> (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>쪽</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>%1쪽</translation>
     </message>
 </context>
 <context>
@@ -7657,10 +7861,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
-        <source>Pages</source>
-        <translation>쪽</translation>
-    </message>
-    <message>
         <source>Document</source>
         <translation>문서</translation>
     </message>
@@ -7727,6 +7927,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1; %2 required texts are not stated</source>
         <translation>%1; 필수 텍스트 %2개가 기재되지 않음</translation>
+    </message>
+    <message>
+        <source>Pages as they are printed</source>
+        <translation>인쇄될 모습의 쪽</translation>
     </message>
 </context>
 <context>
@@ -8494,6 +8698,14 @@ and large-scale metrology</source>
     <message>
         <source>Projects that you open are listed here.</source>
         <translation>연 프로젝트가 여기에 나열됩니다.</translation>
+    </message>
+    <message>
+        <source>First Steps</source>
+        <translation>첫걸음</translation>
+    </message>
+    <message>
+        <source>A budget from nothing to a PDF, in ten steps beside the window</source>
+        <translation>창 옆의 열 단계로 빈 상태에서 PDF까지 총괄표 하나</translation>
     </message>
 </context>
 <context>

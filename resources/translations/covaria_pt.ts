@@ -4951,42 +4951,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <translation>A análise tem problemas; estão listados abaixo.</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># Teclas
-
-| Tecla | Ação |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | novo, abrir, salvar |
-| Ctrl+Z, Ctrl+Y | desfazer, refazer |
-| F5, Ctrl+F5, Esc | calcular esta análise, calcular todas, parar |
-| F2, Ctrl+D, Delete | renomear, duplicar, excluir a entrada selecionada |
-| Setas, + e − | girar e ampliar a cena |
-| 1 a 7, F | vista isométrica, superior, frontal, direita, inferior, posterior, esquerda, ajustar (Ctrl+1 a Ctrl+7 em toda parte) |
-| H, I, Shift+H | ocultar o selecionado na cena, mostrar só isso, mostrar tudo |
-| Arrastar na cena | move um objeto, gira-o pela ponta de um eixo; com Ctrl em passos redondos |
-| D, A | medir uma distância, um ângulo na cena; Esc deixa a ferramenta |
-| Ctrl+C, Ctrl+V | copiar e colar blocos de células |
-| Ctrl+K | encontrar qualquer coisa: análises, grandezas, resultados, campos, comandos, ajuda |
-| F1 | ajuda sobre o campo, a célula ou a entrada com o foco |
-</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>a imagem não mostra nenhum resultado da análise</translation>
     </message>
@@ -5053,6 +5017,124 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Left</source>
         <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z, Ctrl+Y | undo, redo |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># Teclas
+
+| Tecla | Ação |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | novo, abrir, salvar |
+| Ctrl+Z, Ctrl+Y | desfazer, refazer |
+| F5, Ctrl+F5, Esc | calcular esta análise, calcular todas, parar |
+| F2, Ctrl+D, Delete | renomear, duplicar, excluir a entrada selecionada |
+| Setas, + e − | girar e ampliar a cena |
+| 1 a 7, F | vista isométrica, superior, frontal, direita, inferior, posterior, esquerda, ajustar (Ctrl+1 a Ctrl+7 em toda parte) |
+| H, I, Shift+H | ocultar o selecionado na cena, mostrar só isso, mostrar tudo |
+| Arrastar na cena | move um objeto, gira-o pela ponta de um eixo; com Ctrl em passos redondos |
+| D, A | medir uma distância, um ângulo na cena; Esc deixa a ferramenta |
+| +, −, Ctrl+roda no relatório | páginas maiores, menores; Alt+Acima e Alt+Abaixo: página anterior, próxima |
+| Ctrl+C, Ctrl+V | copiar e colar blocos de células |
+| Ctrl+K | encontrar qualquer coisa: análises, grandezas, resultados, campos, comandos, ajuda |
+| F1 | ajuda sobre o campo, a célula ou a entrada com o foco |
+</translation>
+    </message>
+    <message>
+        <source>Add an analysis</source>
+        <translation>Adicionar uma análise</translation>
+    </message>
+    <message>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
+        <translation>O sinal de mais na barra de ferramentas adiciona as partes de um projeto. Escolha no menu dele Análise: Equação de medição.</translation>
+    </message>
+    <message>
+        <source>Name the quantities</source>
+        <translation>Dar nome às grandezas</translation>
+    </message>
+    <message>
+        <source>Replace the equation in the field Equations by yours, such as l = l_S + d. Every name that it uses becomes a row of the budget when you leave the field.</source>
+        <translation>Substitua a equação do campo Equações pela sua, como l = l_S + d. Cada nome usado nela vira uma linha do balanço ao sair do campo.</translation>
+    </message>
+    <message>
+        <source>State an uncertainty</source>
+        <translation>Declarar uma incerteza</translation>
+    </message>
+    <message>
+        <source>Type the estimate of each quantity into its row, such as 50 mm, and what is known of it under “stated as”, such as 75 nm. “rect 30 nm” and “U = 0.3 um, k = 2” are read as they are typed.</source>
+        <translation>Digite a estimativa de cada grandeza na linha dela, como 50 mm, e o que se sabe dela em “declarado como”, como 75 nm. “rect 30 nm” e “U = 0.3 um, k = 2” são lidos como digitados.</translation>
+    </message>
+    <message>
+        <source>See the result</source>
+        <translation>Ver o resultado</translation>
+    </message>
+    <message>
+        <source>The result is there when every quantity has its uncertainty, below the budget and in the tab Results. It follows every change at once.</source>
+        <translation>O resultado aparece quando cada grandeza tem sua incerteza, abaixo do balanço e na aba Resultados. Ele acompanha cada mudança na hora.</translation>
+    </message>
+    <message>
+        <source>Correlate two quantities</source>
+        <translation>Correlacionar duas grandezas</translation>
+    </message>
+    <message>
+        <source>Select two rows of the budget, the second with Ctrl, and type their correlation coefficient r into the field below, such as 0.5. The result takes it into account at once.</source>
+        <translation>Selecione duas linhas do balanço, a segunda com Ctrl, e digite o coeficiente de correlação r no campo abaixo, como 0.5. O resultado o considera na hora.</translation>
+    </message>
+    <message>
+        <source>State a requirement</source>
+        <translation>Declarar um requisito</translation>
+    </message>
+    <message>
+        <source>Type the uncertainty that must not be exceeded as Target uncertainty. The verdict below it, and in the table of results, follows every change.</source>
+        <translation>Digite como incerteza-alvo a que não deve ser ultrapassada. O veredito abaixo, e o da tabela de resultados, acompanha cada mudança.</translation>
+    </message>
+    <message>
+        <source>See what contributes most</source>
+        <translation>Ver o que mais contribui</translation>
+    </message>
+    <message>
+        <source>The tab Budget has the contributions as a table and as a chart, the largest first. What is at the top is worth improving.</source>
+        <translation>A aba Balanço mostra as contribuições em tabela e gráfico, a maior primeiro. O que está no topo vale a pena melhorar.</translation>
+    </message>
+    <message>
+        <source>Keep and compare</source>
+        <translation>Guardar e comparar</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), press Keep as Before, and change a value of the budget. The tab Compare shows the results before and after beside each other.</source>
+        <translation>Execute a análise (F5), pressione Manter como antes e mude um valor do balanço. A aba Comparar mostra os resultados de antes e depois lado a lado.</translation>
+    </message>
+    <message>
+        <source>Look at the report</source>
+        <translation>Olhar o relatório</translation>
+    </message>
+    <message>
+        <source>The tab Report shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
+        <translation>A aba Relatório mostra as páginas como são impressas, do relatório ou do certificado. Só tem resultados atualizados: execute a análise antes (F5).</translation>
+    </message>
+    <message>
+        <source>Save it as PDF</source>
+        <translation>Salvar como PDF</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
+        <translation>Relatório em PDF na barra de ferramentas (Ctrl+P) grava o relatório com o projeto dentro, para que o Covaria possa abri-lo de novo. O certificado está no menu Arquivo, em Exportar.</translation>
     </message>
 </context>
 <context>
@@ -5672,10 +5754,6 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
-        <source>Reductions with a price, in place of variables and rows</source>
-        <translation>Reduções com um preço, em lugar de variáveis e linhas</translation>
-    </message>
-    <message>
         <source>Add Reduction</source>
         <translation>Adicionar redução</translation>
     </message>
@@ -5734,6 +5812,14 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     <message>
         <source>choose what is reduced</source>
         <translation>escolha o que se reduz</translation>
+    </message>
+    <message>
+        <source>Reductions</source>
+        <translation>Reduções</translation>
+    </message>
+    <message>
+        <source>Each has a price; they take the place of variables and rows.</source>
+        <translation>Cada uma tem um preço; elas tomam o lugar de variáveis e linhas.</translation>
     </message>
 </context>
 <context>
@@ -6451,6 +6537,53 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     </message>
 </context>
 <context>
+    <name>covaria::ui::FirstStepsGuide</name>
+    <message>
+        <source>First Steps</source>
+        <translation>Primeiros passos</translation>
+    </message>
+    <message>
+        <source>Not there yet: first step %1, %2.</source>
+        <translation>Ainda não existe: antes, o passo %1, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FirstStepsPanel</name>
+    <message>
+        <source>Show Me</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Próximo</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Primeiros passos</translation>
+    </message>
+    <message>
+        <source>Shows where it is done: opens the tab and puts a frame around it</source>
+        <translation>Mostra onde se faz: abre a aba e coloca uma moldura em volta</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>step 3 of 10</comment>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>feito</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::HelpActions</name>
     <message>
         <source>Help</source>
@@ -6495,6 +6628,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>The S&amp;cene</source>
         <translation>A &amp;cena</translation>
+    </message>
+    <message>
+        <source>An Everyday &amp;Budget</source>
+        <translation>Um &amp;balanço do dia a dia</translation>
     </message>
 </context>
 <context>
@@ -7042,6 +7179,10 @@ Escolhido: %2</translation>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
     </message>
+    <message>
+        <source>First &amp;Steps</source>
+        <translation>Primeiros &amp;passos</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -7121,6 +7262,69 @@ Escolhido: %2</translation>
     <message>
         <source> of %1</source>
         <translation> de %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageBar</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Number of the page that is shown</source>
+        <translation>Número da página mostrada</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Página anterior</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Próxima página</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Menor</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Maior</translation>
+    </message>
+    <message>
+        <source>Size of the pages</source>
+        <translation>Tamanho das páginas</translation>
+    </message>
+    <message>
+        <source>Size of the pages: fitted, or in per cent of the paper (Ctrl with the wheel)</source>
+        <translation>Tamanho das páginas: ajustado, ou em por cento do papel (Ctrl com a roda)</translation>
+    </message>
+    <message>
+        <source>Fit Width</source>
+        <translation>Ajustar à largura</translation>
+    </message>
+    <message>
+        <source>Fit Page</source>
+        <translation>Ajustar à página</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <comment>page 3 of 17</comment>
+        <translation> de %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Página %1</translation>
     </message>
 </context>
 <context>
@@ -7660,10 +7864,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
-        <source>Pages</source>
-        <translation>Páginas</translation>
-    </message>
-    <message>
         <source>Document</source>
         <translation>Documento</translation>
     </message>
@@ -7730,6 +7930,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1; %2 required texts are not stated</source>
         <translation>%1; %2 textos exigidos não estão declarados</translation>
+    </message>
+    <message>
+        <source>Pages as they are printed</source>
+        <translation>Páginas como são impressas</translation>
     </message>
 </context>
 <context>
@@ -8498,6 +8702,14 @@ e metrologia de grandes volumes</translation>
     <message>
         <source>Projects that you open are listed here.</source>
         <translation>Os projetos abertos serão listados aqui.</translation>
+    </message>
+    <message>
+        <source>First Steps</source>
+        <translation>Primeiros passos</translation>
+    </message>
+    <message>
+        <source>A budget from nothing to a PDF, in ten steps beside the window</source>
+        <translation>Um balanço do zero ao PDF, em dez passos ao lado da janela</translation>
     </message>
 </context>
 <context>

@@ -4951,42 +4951,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <translation>该分析有问题,列于下方。</translation>
     </message>
     <message>
-        <source># Keys
-
-| Key | Does |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
-| Ctrl+Z, Ctrl+Y | undo, redo |
-| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
-| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
-| Arrow keys, + and − | turn and zoom the scene |
-| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
-| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
-| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
-| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
-| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
-| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
-| F1 | help on the field, cell or entry with the focus |
-</source>
-        <translation># 快捷键
-
-| 键 | 作用 |
-|---|---|
-| Ctrl+N, Ctrl+O, Ctrl+S | 新建、打开、保存 |
-| Ctrl+Z, Ctrl+Y | 撤销、重做 |
-| F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
-| F2, Ctrl+D, Delete | 重命名、复制、删除所选条目 |
-| 方向键、+ 和 − | 旋转和缩放场景 |
-| 1 至 7, F | 等轴测、俯视、前视、右视、仰视、后视、左视、适合窗口（任何位置：Ctrl+1 至 Ctrl+7） |
-| H, I, Shift+H | 在场景中隐藏所选项、仅显示所选项、显示全部 |
-| 在场景中拖动 | 移动对象，拖动轴端可旋转对象；按住 Ctrl 按整步进行 |
-| D, A | 在场景中测量距离、角度；按 Esc 退出工具 |
-| Ctrl+C, Ctrl+V | 复制和粘贴单元格块 |
-| Ctrl+K | 查找一切：分析、量、结果、字段、命令、帮助 |
-| F1 | 当前焦点处的字段、单元格或条目的帮助 |
-</translation>
-    </message>
-    <message>
         <source>the picture shows no result of the analysis</source>
         <translation>图中未显示该分析的结果</translation>
     </message>
@@ -5053,6 +5017,124 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>Left</source>
         <translation>左视</translation>
+    </message>
+    <message>
+        <source># Keys
+
+| Key | Does |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | new, open, save |
+| Ctrl+Z, Ctrl+Y | undo, redo |
+| F5, Ctrl+F5, Esc | run this analysis, run all, stop |
+| F2, Ctrl+D, Delete | rename, duplicate, delete the selected entry |
+| Arrow keys, + and − | turn and zoom the scene |
+| 1 to 7, F | iso, top, front, right, bottom, back, left view, fit (Ctrl+1 to Ctrl+7 anywhere) |
+| H, I, Shift+H | hide what is selected in the scene, show it alone, show all |
+| Drag in the scene | moves a thing, turns it by the tip of an axis; with Ctrl in round steps |
+| D, A | measure a distance, an angle in the scene; Esc puts the tool away |
+| +, −, Ctrl+wheel in the report | larger, smaller pages; Alt+Up and Alt+Down: previous, next page |
+| Ctrl+C, Ctrl+V | copy and paste blocks of cells |
+| Ctrl+K | find anything: analyses, quantities, results, fields, commands, help |
+| F1 | help on the field, cell or entry with the focus |
+</source>
+        <translation># 快捷键
+
+| 键 | 作用 |
+|---|---|
+| Ctrl+N, Ctrl+O, Ctrl+S | 新建、打开、保存 |
+| Ctrl+Z, Ctrl+Y | 撤销、重做 |
+| F5, Ctrl+F5, Esc | 运行此分析、运行全部、停止 |
+| F2, Ctrl+D, Delete | 重命名、复制、删除所选条目 |
+| 方向键、+ 和 − | 旋转和缩放场景 |
+| 1 至 7, F | 等轴测、俯视、前视、右视、仰视、后视、左视、适合窗口（任何位置：Ctrl+1 至 Ctrl+7） |
+| H, I, Shift+H | 在场景中隐藏所选项、仅显示所选项、显示全部 |
+| 在场景中拖动 | 移动对象，拖动轴端可旋转对象；按住 Ctrl 按整步进行 |
+| D, A | 在场景中测量距离、角度；按 Esc 退出工具 |
+| 报告中的 +、−、Ctrl+滚轮 | 放大、缩小页面；Alt+上、Alt+下：上一页、下一页 |
+| Ctrl+C, Ctrl+V | 复制和粘贴单元格块 |
+| Ctrl+K | 查找一切：分析、量、结果、字段、命令、帮助 |
+| F1 | 当前焦点处的字段、单元格或条目的帮助 |
+</translation>
+    </message>
+    <message>
+        <source>Add an analysis</source>
+        <translation>添加分析</translation>
+    </message>
+    <message>
+        <source>The plus sign in the toolbar adds what a project consists of. Choose Analysis: Measurement equation from its menu.</source>
+        <translation>工具栏中的加号用于添加项目的组成部分。从其菜单中选择“分析：测量方程”。</translation>
+    </message>
+    <message>
+        <source>Name the quantities</source>
+        <translation>命名各个量</translation>
+    </message>
+    <message>
+        <source>Replace the equation in the field Equations by yours, such as l = l_S + d. Every name that it uses becomes a row of the budget when you leave the field.</source>
+        <translation>将“方程”字段中的方程换成您的方程，例如 l = l_S + d。离开该字段时，其中每个名称都成为预算的一行。</translation>
+    </message>
+    <message>
+        <source>State an uncertainty</source>
+        <translation>给出不确定度</translation>
+    </message>
+    <message>
+        <source>Type the estimate of each quantity into its row, such as 50 mm, and what is known of it under “stated as”, such as 75 nm. “rect 30 nm” and “U = 0.3 um, k = 2” are read as they are typed.</source>
+        <translation>在每个量的行中键入估计值，例如 50 mm，并在“给出方式”下键入已知信息，例如 75 nm。“rect 30 nm”和“U = 0.3 um, k = 2”按键入的形式读取。</translation>
+    </message>
+    <message>
+        <source>See the result</source>
+        <translation>查看结果</translation>
+    </message>
+    <message>
+        <source>The result is there when every quantity has its uncertainty, below the budget and in the tab Results. It follows every change at once.</source>
+        <translation>当每个量都有不确定度时，结果出现在预算下方和“结果”标签页中，并随每次更改立即更新。</translation>
+    </message>
+    <message>
+        <source>Correlate two quantities</source>
+        <translation>使两个量相关</translation>
+    </message>
+    <message>
+        <source>Select two rows of the budget, the second with Ctrl, and type their correlation coefficient r into the field below, such as 0.5. The result takes it into account at once.</source>
+        <translation>选择预算的两行（第二行按住 Ctrl），并在下方字段中键入其相关系数 r，例如 0.5。结果会立即将其计入。</translation>
+    </message>
+    <message>
+        <source>State a requirement</source>
+        <translation>给出要求</translation>
+    </message>
+    <message>
+        <source>Type the uncertainty that must not be exceeded as Target uncertainty. The verdict below it, and in the table of results, follows every change.</source>
+        <translation>将不得超过的不确定度键入“目标不确定度”。其下方以及结果表中的结论随每次更改更新。</translation>
+    </message>
+    <message>
+        <source>See what contributes most</source>
+        <translation>查看贡献最大者</translation>
+    </message>
+    <message>
+        <source>The tab Budget has the contributions as a table and as a chart, the largest first. What is at the top is worth improving.</source>
+        <translation>“预算”标签页以表格和图表显示各贡献，最大者在前。最上面的值得改进。</translation>
+    </message>
+    <message>
+        <source>Keep and compare</source>
+        <translation>保留并比较</translation>
+    </message>
+    <message>
+        <source>Run the analysis (F5), press Keep as Before, and change a value of the budget. The tab Compare shows the results before and after beside each other.</source>
+        <translation>运行分析 (F5)，按“保留为之前状态”，然后更改预算的一个值。“比较”标签页并排显示前后结果。</translation>
+    </message>
+    <message>
+        <source>Look at the report</source>
+        <translation>查看报告</translation>
+    </message>
+    <message>
+        <source>The tab Report shows the pages as they are printed, of the report or of the certificate. It has results that are up to date only: run the analysis first (F5).</source>
+        <translation>“报告”标签页显示报告或证书的打印页面。它只包含最新结果：请先运行分析 (F5)。</translation>
+    </message>
+    <message>
+        <source>Save it as PDF</source>
+        <translation>另存为 PDF</translation>
+    </message>
+    <message>
+        <source>Report as PDF in the toolbar (Ctrl+P) writes the report with the project in it, so that Covaria can open it again. The certificate is in the menu File under Export.</source>
+        <translation>工具栏中的“报告为 PDF”(Ctrl+P) 写出内含项目的报告，Covaria 可再次打开它。证书在“文件”菜单的“导出”下。</translation>
     </message>
 </context>
 <context>
@@ -5670,10 +5752,6 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
 <context>
     <name>covaria::ui::DesignReductionList</name>
     <message>
-        <source>Reductions with a price, in place of variables and rows</source>
-        <translation>带价格的减小项，代替变量和行</translation>
-    </message>
-    <message>
         <source>Add Reduction</source>
         <translation>添加减小项</translation>
     </message>
@@ -5732,6 +5810,14 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     <message>
         <source>choose what is reduced</source>
         <translation>选择要减小的量</translation>
+    </message>
+    <message>
+        <source>Reductions</source>
+        <translation>降低措施</translation>
+    </message>
+    <message>
+        <source>Each has a price; they take the place of variables and rows.</source>
+        <translation>每项都有代价；它们代替变量和行。</translation>
     </message>
 </context>
 <context>
@@ -6448,6 +6534,53 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
 </context>
 <context>
+    <name>covaria::ui::FirstStepsGuide</name>
+    <message>
+        <source>First Steps</source>
+        <translation>入门</translation>
+    </message>
+    <message>
+        <source>Not there yet: first step %1, %2.</source>
+        <translation>还没有：先做第 %1 步，%2。</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FirstStepsPanel</name>
+    <message>
+        <source>Show Me</source>
+        <translation>指给我看</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后视</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>入门</translation>
+    </message>
+    <message>
+        <source>Shows where it is done: opens the tab and puts a frame around it</source>
+        <translation>显示操作位置：打开标签页并加上边框</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>step 3 of 10</comment>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::HelpActions</name>
     <message>
         <source>Help</source>
@@ -6492,6 +6625,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>The S&amp;cene</source>
         <translation>场景(&amp;C)</translation>
+    </message>
+    <message>
+        <source>An Everyday &amp;Budget</source>
+        <translation>日常预算(&amp;B)</translation>
     </message>
 </context>
 <context>
@@ -7039,6 +7176,10 @@ Chosen: %2</source>
         <source>%1[*] – Covaria</source>
         <translation>%1[*] – Covaria</translation>
     </message>
+    <message>
+        <source>First &amp;Steps</source>
+        <translation>入门(&amp;S)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MeasureTool</name>
@@ -7118,6 +7259,69 @@ Chosen: %2</source>
     <message>
         <source> of %1</source>
         <translation> (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageBar</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>页</translation>
+    </message>
+    <message>
+        <source>Number of the page that is shown</source>
+        <translation>所显示页的页码</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>上一页</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>下一页</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>缩小</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Size of the pages</source>
+        <translation>页面大小</translation>
+    </message>
+    <message>
+        <source>Size of the pages: fitted, or in per cent of the paper (Ctrl with the wheel)</source>
+        <translation>页面大小：适应窗口，或纸张的百分比（Ctrl 加滚轮）</translation>
+    </message>
+    <message>
+        <source>Fit Width</source>
+        <translation>适应宽度</translation>
+    </message>
+    <message>
+        <source>Fit Page</source>
+        <translation>适应页面</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <comment>page 3 of 17</comment>
+        <translation> (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>页</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>第 %1 页</translation>
     </message>
 </context>
 <context>
@@ -7657,10 +7861,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::ReportPreview</name>
     <message>
-        <source>Pages</source>
-        <translation>页</translation>
-    </message>
-    <message>
         <source>Document</source>
         <translation>文档</translation>
     </message>
@@ -7727,6 +7927,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1; %2 required texts are not stated</source>
         <translation>%1；有 %2 项要求的文本未给出</translation>
+    </message>
+    <message>
+        <source>Pages as they are printed</source>
+        <translation>打印页面</translation>
     </message>
 </context>
 <context>
@@ -8494,6 +8698,14 @@ and large-scale metrology</source>
     <message>
         <source>Projects that you open are listed here.</source>
         <translation>您打开的项目列于此处。</translation>
+    </message>
+    <message>
+        <source>First Steps</source>
+        <translation>入门</translation>
+    </message>
+    <message>
+        <source>A budget from nothing to a PDF, in ten steps beside the window</source>
+        <translation>在窗口旁用十步从零开始完成一份预算直到 PDF</translation>
     </message>
 </context>
 <context>
