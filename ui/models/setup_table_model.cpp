@@ -86,6 +86,11 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
         case Qt::EditRole:
             return rejected != rejected_.end() ? rejected->second.text : cell_text(spec, cell, QLocale());
+        case typeset_role:  // "theta" is a name in every other column
+            if (const auto* name = std::get_if<std::string>(&cell);
+                name && spec.key == "symbol" && rejected == rejected_.end())
+                return QVariant::fromValue(symbol_text(*name));
+            return {};
         case Qt::TextAlignmentRole:
             return QVariant(is_numeric(spec) ? Qt::AlignRight | Qt::AlignVCenter
                                              : Qt::AlignLeft | Qt::AlignVCenter);
