@@ -12,6 +12,8 @@ namespace {
 
 class LargeFontSession : public Session {
 protected:
+    /// The font is the application's: other tests have the usual one.
+    void TearDown() override { choose_font(Preferences().font_points); }
     void choose_font(int points) {
         Preferences wanted = window_->preferences().now();
         wanted.font_points = points;
