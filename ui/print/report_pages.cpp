@@ -100,7 +100,7 @@ std::vector<PrintedPage> printed_pages(const ReportDocument& document, const Pdf
                                QPainter::SmoothPixmapTransform);
         pages.paint(page, painter);
         painter.end();
-        printed.push_back({inches, drawing});
+        printed.push_back({inches, static_cast<const QPicture&>(drawing)});
     }
     for (const Bookmark& bookmark : pages.bookmarks())
         printed[std::size_t(bookmark.page)].headings.push_back(bookmark.title);

@@ -5,11 +5,16 @@
 
 #include <QAbstractItemModelTester>
 
+#include "core/base/resource_path.h"
+#include "core/made/load_project.h"
+#include "core/project/kind_lookup.h"
 #include "tests/ui/qt_application.h"
 #include "tests/ui/sample_schema.h"
 #include "ui/document/quantity_text.h"
 #include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
+#include "ui/theme/label_text.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui::setup_table_model_test {
 namespace {
@@ -38,6 +43,26 @@ TEST_F(SetupTableModelTest, ShowsCellsWithUnitsInTheHeads) {
     EXPECT_TRUE(model.headerData(2, Qt::Horizontal).toString().endsWith(QString::fromUtf8("/ µm")));
     EXPECT_TRUE(model.index(0, 1).data(Qt::TextAlignmentRole).toInt() & Qt::AlignRight);
     EXPECT_EQ(model.index(1, 2).data(path_role).toString(), "/assets/0/setup/points/rows/1/2");
+}
+
+/// The table of quantities says θ where the budget and the equation do.
+TEST(SetupTableModelSymbols, NamesOfQuantitiesAreSymbols) {
+    const LoadedProject loaded = load_project(data_directory() / "projects/gum/h1-end-gauge.covaria");
+    Document document{[](const MadeProject&) { return Problems(); }, nullptr};
+    document.replace(loaded.project);
+    const SetupAddress address{SetupOwner::analysis, "table"};
+    const SetupTableModel quantities{document, address, schema_of(*loaded.project.find_analysis("table")),
+                                     "quantities"};
+    QStringList shown;
+    for (int row = 0; row < quantities.rowCount(); ++row) {
+        EXPECT_EQ(quantities.index(row, 0).data().toString().contains(QLatin1Char('_')), row != 1 && row != 3)
+            << "what is edited and copied stays as it was typed";
+        const QVariant typeset = quantities.index(row, 0).data(typeset_role);
+        ASSERT_TRUE(typeset.isValid());
+        shown << to_qt(to_unicode(typeset.value<Text>()));
+        EXPECT_FALSE(quantities.index(row, 1).data(typeset_role).isValid()) << "names are words";
+    }
+    EXPECT_EQ(shown[3], QStringLiteral("θ"));
 }
 
 TEST_F(SetupTableModelTest, EditsGoThroughTheDocumentAndComeBack) {
