@@ -9,6 +9,7 @@
 #include "app/evaluation.h"
 #include "app/exit_status.h"
 #include "app/output_folder.h"
+#include "app/report_files.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
 #include "core/base/file_names.h"
@@ -20,6 +21,7 @@ namespace {
 
 struct CompareArguments {
     std::string before, after, out;
+    std::string output;  ///< one file, as a report is
     std::vector<std::string> analyses, values;
     RunRequest method;
 };
@@ -112,6 +114,15 @@ Result<void> write_out(const CompareArguments& arguments, const ReportDocument& 
     return written;
 }
 
+/// It carries the project of after, as reports do.
+Result<void> write_as_report(const std::string& file, const ReportDocument& document, const Evaluation& after,
+                             const std::stop_token& stop) {
+    ReportFiles files;
+    if (auto named = write_into_one_file(file, files); !named) return named;
+    if (auto made = make_output_folder(files.folder); !made) return made;
+    return write_document(document, {*after.made, after.analyses, after.failed}, files, stop);
+}
+
 Result<void> compare(const CompareArguments& arguments, const std::stop_token& stop) {
     if (auto right = check_arguments(arguments); !right) return right;
     const auto before = open_project(arguments.before);
@@ -142,6 +153,8 @@ Result<void> compare(const CompareArguments& arguments, const std::stop_token& s
     const ReportDocument document = build_comparison(
         {arguments.before, sides_words(arguments), plan->only_before, plan->only_after}, compared);
     if (auto written = write_out(arguments, document, compared); !written) return written;
+    if (!arguments.output.empty())
+        if (auto written = write_as_report(arguments.output, document, *is, stop); !written) return written;
     if (auto complete = check_complete(*was); !complete) return complete;
     return check_complete(*is);
 }
@@ -167,6 +180,10 @@ Command compare_command(CLI::App& app) {
         ->allow_extra_args(false);
     command->add_option("--out", arguments->out, "folder for comparison.md and CSV tables with everything")
         ->type_name("DIR");
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "one file too, in the format of its ending: .pdf, .html or .md")
+        ->type_name("FILE");
     return {command, [arguments](const std::stop_token& stop) {
                 const auto done = compare(*arguments, stop);
                 if (!done) {

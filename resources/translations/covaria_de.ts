@@ -8469,6 +8469,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>Show All</source>
         <translation>Alles zeigen</translation>
     </message>
+    <message>
+        <source>Type Coordinates</source>
+        <translation>Koordinaten eingeben</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SearchActions</name>

@@ -8469,6 +8469,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <source>Show All</source>
         <translation>Mostrar todo</translation>
     </message>
+    <message>
+        <source>Type Coordinates</source>
+        <translation>Escribir coordenadas</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SearchActions</name>

@@ -8466,6 +8466,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Show All</source>
         <translation>모두 표시</translation>
     </message>
+    <message>
+        <source>Type Coordinates</source>
+        <translation>좌표 입력</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SearchActions</name>

@@ -8469,6 +8469,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Show All</source>
         <translation>Mostrar tudo</translation>
     </message>
+    <message>
+        <source>Type Coordinates</source>
+        <translation>Digitar coordenadas</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SearchActions</name>

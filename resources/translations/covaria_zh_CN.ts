@@ -8466,6 +8466,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Show All</source>
         <translation>显示全部</translation>
     </message>
+    <message>
+        <source>Type Coordinates</source>
+        <translation>键入坐标</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SearchActions</name>

@@ -50,6 +50,18 @@ TEST(Compare, AReportHasTheResultsOfAnotherFileBesideItsOwn) {
     EXPECT_EQ(run_program({"report", gauge, "--before", gauge, "--certificate", "-o", to}).status, 2);
 }
 
+TEST(Compare, IsAPdfTooThatCarriesTheProjectOfAfter) {
+    const auto file = fresh_folder("compare-pdf") / "comparison.pdf";
+    const Outcome made = run_program({"compare", gauge, "--analysis", "table", "--first-order", "--set",
+                                      "/analyses/table/setup/quantities/rows/d/a=19.4", "-o", file.string()});
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_TRUE(read_text(file).starts_with("%PDF"));
+    const Outcome again = run_program({"verify-report", file.string()});
+    EXPECT_EQ(again.status, 0) << again.out << again.err;
+    EXPECT_EQ(
+        run_program({"compare", gauge, "--analysis", "table", "--set", "/title=x", "-o", "a.doc"}).status, 2);
+}
+
 TEST(Compare, EqualProjectsDoNotDiffer) {
     const Outcome same = run_program({"compare", gauge, gauge, "--first-order"});
     ASSERT_EQ(same.status, 0) << same.err;

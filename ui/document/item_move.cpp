@@ -17,6 +17,17 @@ bool move_item(Document& document, const SetupAddress& entry, const ItemMove& mo
         QStringLiteral("move:%1%2").arg(QString::fromStdString(entry.id), QString::fromStdString(path)));
 }
 
+QString place_of_coordinates(const Project& project, const SetupAddress& entry, const LayoutSource& source) {
+    const SetupSchema* schema = find_schema(project, entry);
+    if (!schema || source.path.empty()) return {};
+    const FieldSpec* field = schema->find(source.path.substr(1, source.path.find('/', 1) - 1));
+    if (!field) return {};
+    std::string place = setup_path(project, entry) + source.path;
+    for (std::size_t c = 0; c < field->columns.size(); ++c)
+        if (field->columns[c].key == "x") place += "/" + std::to_string(c);
+    return QString::fromStdString(place);
+}
+
 bool turn_item(Document& document, const SetupAddress& entry, const ItemTurn& turn) {
     const Eigen::Matrix3d R_SF = turn.source.X_WS.linear().transpose() * turn.R_WF;
     const std::string& path = turn.source.path;

@@ -20,6 +20,10 @@ struct ItemMove {
 /// False where the entry has no such position or it stays where it was.
 bool move_item(Document& document, const SetupAddress& entry, const ItemMove& move);
 
+/// Place in the project of the coordinates of what a picture shows: the cell of x in its row, or the pose;
+/// empty where no field of the entry gives them.
+QString place_of_coordinates(const Project& project, const SetupAddress& entry, const LayoutSource& source);
+
 struct ItemTurn {
     QString name;
     LayoutSource source;  ///< where its pose is written

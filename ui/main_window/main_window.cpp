@@ -360,6 +360,10 @@ void MainWindow::connect_scene() {
                 turn_item(document_, scene_->address_in(item.source.asset),
                           {to_qt(item.name), item.source, R_WF, step});
             });
+    connect(&scene_->view(), &SceneView::coordinates_wanted, this, [this](const SceneItem& item) {
+        const SetupAddress entry = scene_->address_in(item.source.asset);
+        go_to(place_of_coordinates(document_.project(), entry, item.source));
+    });
     scene_->measuring().style = [this] {
         const std::optional<int> stated = document_.project().results.style.digits;
         return MeasureStyle{results_->units().units(), stated.value_or(preferences_.now().digits)};

@@ -368,7 +368,8 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (!face_under(event->position())) fit();
+    if (face_under(event->position()) || want_coordinates(item_under(event->position()))) return;
+    fit();
 }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
@@ -411,6 +412,8 @@ bool SceneView::take_key(const QKeyEvent& event) {
         hide_item(selected_);
     else if (event.key() == Qt::Key_I && event.modifiers() == Qt::NoModifier)
         show_alone(selected_);
+    else if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter || event.key() == Qt::Key_F2)
+        return want_coordinates(selected_);
     else
         return false;
     return true;
@@ -429,21 +432,36 @@ void SceneView::show_alone(const QString& item_id) {
     fit();
 }
 
-QString SceneView::item_for_menu(const QContextMenuEvent& event) const {
+bool SceneView::want_coordinates(const QString& item_id) {
+    const SceneItem* item = scene_ ? find_item(*scene_, item_id.toStdString()) : nullptr;
+    if (!item || item->source.path.empty() || picks_places_) return false;
+    emit coordinates_wanted(*item);
+    return true;
+}
+
+QString SceneView::item_under(QPointF position) const {
     if (!scene_ || image_.isNull()) return {};
-    if (event.reason() == QContextMenuEvent::Keyboard)
-        return find_item(*scene_, selected_.toStdString()) ? selected_ : QString();
-    const QPointF at = QPointF(event.pos()) * devicePixelRatioF();
+    const QPointF at = position * devicePixelRatioF();
     const auto shown = [this](Layer layer) { return layers_[layer]; };
     return QString::fromStdString(
         pick_item(*scene_, camera_, picture_size(), {at.x(), at.y()}, shown, 6.0 * devicePixelRatioF())
             .value_or(std::string()));
 }
 
+QString SceneView::item_for_menu(const QContextMenuEvent& event) const {
+    if (!scene_ || image_.isNull()) return {};
+    if (event.reason() == QContextMenuEvent::Keyboard)
+        return find_item(*scene_, selected_.toStdString()) ? selected_ : QString();
+    return item_under(event.pos());
+}
+
 void SceneView::contextMenuEvent(QContextMenuEvent* event) {
     if (dragged_) return;  // the end of a right drag
     QMenu menu(this);
     if (const QString item = item_for_menu(*event); !item.isEmpty()) {
+        if (const SceneItem* found = find_item(*scene_, item.toStdString());
+            found && !found->source.path.empty())
+            menu.addAction(tr("Type Coordinates"), this, [this, item] { want_coordinates(item); });
         menu.addAction(tr("Hide"), this, [this, item] { hide_item(item); });
         menu.addAction(tr("Show Only This"), this, [this, item] { show_alone(item); });
     }

@@ -68,6 +68,8 @@ signals:
     /// Likewise, while places are picked.
     void place_picked(const QString& item_id);
     void tool_left();  ///< Escape
+    /// The user wants to type where an item is.
+    void coordinates_wanted(const covaria::SceneItem& item);
     void perspective_changed(bool perspective);
     void picture_saved(const QString& file, const QString& problem);
     /// The user drags an item (as it was when the drag began) to a point of W, known to about `step` m.
@@ -93,6 +95,9 @@ private:
     void send_scene();
     void take_image(const QImage& image, const Camera& camera);
     void hide_item(const QString& item_id);
+    /// Of an item whose place is written in a set-up; false: it is not.
+    bool want_coordinates(const QString& item_id);
+    QString item_under(QPointF position) const;
     void show_alone(const QString& item_id);
     /// The item that a context menu is about; empty: none.
     QString item_for_menu(const QContextMenuEvent& event) const;

@@ -120,15 +120,17 @@ TEST(CertificateLanguage, NumbersHaveItsDecimalSign) {
     const std::regex with_point(R"([0-9]\.[0-9]+( |\s|%|\)|$))");
     for (const Sample& sample : samples())
         for (const ReportBlock& block : certificate_of(sample, brackets.language).blocks) {
-            if (const auto* table = std::get_if<TableBlock>(&block))
+            if (const auto* table = std::get_if<TableBlock>(&block)) {
                 for (std::size_t r = 0; r < table->table.rows.size(); ++r)
                     for (std::size_t c = 0; c < table->table.rows[r].size(); ++c) {
                         const std::string cell = to_html(cell_typeset(*table, r, c));
                         EXPECT_FALSE(std::regex_search(cell, with_point)) << cell;
                     }
-            if (const auto* facts = std::get_if<FactsBlock>(&block))
+            }
+            if (const auto* facts = std::get_if<FactsBlock>(&block)) {
                 for (const auto& [name, value] : facts->facts)
                     EXPECT_FALSE(std::regex_search(value, with_point)) << value;
+            }
         }
 }
 

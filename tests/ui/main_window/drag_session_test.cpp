@@ -56,6 +56,30 @@ protected:
     }
 };
 
+/// By double click, or the keyboard alone.
+TEST_F(DragSession, CoordinatesAreTyped) {
+    open_network();
+    QTest::mouseDClick(&view(), Qt::LeftButton, {}, pick("point:B"));
+    auto* table = sheet("targets");
+    ASSERT_TRUE(table->hasFocus() || table->isAncestorOf(QApplication::focusWidget()));
+    EXPECT_EQ(table->currentIndex().row(), 1);
+    EXPECT_EQ(table->currentIndex().column(), 1) << "x";
+    const auto before = target(1);
+    for (const char key : {'1', '2', '3', '4'}) QTest::keyClick(QApplication::focusWidget(), key);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&] { return target(1)[0] == 1234.0; })) << target(1)[0];
+    EXPECT_EQ(target(1)[1], before[1]);
+    ASSERT_TRUE(wait_for([&] {
+        const SceneItem* item = view().scene() ? find_item(*view().scene(), "point:B") : nullptr;
+        return item && std::abs(item->position.x() - 1.234) < 1e-9;
+    })) << "the scene shows it";
+    view().setFocus();
+    view().select(QStringLiteral("point:A"));
+    QTest::keyClick(&view(), Qt::Key_Return);
+    EXPECT_EQ(table->currentIndex().row(), 0);
+    EXPECT_EQ(table->currentIndex().column(), 1);
+}
+
 TEST_F(DragSession, ATargetFollowsThePointerAndItsEllipsoidToo) {
     open_network();
     const auto before = target(1);
