@@ -53,8 +53,8 @@ const char* layer_key(Layer layer);
 
 /// What a pick tells about an item.
 struct SceneItem {
-    std::string id;    ///< unique in the scene: "point:b1", "link:leg 3"
-    std::string name;  ///< as in the layout
+    std::string id = {};    ///< unique in the scene: "point:b1", "link:leg 3"
+    std::string name = {};  ///< as in the layout
     std::string group = {};
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in W, m
     /// Standard and expanded uncertainties of the three coordinates, m, along the axes in which the point's
