@@ -205,6 +205,27 @@ Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const R
     return std::move(evaluator.evaluation);
 }
 
+Result<void> compare_with(const std::string& file, RunRequest request, Evaluation& evaluation,
+                          const std::stop_token& stop) {
+    const auto opened = open_project(file);
+    if (!opened) return fail(opened.error());
+    request.studies = request.designs = false;
+    request.analyses.clear();
+    for (const EvaluatedAnalysis& now : evaluation.analyses)
+        if ((*opened)->project().find_analysis(now.analysis->id))
+            request.analyses.push_back(now.analysis->id);
+    if (request.analyses.empty())
+        return fail(ErrorCode::not_found, file + " has none of the analyses that are compared with it");
+    const auto earlier = evaluate_analyses(*opened, request, stop);
+    if (!earlier) return fail(earlier.error());
+    for (const EvaluatedAnalysis& was : earlier->analyses)
+        for (EvaluatedAnalysis& now : evaluation.analyses)
+            if (now.analysis->id == was.analysis->id)
+                now.before = std::make_shared<const ResultsBefore>(
+                    ResultsBefore{file, compare_results(was.result, now.result)});
+    return check_complete(*earlier);
+}
+
 Result<void> check_complete(const Evaluation& evaluation) {
     if (evaluation.failed.empty()) return {};
     std::string names;

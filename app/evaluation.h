@@ -55,6 +55,10 @@ struct Evaluation {
 /// and does not keep the others from being evaluated. Errors: an unknown analysis, stopped.
 Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const RunRequest& request,
                                      const std::stop_token& stop, UnitStores* stores = nullptr);
+/// Puts the results of the same analyses of another project, by the same method, beside these. Errors: a file
+/// without one of them, one that fails.
+Result<void> compare_with(const std::string& file, RunRequest request, Evaluation& evaluation,
+                          const std::stop_token& stop);
 /// The project as this request evaluates it.
 MadeProject::Pointer requested(const MadeProject::Pointer& opened, const RunRequest& request);
 /// Error{not_found}: an analysis that the project has not.

@@ -108,7 +108,8 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
         request.probability > 0 ? request.probability : evaluated.analysis->options.coverage_probability;
     if (!request.design.empty()) return scene_of_design(evaluated, request, options);
     if (!request.study.empty()) return scene_of_study(evaluated, request, options);
-    return analysis_scene(*evaluated.analysis, evaluated.result.get(), options);
+    return analysis_scene(*evaluated.analysis, evaluated.result.get(), options,
+                          evaluated.before ? &evaluated.before->comparison : nullptr);
 }
 
 Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequest& request,

@@ -36,7 +36,8 @@ const std::vector<Definition>& definitions() {
         {{"choose", "rows that a design chooses from"}, "designChoice"},
         {{"reductions", "what a design may pay for"}, "designReduction"},
         {{"boxes", "boxes of a design, in keepOut and hiddenBy"}, "designBox"},
-        {{"views", "ways to look at the scene"}, "view"}};
+        {{"views", "ways to look at the scene"}, "view"},
+        {{"quantityNotes", "what people wrote about input quantities"}, "quantityNotes"}};
     return all;
 }
 

@@ -16,6 +16,7 @@ struct RenderArguments {
     RunRequest request;
     PictureRequest picture;
     std::string output = "scene.png";
+    std::string before;  ///< project to compare with
 };
 
 /// A saved view of that name, else a standard one.
@@ -50,6 +51,9 @@ Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
     if (auto complete = check_complete(*evaluation); !complete) return complete;
+    if (!arguments.before.empty())
+        if (auto compared = compare_with(arguments.before, arguments.request, *evaluation, stop); !compared)
+            return compared;
     return write_picture(evaluation->analyses.front(), arguments.picture, arguments.output);
 }
 
@@ -79,6 +83,11 @@ Command render_command(CLI::App& app) {
         ->add_option("--quantity", picture.quantity,
                      "of the study, e.g. \"u(3D), B\" or \"U(x), B\"; the first without it")
         ->type_name("TITLE");
+    command
+        ->add_option("--before", arguments->before, "project file: its ellipsoids beside these (see compare)")
+        ->type_name("FILE")
+        ->excludes("--study")
+        ->excludes("--design");
     command->add_flag("--ellipsoids", picture.ellipsoids, "ellipsoids at the grid points of the study");
     command
         ->add_option(

@@ -54,29 +54,6 @@ Result<RunRequest> request_for(const ReportArguments& arguments, const Project& 
     return request;
 }
 
-/// Of the same analyses of another project, by the same method.
-Result<void> compare_with(const ReportArguments& arguments, Evaluation& evaluation,
-                          const std::stop_token& stop) {
-    const auto opened = open_project(arguments.before);
-    if (!opened) return fail(opened.error());
-    RunRequest request = arguments.request;
-    request.studies = request.designs = false;
-    request.analyses.clear();
-    for (const EvaluatedAnalysis& now : evaluation.analyses)
-        if ((*opened)->project().find_analysis(now.analysis->id))
-            request.analyses.push_back(now.analysis->id);
-    if (request.analyses.empty())
-        return fail(ErrorCode::not_found, arguments.before + " has none of the analyses of the report");
-    const auto earlier = evaluate_analyses(*opened, request, stop);
-    if (!earlier) return fail(earlier.error());
-    for (const EvaluatedAnalysis& was : earlier->analyses)
-        for (EvaluatedAnalysis& now : evaluation.analyses)
-            if (now.analysis->id == was.analysis->id)
-                now.before = std::make_shared<const ResultsBefore>(
-                    ResultsBefore{arguments.before, compare_results(was.result, now.result)});
-    return check_complete(*earlier);
-}
-
 Result<void> report(const ReportArguments& arguments, const std::stop_token& stop) {
     ReportFiles files = files_of(arguments);
     if (!arguments.output.empty())
@@ -89,7 +66,8 @@ Result<void> report(const ReportArguments& arguments, const std::stop_token& sto
     auto evaluation = evaluate_analyses(*opened, *request, stop);
     if (!evaluation) return fail(evaluation.error());
     if (!arguments.before.empty())
-        if (auto compared = compare_with(arguments, *evaluation, stop); !compared) return compared;
+        if (auto compared = compare_with(arguments.before, arguments.request, *evaluation, stop); !compared)
+            return compared;
     const ReportSource source{*evaluation->made, evaluation->analyses, evaluation->failed};
     if (arguments.certificate) say_what_is_missing(source.made.project());
     if (auto written = write_document(document_of(arguments, source), source, files, stop); !written)

@@ -21,6 +21,7 @@ Project AnalysisNumbers::part() const {
     part.analyses.back().studies.clear();  // they have results, and fingerprints, of their own
     part.analyses.back().designs.clear();
     part.analyses.back().views.clear();
+    part.analyses.back().quantity_notes.clear();
     add_used_analyses(*project_, entry, part);
     return part;
 }

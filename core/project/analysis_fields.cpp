@@ -31,7 +31,8 @@ const JsonFields<AnalysisEntry>& analysis_fields() {
             .add("requirements", &AnalysisEntry::requirements, ListOf{requirement_object()})
             .add("studies", &AnalysisEntry::studies, ListOf{study_fields()})
             .add("designs", &AnalysisEntry::designs, ListOf{design_fields()})
-            .add("views", &AnalysisEntry::views, SavedViewList{});
+            .add("views", &AnalysisEntry::views, SavedViewList{})
+            .add("quantityNotes", &AnalysisEntry::quantity_notes, ListOf{quantity_notes_fields()});
     return fields;
 }
 

@@ -139,6 +139,13 @@ const JsonFields<InputEdit>& input_edit_fields() {
     return fields;
 }
 
+const JsonFields<QuantityNotes>& quantity_notes_fields() {
+    static const auto fields = JsonFields<QuantityNotes>("the notes of a quantity", Style::one_line)
+                                   .required("symbol", &QuantityNotes::symbol)
+                                   .required("notes", &QuantityNotes::notes);
+    return fields;
+}
+
 const JsonFields<OutputReference>& output_reference_fields() {
     static const auto fields = JsonFields<OutputReference>("an output of an analysis")
                                    .required("analysis", &OutputReference::analysis)

@@ -11,5 +11,6 @@ const JsonFields<OutputReference>& output_reference_fields();
 const JsonFields<InputEdit>& input_edit_fields();
 const JsonFields<ComponentEdit>& component_fields();
 const JsonFields<CorrelationEdit>& correlation_fields();
+const JsonFields<QuantityNotes>& quantity_notes_fields();
 
 }  // namespace covaria

@@ -292,6 +292,7 @@ void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Pr
         part.analyses.back().studies.clear();
         part.analyses.back().designs.clear();
         part.analyses.back().views.clear();
+        part.analyses.back().quantity_notes.clear();
         part.analyses.back().requirements.clear();
         part.analyses.back().options = {};  // of its own evaluation
     }

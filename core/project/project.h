@@ -50,6 +50,13 @@ struct InputEdit {
     bool operator==(const InputEdit&) const = default;
 };
 
+/// What people wrote about one input quantity: why this figure, what was agreed. No result depends on it.
+struct QuantityNotes {
+    std::string symbol = {};
+    std::string notes = {};
+    bool operator==(const QuantityNotes&) const = default;
+};
+
 struct CorrelationEdit {
     std::string first, second;  ///< ids of components, or symbols of quantities as a whole
     double coefficient = 0.0;
@@ -90,6 +97,7 @@ struct AnalysisEntry {
     std::vector<Study> studies = {};
     std::vector<Design> designs = {};
     std::vector<SavedView> views = {};  ///< of its scene
+    std::vector<QuantityNotes> quantity_notes = {};
     bool operator==(const AnalysisEntry&) const = default;
 };
 

@@ -77,6 +77,7 @@ Project numbers_only(Project project) {
         for (Study& study : analysis.studies) study.name.clear();
         analysis.designs.clear();
         analysis.views.clear();
+        analysis.quantity_notes.clear();
         keep_numbers(analysis.setup);
         for (InputEdit& edit : analysis.inputs) {
             if (!edit.components) continue;

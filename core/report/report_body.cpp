@@ -34,7 +34,7 @@ Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evalua
     add_setup(begin(setup), source, evaluated);
     Blocks& of_inputs = begin(inputs);
     add_links(of_inputs, evaluated);
-    add_inputs(of_inputs, evaluated);
+    add_inputs(of_inputs, source, evaluated);
     add_assets(begin(assets), source, evaluated, shown_assets);
     add_budgets(begin(budgets), evaluated);
     add_results(begin(std::nullopt), source, evaluated);

@@ -19,7 +19,7 @@ using Blocks = std::vector<ReportBlock>;
 void add_title(Blocks& blocks, const ReportSource& source);
 void add_models(Blocks& blocks, const ReportSource& source);
 void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
-void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated);
+void add_inputs(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 /// Inputs that are outputs of other analyses; nothing without any.
 void add_links(Blocks& blocks, const EvaluatedAnalysis& evaluated);
 /// `shown` are the assets whose evaluation the report has already.

@@ -69,9 +69,22 @@ void add_correlations(Blocks& blocks, const InputSet& inputs) {
     blocks.push_back(table.take());
 }
 
+void add_quantity_notes(Blocks& blocks, const InputSet& inputs, const AnalysisEntry& entry) {
+    TableBuilder table("input-notes-" + entry.id, "Notes on input quantities");
+    table.text("Symbol", true);
+    table.text("Notes");
+    bool some = false;
+    for (const QuantityNotes& notes : entry.quantity_notes)
+        if (inputs.find(notes.symbol) != InputSet::npos) {
+            table.row({notes.symbol, notes.notes});
+            some = true;
+        }
+    if (some) blocks.push_back(table.take());
+}
+
 }  // namespace
 
-void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
+void add_inputs(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
     const InputSet& inputs = evaluated.result->inputs;
     blocks.push_back(HeadingBlock{2, "Input quantities"});
     const std::vector<Members> rows = rows_of(inputs);
@@ -92,6 +105,8 @@ void add_inputs(Blocks& blocks, const EvaluatedAnalysis& evaluated) {
                    " input quantities; many with equal components share a row. The CSV table of inputs lists "
                    "every one with its estimate.");
     blocks.push_back(table.take());
+    if (const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id))
+        add_quantity_notes(blocks, inputs, *entry);
     add_correlations(blocks, inputs);
 }
 

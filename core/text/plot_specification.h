@@ -71,6 +71,7 @@ struct PlotSpecification {
     std::vector<PlotBand> bands;
     bool horizontal_bars = false;
     double z_low = 0.0, z_high = 0.0;  ///< range of a heat map (correlation: -1..1, diverging)
+    std::string quantity = {};         ///< symbol of the input quantity that it is about; empty: of none
 };
 
 }  // namespace covaria

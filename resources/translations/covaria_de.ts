@@ -5273,6 +5273,17 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::BudgetSheetView</name>
+    <message>
+        <source>Show Quantity</source>
+        <translation>Größe zeigen</translation>
+    </message>
+    <message>
+        <source>Its components, observations, correlations and notes</source>
+        <translation>Ihre Komponenten, Beobachtungen, Korrelationen und Notizen</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
@@ -6903,6 +6914,14 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>Remove Link</source>
         <translation>Verknüpfung entfernen</translation>
     </message>
+    <message>
+        <source>Observations</source>
+        <translation>Beobachtungen</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
@@ -7808,6 +7827,17 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
 </context>
 <context>
+    <name>covaria::ui::QuantityNotesEdit</name>
+    <message>
+        <source>Notes on the quantity</source>
+        <translation>Notizen zur Größe</translation>
+    </message>
+    <message>
+        <source>Why this figure, what was agreed: in the report, below the input quantities</source>
+        <translation>Warum dieser Wert, was vereinbart wurde: im Bericht unter den Eingangsgrößen</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
@@ -8413,6 +8443,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Standard and saved views, orthographic or perspective</source>
         <translation>Standard- und gespeicherte Ansichten, orthografisch oder perspektivisch</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the Kept State</source>
+        <translation>Ellipsoide des behaltenen Stands</translation>
     </message>
 </context>
 <context>

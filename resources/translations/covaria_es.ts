@@ -5273,6 +5273,17 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::BudgetSheetView</name>
+    <message>
+        <source>Show Quantity</source>
+        <translation>Mostrar magnitud</translation>
+    </message>
+    <message>
+        <source>Its components, observations, correlations and notes</source>
+        <translation>Sus componentes, observaciones, correlaciones y notas</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
@@ -6903,6 +6914,14 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>Remove Link</source>
         <translation>Quitar vínculo</translation>
     </message>
+    <message>
+        <source>Observations</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
@@ -7808,6 +7827,17 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::QuantityNotesEdit</name>
+    <message>
+        <source>Notes on the quantity</source>
+        <translation>Notas sobre la magnitud</translation>
+    </message>
+    <message>
+        <source>Why this figure, what was agreed: in the report, below the input quantities</source>
+        <translation>Por qué este valor, qué se acordó: en el informe, debajo de las magnitudes de entrada</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
@@ -8413,6 +8443,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Standard and saved views, orthographic or perspective</source>
         <translation>Vistas estándar y guardadas, ortográfica o en perspectiva</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the Kept State</source>
+        <translation>Elipsoides del estado conservado</translation>
     </message>
 </context>
 <context>

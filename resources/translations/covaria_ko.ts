@@ -5273,6 +5273,17 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
     </message>
 </context>
 <context>
+    <name>covaria::ui::BudgetSheetView</name>
+    <message>
+        <source>Show Quantity</source>
+        <translation>양 표시</translation>
+    </message>
+    <message>
+        <source>Its components, observations, correlations and notes</source>
+        <translation>성분, 관측값, 상관관계 및 메모</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
@@ -6900,6 +6911,14 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>Remove Link</source>
         <translation>연결 제거</translation>
     </message>
+    <message>
+        <source>Observations</source>
+        <translation>관측값</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>메모</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
@@ -7805,6 +7824,17 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::QuantityNotesEdit</name>
+    <message>
+        <source>Notes on the quantity</source>
+        <translation>양에 대한 메모</translation>
+    </message>
+    <message>
+        <source>Why this figure, what was agreed: in the report, below the input quantities</source>
+        <translation>이 값의 근거와 합의 사항: 보고서의 입력량 아래에 실립니다</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
@@ -8410,6 +8440,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Standard and saved views, orthographic or perspective</source>
         <translation>표준 보기와 저장한 보기, 직교 또는 원근</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the Kept State</source>
+        <translation>보관된 상태의 타원체</translation>
     </message>
 </context>
 <context>

@@ -5273,6 +5273,17 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::BudgetSheetView</name>
+    <message>
+        <source>Show Quantity</source>
+        <translation>Mostrar grandeza</translation>
+    </message>
+    <message>
+        <source>Its components, observations, correlations and notes</source>
+        <translation>Seus componentes, observações, correlações e notas</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
@@ -6903,6 +6914,14 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>Remove Link</source>
         <translation>Remover vínculo</translation>
     </message>
+    <message>
+        <source>Observations</source>
+        <translation>Observações</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
@@ -7808,6 +7827,17 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::QuantityNotesEdit</name>
+    <message>
+        <source>Notes on the quantity</source>
+        <translation>Notas sobre a grandeza</translation>
+    </message>
+    <message>
+        <source>Why this figure, what was agreed: in the report, below the input quantities</source>
+        <translation>Por que este valor, o que foi acordado: no relatório, abaixo das grandezas de entrada</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
@@ -8413,6 +8443,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Standard and saved views, orthographic or perspective</source>
         <translation>Vistas padrão e salvas, ortográfica ou em perspectiva</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the Kept State</source>
+        <translation>Elipsoides do estado guardado</translation>
     </message>
 </context>
 <context>

@@ -5273,6 +5273,17 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
     </message>
 </context>
 <context>
+    <name>covaria::ui::BudgetSheetView</name>
+    <message>
+        <source>Show Quantity</source>
+        <translation>显示量</translation>
+    </message>
+    <message>
+        <source>Its components, observations, correlations and notes</source>
+        <translation>其分量、观测值、相关性和备注</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::CertificateForm</name>
     <message>
         <source>Required by %1.</source>
@@ -6900,6 +6911,14 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>Remove Link</source>
         <translation>移除链接</translation>
     </message>
+    <message>
+        <source>Observations</source>
+        <translation>观测值</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>附注</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::InquiryHead</name>
@@ -7805,6 +7824,17 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::QuantityNotesEdit</name>
+    <message>
+        <source>Notes on the quantity</source>
+        <translation>关于该量的备注</translation>
+    </message>
+    <message>
+        <source>Why this figure, what was agreed: in the report, below the input quantities</source>
+        <translation>为何取此值、有何约定：列于报告中输入量之下</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::ReferenceEditor</name>
     <message>
         <source>(nothing in the project fits: add it first)</source>
@@ -8410,6 +8440,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Standard and saved views, orthographic or perspective</source>
         <translation>标准视图和已保存的视图，正投影或透视</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the Kept State</source>
+        <translation>保留状态的椭球</translation>
     </message>
 </context>
 <context>

@@ -235,6 +235,21 @@ TEST(CommandLine, RenderDrawsAPicture) {
         << "the message names the groups there are: " << unknown.err;
 }
 
+TEST(CommandLine, RenderDrawsTheEllipsoidsOfAnotherProject) {
+    const fs::path folder = fresh_folder("render-before");
+    const std::string file = (folder / "pose.gltf").string();
+    const auto drawn = [&](const std::vector<std::string>& further) {
+        std::vector<std::string> words{"render", stewart, "--trials", "2000", "-o", file};
+        words.insert(words.end(), further.begin(), further.end());
+        const Outcome run = run_program(words);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return read_text(file);
+    };
+    EXPECT_EQ(drawn({}).find("ellipsoids_before"), std::string::npos);
+    EXPECT_NE(drawn({"--before", stewart}).find("ellipsoids_before"), std::string::npos);
+    EXPECT_EQ(run_program({"render", stewart, "--before", "nowhere.covaria", "-o", file}).status, 1);
+}
+
 TEST(CommandLine, RenderDrawsASavedView) {
     const fs::path folder = fresh_folder("render-view");
     for (const auto& file : fs::directory_iterator(fs::path(stewart).parent_path()))

@@ -40,6 +40,33 @@ void change_input(Document& document, const std::string& analysis, const std::st
     document.apply(text, edit_project, merge_key);
 }
 
+QString quantity_notes(const Project& project, const std::string& analysis, const std::string& symbol) {
+    if (const AnalysisEntry* entry = project.find_analysis(analysis))
+        for (const QuantityNotes& notes : entry->quantity_notes)
+            if (notes.symbol == symbol) return to_qt(notes.notes);
+    return {};
+}
+
+void set_quantity_notes(Document& document, const std::string& analysis, const std::string& symbol,
+                        const QString& notes) {
+    document.apply(
+        Document::tr("Change notes of %1").arg(to_qt(symbol_to_unicode(symbol))),
+        [&](Project& project) {
+            AnalysisEntry* entry = find_analysis_entry(project, analysis);
+            if (!entry) return;
+            auto& all = entry->quantity_notes;
+            const auto known = std::find_if(all.begin(), all.end(),
+                                            [&](const QuantityNotes& n) { return n.symbol == symbol; });
+            if (notes.isEmpty() && known != all.end())
+                all.erase(known);
+            else if (known != all.end())
+                known->notes = to_std(notes);
+            else if (!notes.isEmpty())
+                all.push_back({symbol, to_std(notes)});
+        },
+        QStringLiteral("quantity-notes:%1:%2").arg(to_qt(analysis), to_qt(symbol)));
+}
+
 std::optional<InputLink> find_link(const Project& project, const std::string& analysis,
                                    const std::string& symbol) {
     if (const AnalysisEntry* entry = project.find_analysis(analysis))

@@ -18,6 +18,12 @@ void change_input(Document& document, const std::string& analysis, const std::st
                   const QString& text, const std::function<void(InputEdit&)>& change,
                   const QString& merge_key = {});
 
+/// What people wrote about a quantity.
+QString quantity_notes(const Project& project, const std::string& analysis, const std::string& symbol);
+/// Empty notes are removed.
+void set_quantity_notes(Document& document, const std::string& analysis, const std::string& symbol,
+                        const QString& notes);
+
 /// Where a quantity takes its value from; empty: it has its own.
 std::optional<InputLink> find_link(const Project& project, const std::string& analysis,
                                    const std::string& symbol);

@@ -13,7 +13,9 @@ constexpr double printed_width = 860.0;
 
 Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const std::string& design,
                        const SceneOptions& options) {
-    if (design.empty()) return analysis_scene(*evaluated.analysis, evaluated.result.get(), options);
+    if (design.empty())
+        return analysis_scene(*evaluated.analysis, evaluated.result.get(), options,
+                              evaluated.before ? &evaluated.before->comparison : nullptr);
     for (const auto& one : evaluated.designs)
         if (one->id == design) return design_scene(*one, options);
     return fail(ErrorCode::not_found, "the report has no design \"" + design + "\"");

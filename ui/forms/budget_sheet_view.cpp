@@ -1,5 +1,6 @@
 #include "ui/forms/budget_sheet_view.h"
 
+#include <QAction>
 #include <QHeaderView>
 #include <QScrollBar>
 
@@ -39,6 +40,15 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
         setFocus();
         scrollTo(cell);
         edit(cell);
+    });
+    quantity_ = new QAction(tr("Show Quantity"), this);
+    quantity_->setToolTip(tr("Its components, observations, correlations and notes"));
+    quantity_->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Return));
+    quantity_->setShortcutContext(Qt::WidgetShortcut);
+    addAction(quantity_);
+    connect(quantity_, &QAction::triggered, this, [this] { emit quantity_asked(currentIndex().row()); });
+    connect(this, &QTableView::doubleClicked, this, [this](const QModelIndex& cell) {
+        if (!(cell.flags() & Qt::ItemIsEditable)) emit quantity_asked(cell.row());
     });
     place_frozen();
 }

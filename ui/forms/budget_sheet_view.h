@@ -11,6 +11,11 @@ public:
     explicit BudgetSheetView(SpreadsheetModel& model, QWidget* parent = nullptr);
     QSize sizeHint() const override { return QTableView::sizeHint(); }
     QSize minimumSizeHint() const override { return {160, 120}; }
+    QAction* quantity_action() const { return quantity_; }
+
+signals:
+    /// Its page is wanted: by the menu, the key, or a double click on what is computed.
+    void quantity_asked(int row);
 
 protected:
     QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
@@ -21,6 +26,7 @@ private:
     void place_frozen();
 
     QTableView* frozen_;  ///< the first column over the others
+    QAction* quantity_;
 };
 
 }  // namespace covaria::ui

@@ -123,6 +123,11 @@ void BudgetSheetModel::refresh_computed() {
             if (rows[line].component == *components_[row]) lines_[row] = line;
 }
 
+std::string BudgetSheetModel::symbol_of(int row) const {
+    if (row < 0 || is_new_row(row)) return {};
+    return plain_symbol(to_std(sheet_.index(row, column_of(symbol)).data(Qt::EditRole).toString()));
+}
+
 std::string BudgetSheetModel::component_of(int row) const {
     const auto at = static_cast<std::size_t>(row);
     const bool known = result_ && at < components_.size() && components_[at];

@@ -58,6 +58,8 @@ public:
     bool is_linked() const override { return sheet_.is_linked(); }
 
     static bool is_computed(int section);
+    /// Of the quantity that the row states; empty: none yet.
+    std::string symbol_of(int row) const;
     /// Id of the component that the row states in the result shown; empty: none.
     std::string component_of(int row) const;
 

@@ -97,7 +97,15 @@ void BudgetPage::show_analysis() {
     column_->insertWidget(0, view_, 1);
     connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &BudgetPage::show_correlation);
+    connect(view_, &BudgetSheetView::quantity_asked, this, &BudgetPage::ask_for_quantity);
     take_result();
+}
+
+void BudgetPage::ask_for_quantity(int row) {
+    const std::string symbol = model_->symbol_of(row);
+    if (symbol.empty()) return;
+    const std::string entry = entry_path(document_.project(), {SetupOwner::analysis, to_std(analysis_)});
+    emit quantity_asked(to_qt(entry + "/inputs/" + symbol));
 }
 
 void BudgetPage::take_result() {

@@ -34,7 +34,12 @@ public:
     /// Another project.
     void start_over();
 
+signals:
+    /// The page of an input quantity is wanted: a JSON pointer into the project.
+    void quantity_asked(const QString& path);
+
 private:
+    void ask_for_quantity(int row);
     void show_analysis();
     void take_result();
     QString lines_of(const UncertaintyResult& result) const;

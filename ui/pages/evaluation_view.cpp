@@ -49,6 +49,7 @@ EvaluationView::EvaluationView(Qt::Orientation orientation, QWidget* parent)
 
 void EvaluationView::show_evaluation(const QString& html, std::vector<PlotSpecification> figures) {
     const int position = text_->verticalScrollBar()->value();
+    text_->setVisible(!html.isEmpty());
     text_->setHtml(html);
     text_->verticalScrollBar()->setValue(position);
     figures_ = std::move(figures);
@@ -61,6 +62,7 @@ void EvaluationView::show_evaluation(const QString& html, std::vector<PlotSpecif
         list_->setCurrentIndex(std::max(0, list_->findData(before)));
     }
     charts_->setVisible(!figures_.empty());
+    list_->setVisible(figures_.size() > 1);
     show_chart();
 }
 

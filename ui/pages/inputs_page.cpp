@@ -17,7 +17,9 @@
 #include "ui/forms/components_edit.h"
 #include "ui/forms/correlation_edit.h"
 #include "ui/forms/link_dialog.h"
+#include "ui/forms/quantity_notes_edit.h"
 #include "ui/models/roles.h"
+#include "ui/pages/evaluation_view.h"
 #include "ui/pages/scrolled.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
@@ -37,11 +39,15 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     search_->setAccessibleName(tr("Find a quantity"));
     make_table();
     components_ = new ComponentsEdit(document_);
+    observations_ = new EvaluationView(Qt::Vertical);
     correlations_ = new CorrelationEdit(document_);
+    notes_ = new QuantityNotesEdit(document_, analysis_);
     auto* details = details_ = new QTabWidget;
     details->setDocumentMode(true);
     details->addTab(scrolled(components_), tr("Components"));
+    details->addTab(observations_, tr("Observations"));
     details->addTab(scrolled(correlations_), tr("Correlations"));
+    details->addTab(notes_, tr("Notes"));
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(table_);
@@ -59,7 +65,7 @@ InputsPage::InputsPage(Document& document, AnalysisRunner& runner, std::string a
     column->addWidget(splitter, 1);
     connect(search_, &QLineEdit::textChanged, &filter_, &QSortFilterProxyModel::setFilterFixedString);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            &InputsPage::show_components);
+            &InputsPage::show_quantity);
     connect(&runner_, &AnalysisRunner::state_changed, this, [this](const QString& id) {
         if (to_std(id) == analysis_) take_analysis();
     });
@@ -95,14 +101,26 @@ void InputsPage::take_analysis() {
     model_.set_analysis(prepared);
     correlations_->set_analysis(prepared);
     if (!table_->currentIndex().isValid() && model_.rowCount() > 0) table_->selectRow(0);
-    show_components();
+    show_quantity();
 }
 
-void InputsPage::show_components() {
+void InputsPage::show_quantity() {
     const QString symbol = table_->currentIndex().data(id_role).toString();
     components_->set_quantity(model_.analysis(), to_std(symbol));
     const int row = model_.row_of(to_std(symbol));
     components_->setEnabled(row >= 0 && !model_.is_linked(row));
+    notes_->set_quantity(to_std(symbol));
+    show_observations(to_std(symbol));
+}
+
+/// The tab is there for quantities that were observed.
+void InputsPage::show_observations(const std::string& symbol) {
+    std::vector<PlotSpecification> charts;
+    if (const auto& prepared = model_.analysis())
+        for (PlotSpecification& chart : prepared->model->figures())
+            if (!symbol.empty() && chart.quantity == symbol) charts.push_back(std::move(chart));
+    details_->setTabVisible(details_->indexOf(observations_), !charts.empty());
+    observations_->show_evaluation({}, std::move(charts));
 }
 
 std::vector<LinkChoice> InputsPage::link_choices(const std::string& symbol) const {
@@ -174,6 +192,7 @@ bool InputsPage::select_quantity(const std::string& symbol) {
     details_->setCurrentIndex(0);
     search_->clear();
     table_->selectRow(filter_.mapFromSource(model_.index(row, 0)).row());
+    table_->setFocus(Qt::OtherFocusReason);
     return true;
 }
 

@@ -1,5 +1,5 @@
-// The input quantities of an analysis: a table, and below it the components of the selected one and the
-// correlations.
+// The input quantities of an analysis: a table, and below it the selected one's components, observations and
+// notes, and the correlations.
 #pragma once
 
 #include <QSortFilterProxyModel>
@@ -18,6 +18,8 @@ namespace covaria::ui {
 
 class ComponentsEdit;
 class CorrelationEdit;
+class EvaluationView;
+class QuantityNotesEdit;
 struct LinkChoice;
 
 class InputsPage : public QWidget {
@@ -36,7 +38,8 @@ private:
     void ask_for_link(const std::string& symbol);
     void make_table();
     void take_analysis();
-    void show_components();
+    void show_quantity();
+    void show_observations(const std::string& symbol);
     bool select_quantity(const std::string& symbol);
 
     Document& document_;
@@ -48,7 +51,9 @@ private:
     QTableView* table_;
     ComponentsEdit* components_;
     QTabWidget* details_ = nullptr;
+    EvaluationView* observations_;
     CorrelationEdit* correlations_;
+    QuantityNotesEdit* notes_;
 };
 
 }  // namespace covaria::ui

@@ -73,6 +73,7 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     };
     connect(&runner_, &AnalysisRunner::result_changed, this, refresh_if_shown);
     connect(&runner_, &AnalysisRunner::state_changed, this, refresh_if_shown);
+    connect(&runner_.kept(), &KeptStates::changed, this, refresh_if_shown);
 }
 
 void ScenePanel::put_below_equations(QWidget* page) {
@@ -133,12 +134,19 @@ void ScenePanel::offer_views(QMenu& menu) {
 
 void ScenePanel::make_layers_menu() {
     const std::pair<Layer, QString> layers[] = {
-        {Layer::frames, tr("Frames")},   {Layer::points, tr("Points")},
-        {Layer::bodies, tr("Bodies")},   {Layer::links, tr("Links and Sight Lines")},
-        {Layer::vectors, tr("Vectors")}, {Layer::ellipsoids, tr("Ellipsoids")},
-        {Layer::clouds, tr("Clouds")},   {Layer::wall_histograms, tr("Histograms on the Walls")},
-        {Layer::labels, tr("Labels")},   {Layer::axes, tr("Axes")},
-        {Layer::legend, tr("Legend")},   {Layer::map, tr("Map of a Study or Design")}};
+        {Layer::frames, tr("Frames")},
+        {Layer::points, tr("Points")},
+        {Layer::bodies, tr("Bodies")},
+        {Layer::links, tr("Links and Sight Lines")},
+        {Layer::vectors, tr("Vectors")},
+        {Layer::ellipsoids, tr("Ellipsoids")},
+        {Layer::clouds, tr("Clouds")},
+        {Layer::wall_histograms, tr("Histograms on the Walls")},
+        {Layer::labels, tr("Labels")},
+        {Layer::axes, tr("Axes")},
+        {Layer::legend, tr("Legend")},
+        {Layer::map, tr("Map of a Study or Design")},
+        {Layer::ellipsoids_before, tr("Ellipsoids of the Kept State")}};
     auto* button = new QToolButton(this);
     auto* menu = new QMenu(button);
     for (const auto& [layer, text] : layers) {
@@ -304,8 +312,12 @@ std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& 
             return study_scene(*prepared, *study, of_study, wanted);
         };
     const ResultPointer result = shown_result(status);
+    const KeptState* kept = runner_.kept().find(analysis_);
+    const ResultPointer before = kept && kept->result != result ? kept->result : nullptr;
     return [=, wanted = options(), said = to_std(reservation(status))]() -> Result<Scene> {
-        auto scene = analysis_scene(*prepared, result.get(), wanted);
+        std::optional<ResultComparison> compared;
+        if (before && result) compared = compare_results(before, result);
+        auto scene = analysis_scene(*prepared, result.get(), wanted, compared ? &*compared : nullptr);
         if (!scene || !result) return scene;
         return remarked(*std::move(scene), said);
     };

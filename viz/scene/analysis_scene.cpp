@@ -14,9 +14,9 @@ std::vector<double> estimates(const InputSet& inputs) {
 }  // namespace
 
 Result<Scene> analysis_scene(const PreparedAnalysis& analysis, const UncertaintyResult* result,
-                             const SceneOptions& options) {
+                             const SceneOptions& options, const ResultComparison* compared) {
     const Layout layout = analysis.model->layout(estimates(analysis.inputs));
-    SceneSource source{&layout, result, nullptr, nullptr, analysis.name};
+    SceneSource source{.layout = &layout, .result = result, .title = analysis.name, .compared = compared};
     if (!result || result->trials == 0 || !options.clouds) return build_scene(source, options);
     const auto trials = replay_trials(*analysis.propagated, analysis.options.seed, 0,
                                       std::min<std::uint64_t>(options.cloud_limit, result->trials));

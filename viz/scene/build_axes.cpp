@@ -116,6 +116,9 @@ void add_legend(SceneBuild& build) {
                                         grouped_number(static_cast<double>(cloud->size()), 0) +
                                         " trials per point"});
     }
+    if (!scene.ellipsoids_before.empty())
+        scene.legend.push_back(
+            {LegendMark::ellipsoid, Role::before, "before: coverage ellipsoids, p = " + p});
     if (!scene.wall_histograms.empty()) {
         const SceneItem* item = find_item(scene, scene.wall_histograms.front().cloud);
         scene.legend.push_back({LegendMark::histogram, scene.wall_histograms.front().role,

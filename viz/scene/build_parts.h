@@ -21,6 +21,8 @@ struct SceneBuild {
     const SceneSource& source;
     const SceneOptions& options;
     const PointUncertainties& uncertainties;
+    const PointUncertainties&
+        before;  ///< of the results that are compared with; of none where there are none
     Scene& scene;
     std::set<std::string> ids = {};
     std::vector<VectorTip> tips = {};

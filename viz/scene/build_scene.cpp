@@ -38,7 +38,8 @@ Scene build_scene(const SceneSource& source, const SceneOptions& options) {
     scene.group = options.group.empty() ? first_group(source) : options.group;
     if (!source.layout) return scene;
     const PointUncertainties uncertainties(source.result);
-    detail::SceneBuild build{source, options, uncertainties, scene};
+    const PointUncertainties before(source.compared ? source.compared->before.get() : nullptr);
+    detail::SceneBuild build{source, options, uncertainties, before, scene};
     detail::add_items(build);
     detail::add_uncertainties(build);
     if (source.map) scene.map = *source.map;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/model/layout.h"
+#include "core/result/comparison.h"
 #include "core/result/uncertainty_result.h"
 #include "viz/scene/scene.h"
 
@@ -30,6 +31,8 @@ struct SceneSource {
     const Eigen::MatrixXd* output_trials = nullptr;
     std::string title = {};
     const SceneMap* map = nullptr;  ///< of a study
+    /// With `result` as what came after: ellipsoids of both are drawn. Null: nothing is compared.
+    const ResultComparison* compared = nullptr;
 };
 
 /// Pure: the same arguments give the same scene. Never fails: what has no value (no result, no uncertainty)

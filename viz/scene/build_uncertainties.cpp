@@ -22,16 +22,27 @@ struct UncertainPoint {
     const SceneItem* drawn;
     Role role;
     CoverageEllipsoid ellipsoid;
+    CoverageEllipsoid before = {};  ///< of rank 0: nothing is compared
+
+    double longest() const { return std::max(ellipsoid.axes.col(0).norm(), before.axes.col(0).norm()); }
 };
+
+CoverageEllipsoid ellipsoid_of(const PointUncertainty& uncertainty, const LayoutPoint& point,
+                               double probability) {
+    return coverage_ellipsoid(point.R_WQ * uncertainty.covariance * point.R_WQ.transpose(), probability);
+}
 
 void add_uncertain(const SceneBuild& build, const LayoutPoint& point, const SceneItem& drawn,
                    std::vector<UncertainPoint>& found) {
     const auto uncertainty = build.uncertainties.of(point);
     if (!uncertainty) return;
-    const Eigen::Matrix3d covariance_W = point.R_WQ * uncertainty->covariance * point.R_WQ.transpose();
-    const auto ellipsoid = coverage_ellipsoid(covariance_W, build.options.probability);
-    if (ellipsoid.rank == 0) return;
-    found.push_back({&point, &drawn, uncertainty->of_outputs ? Role::output : Role::input, ellipsoid});
+    const double probability = build.options.probability;
+    UncertainPoint made{&point, &drawn, uncertainty->of_outputs ? Role::output : Role::input,
+                        ellipsoid_of(*uncertainty, point, probability)};
+    if (build.source.compared)
+        if (const auto earlier = build.before.of(point_before(point, *build.source.compared)))
+            made.before = ellipsoid_of(*earlier, point, probability);
+    if (made.ellipsoid.rank > 0 || made.before.rank > 0) found.push_back(made);
 }
 
 std::vector<UncertainPoint> uncertain_points(const SceneBuild& build) {
@@ -54,14 +65,14 @@ double magnification_with_room(const std::vector<UncertainPoint>& points, double
             const double distance = (other.drawn->position - p.drawn->position).norm();
             if (distance > same_place * size) nearest = std::min(nearest, distance);
         }
-        least = std::min(least, room_to_neighbour * nearest / p.ellipsoid.axes.col(0).norm());
+        least = std::min(least, room_to_neighbour * nearest / p.longest());
     }
     return least;
 }
 
 double automatic_magnification(const std::vector<UncertainPoint>& points, double size) {
     double largest = 0.0;
-    for (const UncertainPoint& p : points) largest = std::max(largest, p.ellipsoid.axes.col(0).norm());
+    for (const UncertainPoint& p : points) largest = std::max(largest, p.longest());
     double wanted = largest > 0 ? largest_axis * size / largest : 1.0;
     wanted = std::max(wanted / most_reduction, std::min(wanted, magnification_with_room(points, size)));
     return std::isfinite(wanted) && wanted > 0 ? nearest_round_number(wanted) : 1.0;
@@ -101,9 +112,10 @@ void add_cloud(SceneBuild& build, const UncertainPoint& p) {
 }
 
 std::string caption_of(const Scene& scene) {
-    if (scene.ellipsoids.empty() && scene.clouds.empty()) return {};
+    if (scene.ellipsoids.empty() && scene.ellipsoids_before.empty() && scene.clouds.empty()) return {};
     std::string caption = "uncertainty × " + round_number_text(scene.magnification);
-    if (!scene.ellipsoids.empty()) caption += ", ellipsoids p = " + percent_text(scene.probability);
+    if (!scene.ellipsoids.empty() || !scene.ellipsoids_before.empty())
+        caption += ", ellipsoids p = " + percent_text(scene.probability);
     return caption;
 }
 
@@ -115,10 +127,15 @@ void add_uncertainties(SceneBuild& build) {
     const double given = build.options.magnification.value_or(0.0);
     scene.magnification =
         given > 0 && std::isfinite(given) ? given : automatic_magnification(points, scene.size);
+    const auto draw = [&](const UncertainPoint& p, Role role, const CoverageEllipsoid& ellipsoid,
+                          std::vector<SceneEllipsoid>& into) {
+        if (build.options.ellipsoids && ellipsoid.rank > 0)
+            into.push_back({*p.drawn, role, scene.magnification * ellipsoid.axes, ellipsoid.rank,
+                            ellipsoid.coverage_factor});
+    };
     for (const UncertainPoint& p : points) {
-        if (build.options.ellipsoids)
-            scene.ellipsoids.push_back({*p.drawn, p.role, scene.magnification * p.ellipsoid.axes,
-                                        p.ellipsoid.rank, p.ellipsoid.coverage_factor});
+        draw(p, p.role, p.ellipsoid, scene.ellipsoids);
+        draw(p, Role::before, p.before, scene.ellipsoids_before);
         if (build.options.clouds) add_cloud(build, p);
     }
     scene.caption = caption_of(scene);

@@ -78,6 +78,26 @@ std::optional<PointUncertainty> PointUncertainties::of_inputs(const std::array<s
     return found;
 }
 
+LayoutPoint point_before(const LayoutPoint& point, const ResultComparison& compared) {
+    LayoutPoint earlier = point;
+    const auto outputs_before = [&](std::size_t& index) {
+        const auto same = std::find_if(compared.outputs.begin(), compared.outputs.end(),
+                                       [&](const ComparedOutput& o) { return o.after == index; });
+        if (same == compared.outputs.end() || !same->before) return false;
+        index = *same->before;
+        return true;
+    };
+    const auto input_before = [&](std::size_t& index) {
+        const auto& quantities = compared.after->inputs.quantities;
+        index = index < quantities.size() ? compared.before->inputs.find(quantities[index].symbol)
+                                          : InputSet::npos;
+        return index != InputSet::npos;
+    };
+    if (earlier.outputs && !std::ranges::all_of(*earlier.outputs, outputs_before)) earlier.outputs.reset();
+    if (earlier.inputs && !std::ranges::all_of(*earlier.inputs, input_before)) earlier.inputs.reset();
+    return earlier;
+}
+
 std::optional<PointCoordinates> coordinates_of(const LayoutPoint& point) {
     using Kind = PointCoordinates::Kind;
     if (point.outputs) return PointCoordinates{Kind::outputs, *point.outputs, point.R_WQ};

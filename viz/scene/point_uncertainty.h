@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/model/layout.h"
+#include "core/result/comparison.h"
 #include "core/result/joint_covariance.h"
 #include "core/result/uncertainty_result.h"
 
@@ -32,6 +33,10 @@ private:
     const UncertaintyResult* result_;
     std::optional<JointCovariance> joint_;
 };
+
+/// The point with the quantities of `compared.before` that are those of `compared.after`; without quantities
+/// where one of them was not there.
+LayoutPoint point_before(const LayoutPoint& point, const ResultComparison& compared);
 
 /// The quantities that are a point's coordinates; empty: it has none.
 std::optional<PointCoordinates> coordinates_of(const LayoutPoint& point);

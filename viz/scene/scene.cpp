@@ -27,11 +27,12 @@ private:
 };
 
 void add_uncertainties(const Scene& scene, Box& box) {
-    for (const SceneEllipsoid& ellipsoid : scene.ellipsoids) {
-        const Eigen::Vector3d half = ellipsoid.axes.rowwise().norm();
-        box.add(ellipsoid.item.position + half);
-        box.add(ellipsoid.item.position - half);
-    }
+    for (const auto* ellipsoids : {&scene.ellipsoids, &scene.ellipsoids_before})
+        for (const SceneEllipsoid& ellipsoid : *ellipsoids) {
+            const Eigen::Vector3d half = ellipsoid.axes.rowwise().norm();
+            box.add(ellipsoid.item.position + half);
+            box.add(ellipsoid.item.position - half);
+        }
     for (const SceneCloud& cloud : scene.clouds)
         for (std::size_t i = 0; i + 2 < cloud.offsets.size(); i += 3)
             box.add(cloud.item.position +
@@ -48,9 +49,9 @@ const SceneItem* find_in(const Items& items, const std::string& id) {
 }  // namespace
 
 const char* layer_key(Layer layer) {
-    static constexpr const char* keys[layer_count] = {"frames",  "points",     "bodies", "links",
-                                                      "vectors", "ellipsoids", "clouds", "wall_histograms",
-                                                      "labels",  "axes",       "legend", "map"};
+    static constexpr const char* keys[layer_count] = {
+        "frames",          "points", "bodies", "links",  "vectors", "ellipsoids",       "clouds",
+        "wall_histograms", "labels", "axes",   "legend", "map",     "ellipsoids_before"};
     return keys[static_cast<std::size_t>(layer)];
 }
 

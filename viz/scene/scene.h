@@ -22,6 +22,7 @@ enum class Role {
     point,
     input,   ///< uncertainty of input quantities
     output,  ///< uncertainty of output quantities
+    before,  ///< uncertainty in the results that are compared with
     body,
     link,
     sight_line,
@@ -45,9 +46,10 @@ enum class Layer {
     labels,
     axes,
     legend,
-    map
+    map,
+    ellipsoids_before
 };
-inline constexpr std::size_t layer_count = 12;
+inline constexpr std::size_t layer_count = 13;
 /// Key of a layer in settings and dumps: "wall_histograms".
 const char* layer_key(Layer layer);
 
@@ -221,6 +223,8 @@ struct Scene {
     std::vector<SceneLink> links;
     std::vector<SceneVector> vectors;
     std::vector<SceneEllipsoid> ellipsoids;
+    /// Of the results that are compared with, about the same points, magnified alike.
+    std::vector<SceneEllipsoid> ellipsoids_before = {};
     std::vector<SceneCloud> clouds;
     std::vector<SceneWallHistogram> wall_histograms;
     std::vector<SceneLabel> labels;

@@ -30,7 +30,8 @@ bool explains(const LegendLine& line, const Scene& scene) {
     const auto is_role = [&](const auto& item) { return item.role == line.role; };
     switch (line.mark) {
         case LegendMark::ellipsoid:
-            return std::any_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), is_role);
+            return std::ranges::any_of(scene.ellipsoids, is_role) ||
+                   std::ranges::any_of(scene.ellipsoids_before, is_role);
         case LegendMark::cloud:
             return std::any_of(scene.clouds.begin(), scene.clouds.end(), is_role);
         case LegendMark::histogram:
@@ -63,6 +64,7 @@ Scene visible_part(Scene scene, const Visibility& visibility) {
     keep(scene.vectors, true);
     const auto is_gone = [&](const auto& each) { return !shown.contains(each.item.id); };
     std::erase_if(scene.ellipsoids, is_gone);
+    std::erase_if(scene.ellipsoids_before, is_gone);
     std::erase_if(scene.clouds, is_gone);
     std::erase_if(scene.wall_histograms,
                   [&](const SceneWallHistogram& wall) { return !shown.contains(wall.cloud); });

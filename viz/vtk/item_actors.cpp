@@ -13,6 +13,7 @@ using Vector = Eigen::Vector3d;
 
 constexpr double plate_opacity = 0.42;
 constexpr double ellipsoid_opacity = 0.30;
+constexpr double before_opacity = 0.12;  // mostly its sections: what is now is seen through it
 constexpr double edge_width = 1.1;
 
 /// What is collected for one layer.
@@ -151,15 +152,15 @@ void add_links(const Scene& scene, Parts& parts) {
     }
 }
 
-void add_ellipsoids(const Scene& scene, Parts& parts) {
-    for (const SceneEllipsoid& ellipsoid : scene.ellipsoids) {
+void add_ellipsoids(const std::vector<SceneEllipsoid>& ellipsoids, double opacity, Parts& parts) {
+    for (const SceneEllipsoid& ellipsoid : ellipsoids) {
         const Colour colour = parts.colour(ellipsoid.role);
         Eigen::Matrix3d axes = ellipsoid.axes;
         // A flat region has no third axis: give it a thin body so that it is seen from every side.
         const double thin = 0.01 * axes.col(0).norm();
         if (ellipsoid.rank < 2) axes.col(1) = thin * axes.col(0).unitOrthogonal();
         if (ellipsoid.rank < 3) axes.col(2) = thin * axes.col(0).cross(axes.col(1)).normalized();
-        parts.clear.ellipsoid(ellipsoid.item.position, axes, colour, ellipsoid_opacity);
+        parts.clear.ellipsoid(ellipsoid.item.position, axes, colour, opacity);
         for (int plane = 0; plane < 3; ++plane) {  // principal sections
             std::vector<Vector> ring;
             for (int i = 0; i <= 72; ++i) {
@@ -194,7 +195,10 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Vector&
             add_vectors(scene, parts);
             break;
         case Layer::ellipsoids:
-            add_ellipsoids(scene, parts);
+            add_ellipsoids(scene.ellipsoids, ellipsoid_opacity, parts);
+            break;
+        case Layer::ellipsoids_before:
+            add_ellipsoids(scene.ellipsoids_before, before_opacity, parts);
             break;
         case Layer::clouds:
             return cloud_actors(scene, origin, palette);

@@ -24,6 +24,8 @@ bool same(Layer layer, const Scene& a, const Scene& b) {
             return a.vectors == b.vectors;
         case Layer::ellipsoids:
             return a.ellipsoids == b.ellipsoids;
+        case Layer::ellipsoids_before:
+            return a.ellipsoids_before == b.ellipsoids_before;
         case Layer::clouds:
             return a.clouds == b.clouds;
         case Layer::wall_histograms:

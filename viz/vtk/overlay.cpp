@@ -140,7 +140,8 @@ void Overlay::paint_legend_mark(const LegendLine& line, double x, double middle)
 }
 
 void Overlay::paint_caption() {
-    const bool drawn = view_.layers[Layer::ellipsoids] || view_.layers[Layer::clouds];
+    const bool before = view_.layers[Layer::ellipsoids_before] && !scene_.ellipsoids_before.empty();
+    const bool drawn = view_.layers[Layer::ellipsoids] || view_.layers[Layer::clouds] || before;
     if (scene_.caption.empty() || !drawn) return;
     const Word word{scene_.caption, Role::text, false, 1.0};
     put(word, px(margin), canvas_.size().height - px(margin - 4) - mask_of(word).letters.height);

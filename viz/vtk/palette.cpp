@@ -21,6 +21,8 @@ Colour light(Role role) {
             return {0xE6, 0x8A, 0x00};
         case Role::output:
             return {0x00, 0x72, 0xB2};
+        case Role::before:
+            return {0x6A, 0x51, 0xA3};
         case Role::body:
             return {0xA9, 0xB0, 0xB7};
         case Role::link:
@@ -55,6 +57,8 @@ Colour dark(Role role) {
             return {0xF5, 0xB0, 0x41};
         case Role::output:
             return {0x56, 0xB4, 0xE9};
+        case Role::before:
+            return {0xB3, 0xA2, 0xE0};
         case Role::body:
             return {0x7E, 0x87, 0x90};
         case Role::link:

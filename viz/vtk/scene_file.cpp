@@ -36,8 +36,9 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-constexpr std::array written_layers{Layer::frames,  Layer::points,     Layer::bodies, Layer::links,
-                                    Layer::vectors, Layer::ellipsoids, Layer::clouds, Layer::map};
+constexpr std::array written_layers{Layer::frames, Layer::points,  Layer::bodies,
+                                    Layer::links,  Layer::vectors, Layer::ellipsoids,
+                                    Layer::clouds, Layer::map,     Layer::ellipsoids_before};
 
 struct WrittenActor {
     Layer layer;

@@ -246,6 +246,8 @@ private:
             return refuse(draft.first_row, &StatedComponent::value,
                           "the value is missing, and no statement gives it");
         draft.quantity.offset = *draft.estimate;
+        if (observations_.has(draft.quantity.symbol))
+            result_.observed.push_back(observations_.listed(draft.quantity));
         result_.inputs.quantities.push_back(draft.quantity);
         result_.symbols.push_back({draft.quantity.symbol, draft.unit});
         result_.rows.push_back(draft.first_row);

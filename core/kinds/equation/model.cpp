@@ -40,6 +40,13 @@ public:
     const std::vector<OutputQuantity>& outputs() const override { return setup_.outputs; }
     Layout layout(std::span<const double>) const override { return {}; }
 
+    std::vector<DataTable> evaluation() const override {
+        return equation_model::observation_tables(setup_.observed);
+    }
+    std::vector<PlotSpecification> figures() const override {
+        return equation_model::observation_figures(setup_.observed);
+    }
+
     std::vector<ModelEquation> formulas() const override {
         std::vector<ModelEquation> all;
         for (Formula& f : equation::formulas(setup_.parsed)) all.push_back({to_unicode(f), {}, std::move(f)});

@@ -24,6 +24,13 @@ std::vector<std::string> Observations::quantities() const {
     return names;
 }
 
+ObservedQuantity Observations::listed(const InputQuantity& quantity) const {
+    ObservedQuantity made{quantity.symbol, quantity.name, quantity.unit, {}};
+    if (const auto found = of_.find(quantity.symbol); found != of_.end())
+        for (const auto& [name, series] : found->second) made.series.push_back({name, series.values});
+    return made;
+}
+
 const Observations::Series* Observations::present_series(const std::string& quantity) const {
     const auto found = of_.find(quantity);
     if (found == of_.end()) return nullptr;

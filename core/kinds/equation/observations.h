@@ -18,6 +18,8 @@ public:
 
     bool has(const std::string& quantity) const { return of_.contains(quantity); }
     std::vector<std::string> quantities() const;
+    /// All its series, in the unit of the quantity; empty without any.
+    ObservedQuantity listed(const InputQuantity& quantity) const;
 
     struct Mean {
         double mean = 0.0;  ///< as typed

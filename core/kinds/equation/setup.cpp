@@ -49,6 +49,7 @@ public:
         }
         report(found, problems_);
         setup.inputs = std::move(stated.inputs);
+        setup.observed = std::move(stated.observed);
         if (problems_.has_errors()) return std::nullopt;
         return setup;
     }

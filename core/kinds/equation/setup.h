@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "core/base/data_table.h"
 #include "core/equation/program.h"
 #include "core/model/offered.h"
 #include "core/model/output_quantity.h"
 #include "core/quantity/input_quantity.h"
 #include "core/setup/fields.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria::equation_model {
 
@@ -47,16 +49,33 @@ struct StatedEquations {
 };
 const Fields<StatedEquations>& equation_fields();
 
+/// The observations of one quantity, in its unit.
+struct ObservedQuantity {
+    struct Series {
+        std::string name;  ///< of an earlier series; empty: the present one
+        std::vector<double> values;
+    };
+    std::string symbol, name;
+    Unit unit;
+    std::vector<Series> series;
+};
+
 struct EquationSetup {
     equation::ParsedText parsed;
     equation::Program program;
     InputSet inputs;
     std::vector<OutputQuantity> outputs;
+    std::vector<ObservedQuantity> observed;
 };
 
 /// Empty if `problems` got an error.
 std::optional<EquationSetup> read_equation_setup(const SetupReader& reader, const AssetLibrary& assets,
                                                  Problems& problems);
+
+/// The Type A evaluation of each series; empty without observations.
+std::vector<DataTable> observation_tables(const std::vector<ObservedQuantity>& observed);
+/// A chart for each quantity: its observations in the order in which they stand, with their mean.
+std::vector<PlotSpecification> observation_figures(const std::vector<ObservedQuantity>& observed);
 
 /// Rows for the names in the equations that no table has yet: quantities without a value, measurands.
 Setup with_rows_for_names(const Setup& setup);
@@ -66,6 +85,7 @@ struct StatedQuantities {
     InputSet inputs;
     std::vector<equation::KnownSymbol> symbols;  ///< of the same quantities
     std::vector<std::size_t> rows;               ///< of the table, where each is first named
+    std::vector<ObservedQuantity> observed;      ///< those of them that have observations
 };
 StatedQuantities read_quantities(const StatedEquations& stated, Problems& problems);
 

@@ -5,13 +5,16 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <cmath>
 
 #include "tests/ui/main_window/session_fixture.h"
+#include "ui/charts/chart_view.h"
 #include "ui/forms/budget_sheet_view.h"
 #include "ui/main_window/export_actions.h"
 #include "ui/models/budget_sheet_model.h"
 #include "ui/pages/budget_page.h"
+#include "ui/pages/evaluation_view.h"
 
 namespace covaria::ui::budget_session_test {
 namespace {
@@ -160,6 +163,52 @@ TEST_F(BudgetSession, IsThereForEquationsOnly) {
     ASSERT_TRUE(wait_for([&] { return !cell(0, Section::share).isEmpty(); }));
     settle();
     keep_picture(QStringLiteral("budget-h1.png"));
+}
+
+// From a row of the budget to what is known about its quantity: by a double click on what is computed, and by
+// the keyboard.
+TEST_F(BudgetSession, AQuantityHasAPageOfItsOwn) {
+    const QString file = folder_.filePath(QStringLiteral("h2.covaria"));
+    ASSERT_TRUE(QFile::copy(QStringLiteral(COVARIA_SOURCE_DIR "/projects/gum/h2-impedance.covaria"), file));
+    open(file);
+    ASSERT_TRUE(wait_for([&] { return sheet() && sheet()->isVisible() && !cell(0, Section::u).isEmpty(); }));
+    const QModelIndex computed = window_->budget().model()->index(row_of(QStringLiteral("V")), Section::u);
+    sheet()->setCurrentIndex(computed);
+    const QPoint at = sheet()->visualRect(computed).center();
+    QTest::mouseClick(sheet()->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(sheet()->viewport(), Qt::LeftButton, {}, at);
+    auto* notes = window_->properties().findChild<QPlainTextEdit*>(QStringLiteral("quantity_notes"));
+    ASSERT_NE(notes, nullptr);
+    auto* details = qobject_cast<QTabWidget*>(notes->parentWidget()->parentWidget());
+    ASSERT_NE(details, nullptr);
+    ASSERT_TRUE(wait_for([&] { return details->isVisible(); }));
+    EXPECT_EQ(details->count(), 4);
+    EXPECT_TRUE(details->isTabVisible(1));
+    details->setCurrentIndex(1);
+    auto* observed = qobject_cast<EvaluationView*>(details->currentWidget());
+    ASSERT_NE(observed, nullptr);
+    EXPECT_EQ(observed->chart().plot().quantity, "V");
+    EXPECT_EQ(observed->chart().plot().series.front().y.size(), 5u);
+    settle();
+    keep_picture(QStringLiteral("quantity-observations.png"));
+    details->setCurrentWidget(notes);
+    notes->setFocus();
+    QTest::keyClicks(notes, QStringLiteral("five readings"));
+    const auto& kept = [&]() -> const std::vector<QuantityNotes>& {
+        return window_->document().project().analyses.front().quantity_notes;
+    };
+    ASSERT_EQ(kept().size(), 1u);
+    EXPECT_EQ(kept().front(), (QuantityNotes{"V", "five readings"}));
+    EXPECT_TRUE(wait_for([&] { return status().is_of_present(); })) << "no result is out of date";
+    window_->document().undo_stack().undo();
+    EXPECT_TRUE(kept().empty());
+    EXPECT_TRUE(notes->toPlainText().isEmpty());
+    sheet()->setFocus();
+    sheet()->selectionModel()->setCurrentIndex(
+        window_->budget().model()->index(row_of(QStringLiteral("I")), Section::estimate),
+        QItemSelectionModel::ClearAndSelect);
+    QTest::keyClick(sheet(), Qt::Key_Return, Qt::AltModifier);
+    EXPECT_TRUE(wait_for([&] { return observed->chart().plot().quantity == "I"; }));
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/current_results.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/scene_view/scene_panel.h"
+#include "ui/scene_view/scene_view.h"
 
 namespace covaria::ui::compare_session_test {
 namespace {
@@ -86,6 +88,13 @@ TEST_F(CompareSession, WhatWasKeptStandsBesideWhatIsEdited) {
     EXPECT_TRUE(tab().chart().plot().horizontal_bars);
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/compare-budget.png"));
 
+    const auto ellipsoids_before = [this] {
+        const Scene* scene = window_->scene().view().scene();
+        return scene ? scene->ellipsoids_before.size() : 0;
+    };
+    EXPECT_TRUE(wait_for([&] { return ellipsoids_before() > 0; })) << "of both in the scene";
+    settle();
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/compare-scene.png"));
     const Project edited = window_->document().project();
     const int steps = window_->document().undo_stack().index();
     press("go_back");
@@ -99,6 +108,7 @@ TEST_F(CompareSession, WhatWasKeptStandsBesideWhatIsEdited) {
     EXPECT_TRUE(window_->document().project() == edited);
     EXPECT_TRUE(enabled("go_back"));
     press("discard_kept");
+    EXPECT_TRUE(wait_for([&] { return ellipsoids_before() == 0; }));
     EXPECT_EQ(tab().results().model()->rowCount(), 0);
     EXPECT_FALSE(enabled("go_back"));
     EXPECT_TRUE(window_->document().project() == edited);

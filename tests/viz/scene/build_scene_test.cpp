@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 #include "tests/viz/stewart_scene.h"
 #include "viz/scene/dump_scene.h"
+#include "viz/scene/visibility.h"
 
 namespace covaria::build_scene_test {
 namespace {
@@ -55,6 +58,46 @@ TEST(BuildScene, EllipsoidHoldsTheProbability) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(nest->axes.col(i).norm(), k * 236e-6, 1e-12);
     EXPECT_EQ(nest->role, Role::input);
     EXPECT_EQ(ellipsoid_of(scene, "point:platform origin")->role, Role::output);
+}
+
+// Twice the uncertainty before: ellipsoids of both about the same points, at one magnification, which leaves
+// room for the larger ones.
+TEST(BuildScene, EllipsoidsOfWhatIsComparedStandAboutTheSamePoints) {
+    const auto now = test::stewart_setup(0), was = test::stewart_setup(0, 2.0);
+    auto before = std::make_shared<UncertaintyResult>(was.result);
+    std::reverse(before->outputs.begin(), before->outputs.end());  // others stand elsewhere there
+    before->covariance = was.result.covariance.reverse();
+    const ResultComparison compared =
+        compare_results(before, std::make_shared<UncertaintyResult>(now.result));
+    SceneSource source = now.source();
+    source.compared = &compared;
+    const Scene scene = build_scene(source, {});
+    const Scene larger = build_scene(was.source(), {});
+    ASSERT_FALSE(scene.ellipsoids.empty());
+    ASSERT_EQ(scene.ellipsoids_before.size(), scene.ellipsoids.size());
+    for (std::size_t i = 0; i < scene.ellipsoids.size(); ++i) {
+        EXPECT_EQ(scene.ellipsoids_before[i].item, scene.ellipsoids[i].item);
+        EXPECT_EQ(scene.ellipsoids_before[i].role, Role::before);
+        EXPECT_NEAR(scene.ellipsoids_before[i].axes.col(0).norm(),
+                    2.0 * scene.ellipsoids[i].axes.col(0).norm(), 1e-9);
+    }
+    EXPECT_EQ(scene.magnification, larger.magnification);
+    EXPECT_EQ(scene.legend.size(), build_scene(now.source(), {}).legend.size() + 1);
+    const Visibility without{.hidden = {"point:p1"}};
+    EXPECT_EQ(visible_part(scene, without).ellipsoids_before.size(), scene.ellipsoids_before.size() - 1);
+}
+
+TEST(BuildScene, AQuantityThatWasNotThereHasNoEllipsoidBefore) {
+    const auto now = test::stewart_setup(0);
+    auto before = std::make_shared<UncertaintyResult>(now.result);
+    before->inputs.quantities[9].symbol = "other";  // p1x
+    const ResultComparison compared =
+        compare_results(before, std::make_shared<UncertaintyResult>(now.result));
+    SceneSource source = now.source();
+    source.compared = &compared;
+    const Scene scene = build_scene(source, {});
+    EXPECT_EQ(scene.ellipsoids_before.size() + 1, scene.ellipsoids.size());
+    for (const SceneEllipsoid& e : scene.ellipsoids_before) EXPECT_NE(e.item.id, "point:p1");
 }
 
 TEST(BuildScene, EllipsoidIsTurnedWithTheAxesOfItsQuantities) {

@@ -185,13 +185,32 @@ TEST(SceneRenderer, HiddenLayersAreNotDrawn) {
     const Image all = picture(renderer);
     for (std::size_t i = 0; i < layer_count; ++i) {
         if (static_cast<Layer>(i) == Layer::links || static_cast<Layer>(i) == Layer::vectors ||
-            static_cast<Layer>(i) == Layer::map)
+            static_cast<Layer>(i) == Layer::map || static_cast<Layer>(i) == Layer::ellipsoids_before)
             continue;  // none here
         LayerVisibility layers;
         layers[static_cast<Layer>(i)] = false;
         renderer.set_layers(layers);
         EXPECT_NE(picture(renderer), all) << layer_key(static_cast<Layer>(i));
     }
+}
+
+TEST(SceneRenderer, EllipsoidsBeforeAreALayerOfTheirOwn) {
+    const auto now = test::stewart_setup(0), was = test::stewart_setup(0, 2.0);
+    const ResultComparison compared = compare_results(std::make_shared<UncertaintyResult>(was.result),
+                                                      std::make_shared<UncertaintyResult>(now.result));
+    SceneSource source = now.source();
+    source.compared = &compared;
+    StewartRenderer renderer(StandardView::iso, build_scene(source, {}));
+    const Image both = picture(renderer);
+    LayerVisibility layers;
+    layers[Layer::ellipsoids_before] = false;
+    renderer.set_layers(layers);
+    const Image without = picture(renderer);
+    EXPECT_GT(test::difference(without, both).fraction, 0.01);
+    layers[Layer::ellipsoids_before] = true;
+    layers[Layer::ellipsoids] = false;
+    renderer.set_layers(layers);
+    EXPECT_GT(test::dark_in(picture(renderer), 10, 570, 220, 28), 200) << "the caption is theirs, too";
 }
 
 TEST(SceneRenderer, NothingToSeeIsStillAPicture) {
