@@ -6443,7 +6443,7 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
     <message>
         <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation>Zahlen dürfen mit einer anderen Einheit eingegeben werden (0.5 um); die Pfeiltasten ändern die letzte Stelle.</translation>
+        <translation>Zahlen dürfen mit einer anderen Einheit eingegeben werden (0,5 um); die Pfeiltasten ändern die letzte Stelle.</translation>
     </message>
 </context>
 <context>

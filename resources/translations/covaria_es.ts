@@ -6443,7 +6443,7 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     </message>
     <message>
         <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation>Los números se pueden teclear con otra unidad (0.5 um); las teclas de flecha cambian la última cifra.</translation>
+        <translation>Los números se pueden teclear con otra unidad (0,5 um); las teclas de flecha cambian la última cifra.</translation>
     </message>
 </context>
 <context>

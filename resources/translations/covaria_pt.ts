@@ -6443,7 +6443,7 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     </message>
     <message>
         <source>Numbers may be typed with another unit (0.5 um); the arrow keys change the last digit.</source>
-        <translation>Números podem ser digitados com outra unidade (0.5 um); as teclas de seta alteram o último algarismo.</translation>
+        <translation>Números podem ser digitados com outra unidade (0,5 um); as teclas de seta alteram o último algarismo.</translation>
     </message>
 </context>
 <context>

@@ -29,13 +29,11 @@ Result<SetupCell> parse_number_cell(const ColumnSpec& column, const Unit& unit, 
 }
 
 Result<SetupCell> parse_choice_cell(const ColumnSpec& column, const QString& text) {
-    QStringList titles;
-    for (const Choice& choice : column.choices) {
-        if (text.compare(to_qt(choice.key), Qt::CaseInsensitive) == 0 ||
-            text.compare(core_text(choice.title), Qt::CaseInsensitive) == 0 ||
-            text.compare(core_text(choice.title), Qt::CaseInsensitive) == 0)
-            return SetupCell(choice.key);
-        titles << core_text(choice.title);
+    const QStringList titles = choice_words(column);
+    for (std::size_t i = 0; i < column.choices.size(); ++i) {
+        const Choice& choice = column.choices[i];
+        for (const QString& name : {to_qt(choice.key), to_qt(choice.title), titles[qsizetype(i)]})
+            if (text.compare(name, Qt::CaseInsensitive) == 0) return SetupCell(choice.key);
     }
     return refuse(tr("“%1” is not one of: %2.").arg(text, titles.join(", ")));
 }
@@ -49,13 +47,20 @@ Result<SetupCell> parse_flag_cell(const QString& text) {
 
 }  // namespace
 
+QStringList choice_words(const ColumnSpec& column) {
+    QStringList words;
+    for (const Choice& choice : column.choices)
+        words << (column.capabilities.empty() ? core_text(choice.title) : to_qt(choice.title));
+    return words;
+}
+
 QString cell_text(const ColumnSpec& column, const SetupCell& cell, const QLocale& locale) {
     if (const double* number = std::get_if<double>(&cell)) return number_text(*number, locale);
     if (const bool* flag = std::get_if<bool>(&cell)) return *flag ? tr("yes") : tr("no");
     const std::string* text = std::get_if<std::string>(&cell);
     if (!text) return {};
-    for (const Choice& choice : column.choices)
-        if (choice.key == *text) return core_text(choice.title);
+    for (std::size_t i = 0; i < column.choices.size(); ++i)
+        if (column.choices[i].key == *text) return choice_words(column)[qsizetype(i)];
     return to_qt(*text);
 }
 

@@ -8,6 +8,9 @@
 
 namespace covaria::ui {
 
+/// Titles of a column's choices as people read them: translated, but for the names of a project's assets.
+QStringList choice_words(const ColumnSpec& column);
+
 /// As shown: choices by title, numbers in the locale's writing without their unit.
 QString cell_text(const ColumnSpec& column, const SetupCell& cell, const QLocale& locale);
 

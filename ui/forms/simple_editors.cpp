@@ -99,6 +99,10 @@ std::vector<Choice> ListEditor::choices() const {
     return field_.choices;
 }
 
+QString ListEditor::words_of(const Choice& choice) const {
+    return core_text(choice.title);
+}
+
 QString ListEditor::empty_words() const {
     return tr("(none)");
 }
@@ -109,7 +113,7 @@ void ListEditor::set_value(const SetupValue& value) {
     const QString key = text ? to_qt(*text) : QString();
     box_->clear();
     if (field_.optional || key.isEmpty()) box_->addItem(empty_words(), QString());
-    for (const Choice& choice : choices()) box_->addItem(core_text(choice.title), to_qt(choice.key));
+    for (const Choice& choice : choices()) box_->addItem(words_of(choice), to_qt(choice.key));
     if (box_->findData(key) < 0) box_->addItem(tr("%1 (does not exist)").arg(key), key);
     box_->setCurrentIndex(box_->findData(key));
     show_whole_texts();
@@ -131,6 +135,10 @@ ReferenceEditor::ReferenceEditor(const FieldSpec& field, const FieldContext& con
 
 std::vector<Choice> ReferenceEditor::choices() const {
     return fitting_assets(document_.project(), field().capabilities, address_);
+}
+
+QString ReferenceEditor::words_of(const Choice& choice) const {
+    return to_qt(choice.title);
 }
 
 QString ReferenceEditor::empty_words() const {

@@ -57,6 +57,8 @@ public:
 protected:
     virtual std::vector<Choice> choices() const;
     virtual QString empty_words() const;
+    /// Titles of a field's choices are words of ours, translated; names of a project's assets are not.
+    virtual QString words_of(const Choice& choice) const;
     const FieldSpec& field() const { return field_; }
 
 private:
@@ -77,6 +79,7 @@ public:
 protected:
     std::vector<Choice> choices() const override;
     QString empty_words() const override;
+    QString words_of(const Choice& choice) const override;
 
 private:
     Document& document_;

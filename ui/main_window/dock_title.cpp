@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "ui/theme/elided_label.h"
 #include "ui/theme/icons.h"
 
 namespace covaria::ui {
@@ -31,8 +32,7 @@ DockTitle::DockTitle(QDockWidget& dock, QWidget* controls) : QWidget(&dock) {
     if (controls) {
         row->addWidget(controls, 1);
     } else {
-        auto* label = new QLabel(dock.windowTitle());
-        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        auto* label = new ElidedLabel(dock.windowTitle());
         QFont font = label->font();
         font.setWeight(QFont::DemiBold);
         label->setFont(font);

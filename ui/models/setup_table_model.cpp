@@ -106,8 +106,7 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
         case help_role:
             return help_anchor(document_.project(), address_, field_, spec.key);
         case choices_role: {
-            QStringList titles;
-            for (const Choice& choice : spec.choices) titles << core_text(choice.title);
+            QStringList titles = choice_words(spec);
             if (spec.kind == FieldKind::flag)
                 titles << cell_text(spec, true, {}) << cell_text(spec, false, {});
             return titles;

@@ -32,6 +32,7 @@
 #include "ui/pages/unit_button.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/typeset_views.h"
@@ -96,8 +97,7 @@ void ResultsPane::make_head() {
     head_ = new QWidget(this);
     auto* row = new QHBoxLayout(head_);
     row->setContentsMargins(0, 0, 0, 0);
-    state_ = new QLabel;
-    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    state_ = new ElidedLabel;
     units_ = new UnitButton(document_, preferences_);
     output_ = new TypesetComboBox;
     output_->setToolTip(tr("Output quantity of the budget and the charts"));

@@ -45,6 +45,9 @@ QColor text_colour(const QStyleOptionViewItem& option) {
 
 void TypesetDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
+    // "θ" of a model whose cell is "theta"; with scripts it is drawn by hand.
+    if (const QVariant text = index.data(typeset_role); text.isValid() && !text.value<Text>().has_scripts())
+        option->text = to_qt(to_unicode(text.value<Text>()));
     if (option->displayAlignment & Qt::AlignRight) option->font = with_tabular_figures(option->font);
 }
 

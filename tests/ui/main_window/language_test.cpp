@@ -19,6 +19,7 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
+#include "core/kinds/registries.h"
 #include "core/text/symbol.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/preferences_dialog.h"
@@ -164,6 +165,24 @@ protected:
     QString data_;
     QSet<QString> found_;
 };
+
+// An asset that its owner called "Robot" is not translated, though the word is in the catalogue.
+TEST_F(Languages, NamesInAProjectStayAsTheyAre) {
+    open(project_copy(QStringLiteral("ballbar-tcp")));
+    const AnalysisEntry& analysis = window_->document().project().analyses.front();
+    select(SetupOwner::analysis, analysis.id);
+    int references = 0;
+    const SetupSchema& schema = find_model(analysis.model)->schema;
+    for (const FieldSpec& spec : schema.fields()) {
+        if (spec.kind != FieldKind::reference) continue;
+        const auto* id = std::get_if<std::string>(&value_of(spec, analysis.setup));
+        const auto* box = window_->properties().findChild<QComboBox*>(to_qt(spec.key));
+        if (!id || !box) continue;
+        EXPECT_EQ(box->currentText(), to_qt(window_->document().project().find_asset(*id)->name));
+        ++references;
+    }
+    EXPECT_GE(references, 2);
+}
 
 TEST_F(Languages, EveryTextOfTheWindowIsInTheCatalogues) {
     for (const char* subfolder : {"", "gum"})

@@ -63,6 +63,22 @@ TEST_F(Typeset, WhatAModelGivesAsTextIsDrawnAsSuch) {
     EXPECT_EQ(row(0), row(1));
 }
 
+TEST_F(Typeset, ATextWithoutScriptsTakesThePlaceOfTheCellsToo) {
+    QStandardItemModel model(1, 1);
+    model.setData(model.index(0, 0), QStringLiteral("theta"));
+    model.setData(model.index(0, 0), QVariant::fromValue(symbol_text("theta")), typeset_role);
+    QTableView view;
+    TypesetDelegate delegate;
+    view.setItemDelegate(&delegate);
+    view.setModel(&model);
+    QStandardItemModel letter(1, 1);
+    letter.setData(letter.index(0, 0), QStringLiteral("θ"));
+    QTableView plain;
+    plain.setItemDelegate(&delegate);
+    plain.setModel(&letter);
+    EXPECT_EQ(picture_of(view, {240, 160}), picture_of(plain, {240, 160}));
+}
+
 TEST_F(Typeset, CellsAreDrawnWithLoweredLetters) {
     TypesetDelegate delegate;
     const QImage plain = cell(QStringLiteral("b_1z"), nullptr);

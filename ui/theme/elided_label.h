@@ -1,0 +1,18 @@
+// A label that shortens what it has no room for.
+#pragma once
+
+#include <QLabel>
+
+namespace covaria::ui {
+
+/// Plain text ends in "…"; the whole is the owner's to give as a tooltip. Takes any width.
+class ElidedLabel : public QLabel {
+    Q_OBJECT
+public:
+    explicit ElidedLabel(const QString& text = {}, QWidget* parent = nullptr);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
+}  // namespace covaria::ui
