@@ -9,12 +9,6 @@ target_compile_options(covaria_options INTERFACE
 # that it has just seen allocated: false alarms.
 target_compile_options(covaria_options INTERFACE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow>)
-# GCC collects its garbage at 128 MB; joined sources need ten times that, and a tenth of the time went into it. Where there is room.
-cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)  # MiB
-if(memory GREATER 7000)
-    target_compile_options(covaria_options INTERFACE
-        $<$<COMPILE_LANG_AND_ID:CXX,GNU>:SHELL:--param ggc-min-heapsize=1500000>)
-endif()
 # Joined sources shadow each other's names and share "anonymous" bases; the dev preset reads each by itself.
 if(CMAKE_UNITY_BUILD AND COVARIA_WERROR)
     target_compile_options(covaria_options INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
