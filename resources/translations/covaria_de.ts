@@ -6566,7 +6566,7 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
     <message>
         <source>Back</source>
-        <translation>Hinten</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Next</source>
@@ -8353,10 +8353,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>Vergrößerung der Unsicherheit</translation>
     </message>
     <message>
-        <source>Magnification: auto</source>
-        <translation>Vergrößerung: automatisch</translation>
-    </message>
-    <message>
         <source>× %1</source>
         <translation>× %1</translation>
     </message>
@@ -8447,6 +8443,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>Ellipsoide des behaltenen Stands</translation>
+    </message>
+    <message>
+        <source>× auto</source>
+        <translation>× auto</translation>
     </message>
 </context>
 <context>

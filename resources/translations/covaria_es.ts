@@ -6566,7 +6566,7 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     </message>
     <message>
         <source>Back</source>
-        <translation>Posterior</translation>
+        <translation>Atrás</translation>
     </message>
     <message>
         <source>Next</source>
@@ -8353,10 +8353,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Ampliación de la incertidumbre</translation>
     </message>
     <message>
-        <source>Magnification: auto</source>
-        <translation>Ampliación: auto</translation>
-    </message>
-    <message>
         <source>× %1</source>
         <translation>× %1</translation>
     </message>
@@ -8447,6 +8443,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>Elipsoides del estado conservado</translation>
+    </message>
+    <message>
+        <source>× auto</source>
+        <translation>× auto</translation>
     </message>
 </context>
 <context>

@@ -6563,7 +6563,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Back</source>
-        <translation>뒤</translation>
+        <translation>이전</translation>
     </message>
     <message>
         <source>Next</source>
@@ -8350,10 +8350,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>불확도의 확대율</translation>
     </message>
     <message>
-        <source>Magnification: auto</source>
-        <translation>확대율: 자동</translation>
-    </message>
-    <message>
         <source>× %1</source>
         <translation>× %1</translation>
     </message>
@@ -8444,6 +8440,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>보관된 상태의 타원체</translation>
+    </message>
+    <message>
+        <source>× auto</source>
+        <translation>× 자동</translation>
     </message>
 </context>
 <context>

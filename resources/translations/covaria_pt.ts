@@ -6566,7 +6566,7 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     </message>
     <message>
         <source>Back</source>
-        <translation>Posterior</translation>
+        <translation>Voltar</translation>
     </message>
     <message>
         <source>Next</source>
@@ -8353,10 +8353,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Ampliação da incerteza</translation>
     </message>
     <message>
-        <source>Magnification: auto</source>
-        <translation>Ampliação: auto</translation>
-    </message>
-    <message>
         <source>× %1</source>
         <translation>× %1</translation>
     </message>
@@ -8447,6 +8443,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>Elipsoides do estado guardado</translation>
+    </message>
+    <message>
+        <source>× auto</source>
+        <translation>× auto</translation>
     </message>
 </context>
 <context>

@@ -6563,7 +6563,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Back</source>
-        <translation>后视</translation>
+        <translation>上一步</translation>
     </message>
     <message>
         <source>Next</source>
@@ -8350,10 +8350,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>不确定度的放大倍数</translation>
     </message>
     <message>
-        <source>Magnification: auto</source>
-        <translation>放大倍数：自动</translation>
-    </message>
-    <message>
         <source>× %1</source>
         <translation>× %1</translation>
     </message>
@@ -8444,6 +8440,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Ellipsoids of the Kept State</source>
         <translation>保留状态的椭球</translation>
+    </message>
+    <message>
+        <source>× auto</source>
+        <translation>× 自动</translation>
     </message>
 </context>
 <context>

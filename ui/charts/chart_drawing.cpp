@@ -87,11 +87,14 @@ QColor cell_colour(const ChartDrawing& chart, double z) {
     return chart.theme.sequential((z - low) / (high - low));
 }
 
-/// Two significant digits of the largest value of the map.
+/// Two significant digits of the largest value of the map; up to four where less would tell nothing apart.
 std::string cell_text(const ChartDrawing& chart, double z) {
-    const double largest = std::max(std::abs(chart.plot.z_low), std::abs(chart.plot.z_high));
-    return grouped_number(z, std::max(0, decimals_for(largest == 1.0 ? 0.99 : largest, 2)),
-                          chart.theme.numbers());
+    const double low = chart.plot.z_low, high = chart.plot.z_high;
+    const double largest = std::max(std::abs(low), std::abs(high));
+    int decimals = decimals_for(largest == 1.0 ? 0.99 : largest, 2);
+    if (low * high > 0.0 && high > low)
+        decimals = std::max(decimals, std::min(decimals_for(high - low, 2), decimals_for(largest, 4)));
+    return grouped_number(z, std::max(0, decimals), chart.theme.numbers());
 }
 
 void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSeries& series) {

@@ -226,6 +226,8 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const BudgetComponent& component = result_->budget.components[*components_[at]];
     if (section == estimate && role == Qt::DisplayRole)
         return localized(format_typed(component.quantity_unit.from_si(component.estimate)));
+    if (section == distribution)
+        return role == Qt::DisplayRole ? QVariant(core_text(component.distribution)) : QVariant();
     const char* key = head_of(section).of_budget;
     if (!key) return {};
     if (lines_[at]) {
@@ -239,7 +241,6 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
         return {};
     }
     if (role != Qt::DisplayRole) return {};
-    if (section == distribution) return core_text(component.distribution);
     if (section == u)
         return localized(
             format_significant(component.unit.interval_from_si(component.standard_uncertainty), 3));

@@ -14,6 +14,7 @@
 #include "ui/models/number_words.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/run/result_words.h"
+#include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -65,8 +66,7 @@ QWidget* CompareTab::make_head() {
         button->setFocusPolicy(Qt::StrongFocus);
         row->addWidget(button);
     }
-    state_ = new QLabel;
-    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    state_ = new ElidedLabel;
     row->addWidget(state_, 1);
     return head;
 }

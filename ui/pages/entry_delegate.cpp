@@ -1,5 +1,6 @@
 #include "ui/pages/entry_delegate.h"
 
+#include <QPainter>
 #include <array>
 
 #include "core/base/error.h"
@@ -39,6 +40,22 @@ QString icon_of(const QModelIndex& index) {
     return state.isValid() ? state_icon(static_cast<RunState>(state.toInt())) : QString();
 }
 
+/// A state keeps its colour on the colour of the selection: it stands on a disc of the ground.
+QIcon on_disc(const QIcon& of, const QStyleOptionViewItem& option) {
+    const qreal ratio = option.widget ? option.widget->devicePixelRatioF() : 1.0;
+    const QSize size = option.decorationSize;
+    QPixmap made(size * ratio);
+    made.setDevicePixelRatio(ratio);
+    made.fill(Qt::transparent);
+    QPainter painter(&made);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(option.palette.color(QPalette::Base));
+    painter.drawEllipse(QRectF(QPointF(), QSizeF(size)));
+    of.paint(&painter, QRect(QPoint(), size).marginsRemoved({1, 1, 1, 1}));
+    return QIcon(made);
+}
+
 }  // namespace
 
 QString state_icon(RunState state) {
@@ -74,9 +91,11 @@ void EntryDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIn
     option->features |= QStyleOptionViewItem::HasDecoration;
     const int size = option->fontMetrics.height() + 1;
     option->decorationSize = {size, size};
+    const bool is_state =
+        index.data(state_role).isValid() && index.column() == ProjectTreeModel::state_column;
+    if (is_state && (option->state & QStyle::State_Selected)) option->icon = on_disc(option->icon, *option);
     // The state's words are in the tooltip and in the status bar; the name needs the room.
-    if (index.data(state_role).isValid() && index.column() == ProjectTreeModel::state_column)
-        option->text.clear();
+    if (is_state) option->text.clear();
 }
 
 }  // namespace covaria::ui

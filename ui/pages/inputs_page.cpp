@@ -23,6 +23,7 @@
 #include "ui/pages/scrolled.h"
 #include "ui/theme/follow_font.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/tabs.h"
 #include "ui/theme/typeset_views.h"
 
 namespace covaria::ui {
@@ -119,7 +120,7 @@ void InputsPage::show_observations(const std::string& symbol) {
     if (const auto& prepared = model_.analysis())
         for (PlotSpecification& chart : prepared->model->figures())
             if (!symbol.empty() && chart.quantity == symbol) charts.push_back(std::move(chart));
-    details_->setTabVisible(details_->indexOf(observations_), !charts.empty());
+    show_tab(*details_, observations_, !charts.empty());
     observations_->show_evaluation({}, std::move(charts));
 }
 

@@ -12,6 +12,7 @@
 #include "ui/pages/page_bar.h"
 #include "ui/pages/page_list.h"
 #include "ui/pages/page_view.h"
+#include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -61,9 +62,7 @@ QLayout* ReportPreview::make_head() {
     kind_->setAccessibleName(tr("Document"));
     kind_->setToolTip(tr("What is shown: the report, or the calibration certificate"));
     kind_->addItems({tr("Report"), tr("Certificate")});
-    state_ = new QLabel;
-    state_->setWordWrap(true);
-    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    state_ = new ElidedLabel;
     auto* update = new QPushButton(tr("Update"));
     update->setObjectName(QStringLiteral("update_report"));
     head->addWidget(kind_);

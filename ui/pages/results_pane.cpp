@@ -34,6 +34,7 @@
 #include "ui/theme/core_text.h"
 #include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/tabs.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/typeset_views.h"
 
@@ -68,9 +69,10 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     tabs_->addTab(make_correlation_tab(), tr("Correlation"));
     tabs_->addTab(make_convergence_tab(), tr("Convergence"));
     auto* evaluation = new EvaluationTab(runner, selection);
-    tabs_->setTabVisible(tabs_->addTab(evaluation, tr("Evaluation")), false);
+    tabs_->addTab(evaluation, tr("Evaluation"));
+    show_tab(*tabs_, evaluation, false);
     connect(evaluation, &EvaluationTab::filled, tabs_,
-            [this, evaluation](bool any) { tabs_->setTabVisible(tabs_->indexOf(evaluation), any); });
+            [this, evaluation](bool any) { show_tab(*tabs_, evaluation, any); });
     study_ = new StudyTab(document, runner, selection);
     tabs_->addTab(study_, tr("Study"));
     design_ = new DesignTab(document, runner, selection);

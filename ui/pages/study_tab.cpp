@@ -9,8 +9,10 @@
 #include "core/text/numbers.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -48,7 +50,7 @@ void StudyTab::make_head() {
         auto* made = new TypesetComboBox;
         made->setAccessibleName(name);
         made->setToolTip(tip);
-        made->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        may_be_narrow(*made);
         return made;
     };
     list_ = combo(tr("Study"), tr("Study of this analysis"));
@@ -66,8 +68,7 @@ void StudyTab::make_head() {
     only_slice_->setToolTip(tr("In the scene: the points of this slice; else all"));
     ellipsoids_ = new QCheckBox(tr("ellipsoids"));
     ellipsoids_->setToolTip(tr("In the scene: coverage ellipsoids at the grid points"));
-    state_ = new QLabel;
-    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    state_ = new ElidedLabel;
     for (QWidget* each : std::initializer_list<QWidget*>{list_, run_, edit_, quantity_, kind_, fixed_, slice_,
                                                          only_slice_, ellipsoids_})
         row->addWidget(each);

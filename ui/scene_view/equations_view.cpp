@@ -11,7 +11,9 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr double margin = 28.0;
+constexpr double margin = 28.0, narrow_margin = 10.0;
+constexpr double low_pane = 200.0;  // below it the margins are narrow
+constexpr double column_gap = 40.0;
 
 /// Equations without a formula are set as the text that they are.
 FormulaPicture picture_of(const ModelEquation& equation, const QFont& font) {
@@ -19,21 +21,41 @@ FormulaPicture picture_of(const ModelEquation& equation, const QFont& font) {
     return {equation.formula, font};
 }
 
-/// At the wanted size, or smaller if they do not fit into the room.
-std::vector<FormulaPicture> fitted(const std::vector<ModelEquation>& equations, QFont font, QSizeF room) {
+struct SetEquations {
     std::vector<FormulaPicture> formulas;
+    std::vector<QPointF> places;
+    QSizeF size;
+};
+
+/// Below each other, in as many columns as the height asks for.
+SetEquations set_in_columns(const std::vector<ModelEquation>& equations, const QFont& font, double height) {
+    SetEquations made;
+    const double gap = std::clamp(0.6 * font.pointSizeF(), 4.0, 10.0);
+    double x = 0.0, y = 0.0, width = 0.0;
+    for (const ModelEquation& equation : equations) {
+        FormulaPicture formula = picture_of(equation, font);
+        if (y > 0.0 && y + formula.height() > height) {
+            x += width + column_gap;
+            y = width = 0.0;
+        }
+        made.places.emplace_back(x, y);
+        width = std::max(width, formula.width());
+        made.size = made.size.expandedTo({x + width, y + formula.height()});
+        y += formula.height() + gap;
+        made.formulas.push_back(std::move(formula));
+    }
+    return made;
+}
+
+/// At the wanted size, or smaller if they do not fit into the room.
+SetEquations fitted(const std::vector<ModelEquation>& equations, QFont font, QSizeF room) {
+    SetEquations made;
     for (const double size : {16.0, 14.0, 12.0, 10.5, 9.0, 8.0, 7.0}) {
         font.setPointSizeF(size);
-        formulas.clear();
-        double widest = 0.0, height = 0.0;
-        for (const ModelEquation& equation : equations) {
-            formulas.push_back(picture_of(equation, font));
-            widest = std::max(widest, formulas.back().width());
-            height += formulas.back().height() + size;
-        }
-        if (widest <= room.width() && height <= room.height()) break;
+        made = set_in_columns(equations, font, room.height());
+        if (made.size.width() <= room.width() && made.size.height() <= room.height()) break;
     }
-    return formulas;
+    return made;
 }
 
 }  // namespace
@@ -60,19 +82,13 @@ void EquationsView::paintEvent(QPaintEvent*) {
     painter.setFont(head);
     painter.setPen(mix(palette().color(QPalette::Base), ink, 0.7));
     const double line = QFontMetricsF(head).height();
-    painter.drawText(QRectF(margin, margin, width() - 2.0 * margin, line), Qt::AlignLeft, title_);
-    const double top = margin + 2.0 * line;
-    const QSizeF room(width() - 2.0 * margin, height() - top - margin);
-    const auto formulas = fitted(equations_, font(), room);
-    double total = 0.0;
-    for (const FormulaPicture& formula : formulas) total += formula.height();
-    const double gap =
-        formulas.empty() ? 0.0 : std::clamp((room.height() - total) / double(formulas.size() + 1), 6.0, 22.0);
-    double y = top;
-    for (const FormulaPicture& formula : formulas) {
-        formula.paint(painter, QPointF(margin, y), ink);
-        y += formula.height() + gap;
-    }
+    const double above = height() < low_pane ? narrow_margin : margin;
+    painter.drawText(QRectF(margin, above, width() - 2.0 * margin, line), Qt::AlignLeft, title_);
+    const QPointF top(margin, above + (height() < low_pane ? 1.4 : 2.0) * line);
+    const QSizeF room(width() - 2.0 * margin, height() - top.y() - above);
+    const SetEquations set = fitted(equations_, font(), room);
+    for (std::size_t i = 0; i < set.formulas.size(); ++i)
+        set.formulas[i].paint(painter, top + set.places[i], ink);
 }
 
 }  // namespace covaria::ui

@@ -104,7 +104,7 @@ void ScenePanel::make_toolbar() {
     magnification_ = new QComboBox(this);
     magnification_->setToolTip(tr("Magnification of the uncertainty; it is always written in the picture"));
     magnification_->setAccessibleName(tr("Magnification of the uncertainty"));
-    magnification_->addItem(tr("Magnification: auto"));
+    magnification_->addItem(tr("× auto"));
     for (int factor : {1, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000})
         magnification_->addItem(tr("× %1").arg(factor), factor);
     toolbar_->addWidget(magnification_);

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QStyle>
+#include <QTextDocumentFragment>
 
 namespace covaria::ui {
 
@@ -11,9 +12,16 @@ ElidedLabel::ElidedLabel(const QString& text, QWidget* parent) : QLabel(text, pa
 
 void ElidedLabel::paintEvent(QPaintEvent* event) {
     const QRect room = contentsRect().marginsRemoved({margin(), margin(), margin(), margin()});
-    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
-    if (shown == text() || Qt::mightBeRichText(text())) return QLabel::paintEvent(event);
+    QFont letters = font();
+    QString words = text();
+    if (Qt::mightBeRichText(words)) {
+        letters.setBold(words.startsWith(QLatin1String("<b>")));
+        words = QTextDocumentFragment::fromHtml(words).toPlainText();
+    }
+    const QString shown = QFontMetrics(letters).elidedText(words, Qt::ElideRight, room.width());
+    if (shown == words) return QLabel::paintEvent(event);
     QPainter painter(this);
+    painter.setFont(letters);
     style()->drawItemText(&painter, room, static_cast<int>(alignment()), palette(), isEnabled(), shown,
                           foregroundRole());
 }

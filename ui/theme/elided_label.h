@@ -5,7 +5,8 @@
 
 namespace covaria::ui {
 
-/// Plain text ends in "…"; the whole is the owner's to give as a tooltip. Takes any width.
+/// It ends in "…" then, in the weight of its beginning; the whole is the owner's to give as a tooltip. Takes
+/// any width.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:

@@ -4,6 +4,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "ui/theme/strings.h"
 
@@ -43,15 +44,15 @@ public:
     }
 
     Box words(const Text& words, const QFont& font) const {
-        Box box;
+        Box line, last;  // a script hangs on the last letters, however low an earlier one goes
         for (const Text::Span& span : words.spans()) {
             const QString letters = to_qt(span.letters);
             const Box part = text(letters, span.script == Script::line ? font : smaller(font), span.italic);
-            box = span.script == Script::line    ? beside(std::move(box), part)
-                  : span.script == Script::below ? with_scripts(std::move(box), part, {}, font)
-                                                 : with_scripts(std::move(box), {}, part, font);
+            if (span.script == Script::line) line = beside(std::move(line), std::exchange(last, part));
+            if (span.script == Script::below) last = with_scripts(std::move(last), part, {}, font);
+            if (span.script == Script::above) last = with_scripts(std::move(last), {}, part, font);
         }
-        return box;
+        return beside(std::move(line), last);
     }
 
 private:
