@@ -8,6 +8,7 @@
 #include "app/pictures.h"
 #include "app/terminal.h"
 #include "viz/scene/camera.h"
+#include "viz/scene/context_meshes.h"
 
 namespace covaria {
 namespace {
@@ -50,6 +51,7 @@ Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
     if (auto complete = check_complete(*evaluation); !complete) return complete;
+    arguments.picture.context = context_meshes(**opened);
     return write_picture(evaluation->analyses.front(), arguments.picture, arguments.output);
 }
 
