@@ -33,7 +33,7 @@ const Fields<StatedMesh>& mesh_fields() {
                      {MeshUnit::metre, "m", "metre"},
                      {MeshUnit::inch, "in", "inch"}},
                     MeshUnit::millimetre)
-            .add(&S::X_WM, "placement", "Placement",
+            .add(&S::X_WM, "placement", "Position and orientation",
                  "Where the origin of the file stands in the world frame, and how its axes are turned.",
                  {.default_value = PoseValue{}})
             .section("Appearance")
