@@ -54,6 +54,7 @@ TEST_F(ContextPicture, StandsWhereItIsPlaced) {
     for (const StandardView view : {StandardView::top, StandardView::bottom}) {
         renderer_.set_scene(scene);
         renderer_.set_view(view);
+        renderer_.zoom(0.5);  // the picture is fitted to the platform, not to the wall
         EXPECT_GT(blue_on_wall(scene, "context-shown"), 40) << "seen from both sides";
         EXPECT_EQ(blue_on_wall(visible_part(scene, {{"mesh:wall"}, {}}), "context-hidden"), 0);
         EXPECT_GT(blue_on_wall(scene, "context-again"), 40);
@@ -67,6 +68,7 @@ TEST_F(ContextPicture, StandsWhereItIsPlaced) {
 TEST_F(ContextPicture, FollowsItsColourAndPlace) {
     renderer_.set_scene(scene_with(wall()));
     renderer_.set_view(StandardView::top);
+    renderer_.zoom(0.5);
     LayoutMesh moved = wall();
     moved.X_WM.translation().x() = -10.0;
     EXPECT_EQ(blue_on_wall(scene_with(moved), "context-moved"), 0);
