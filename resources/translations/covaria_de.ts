@@ -7824,6 +7824,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>%1 of %2 requirements not met</source>
         <translation>%1 von %2 Anforderungen nicht erfüllt</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>Umgebung</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>

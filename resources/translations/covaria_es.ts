@@ -7824,6 +7824,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <source>%1 of %2 requirements not met</source>
         <translation>%1 de %2 requisitos no cumplidos</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>Contexto</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>

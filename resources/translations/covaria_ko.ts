@@ -7821,6 +7821,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>%1 of %2 requirements not met</source>
         <translation>요구사항 %2개 중 %1개 미충족</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>주변</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>

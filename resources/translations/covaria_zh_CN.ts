@@ -7821,6 +7821,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>%1 of %2 requirements not met</source>
         <translation>%2 项要求中有 %1 项不满足</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>环境</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>

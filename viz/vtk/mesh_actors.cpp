@@ -7,6 +7,7 @@
 #include <vtkProperty.h>
 #include <vtkTypeInt32Array.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <numeric>
