@@ -103,6 +103,7 @@ Result<Scene> scene_of(const EvaluatedAnalysis& evaluated, const PictureRequest&
     if (auto known = check_group(evaluated, request.group); !known) return fail(known.error());
     SceneOptions options;
     options.group = request.group;
+    options.context = request.context;
     options.magnification = request.magnification;
     options.probability =
         request.probability > 0 ? request.probability : evaluated.analysis->options.coverage_probability;
@@ -181,7 +182,8 @@ ResultFile listed(const PlannedPicture& picture, const std::vector<EvaluatedAnal
 
 Result<void> write_pictures(const std::filesystem::path& folder,
                             const std::vector<EvaluatedAnalysis>& analyses,
-                            const std::vector<PlannedPicture>& pictures, const std::stop_token& stop) {
+                            const std::vector<PlannedPicture>& pictures,
+                            const std::vector<LayoutMesh>& context, const std::stop_token& stop) {
     std::unique_ptr<QApplication> application;
     SceneRenderer renderer;
     const PlannedPicture* drawn = nullptr;  // whose scene the renderer has
@@ -197,6 +199,7 @@ Result<void> write_pictures(const std::filesystem::path& folder,
         if (!drawn || drawn->analysis != picture.analysis || drawn->group != picture.group) {
             PictureRequest request;
             request.group = picture.group;
+            request.context = context;
             auto scene = scene_of(evaluated, request);
             if (!scene) return fail(scene.error());
             renderer.set_size(request.width, request.height);

@@ -36,7 +36,7 @@ Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
 Result<void> write_document(const ReportDocument& document, const ReportSource& source,
                             const ReportFiles& files, const std::stop_token& stop) {
     const auto application = make_application(Platform::offscreen);
-    ui::ScenePictures scenes(source.analyses);
+    ui::ScenePictures scenes(source);
     const ui::FigurePainters painters = ui::report_painters(scenes);
     ui::ReportTarget target;
     target.folder = files.folder;

@@ -8,6 +8,7 @@
 #include "core/report/result_files.h"
 #include "core/result/representation.h"
 #include "ui/theme/document_language.h"
+#include "viz/scene/context_meshes.h"
 
 namespace covaria {
 namespace {
@@ -62,7 +63,10 @@ Result<void> write_run_outputs(const RunOutputs& outputs, const MadeProject& ope
     if (auto written = write_result_files(outputs.folder, *evaluation.made, analyses, std::move(listing));
         !written)
         return written;
-    if (auto written = write_pictures(outputs.folder, analyses, pictures, stop); !written) return written;
+    if (auto written =
+            write_pictures(outputs.folder, analyses, pictures, context_meshes(*evaluation.made), stop);
+        !written)
+        return written;
     return write_documents(outputs, {*evaluation.made, analyses, evaluation.failed}, chosen, stop);
 }
 

@@ -8,6 +8,7 @@
 #include "app/pictures.h"
 #include "app/terminal.h"
 #include "viz/scene/camera.h"
+#include "viz/scene/context_meshes.h"
 
 namespace covaria {
 namespace {
@@ -51,6 +52,7 @@ Result<void> render(RenderArguments arguments, const std::stop_token& stop) {
     auto evaluation = evaluate_analyses(*opened, arguments.request, stop);
     if (!evaluation) return fail(evaluation.error());
     if (auto complete = check_complete(*evaluation); !complete) return complete;
+    arguments.picture.context = context_meshes(**opened);
     if (!arguments.before.empty())
         if (auto compared = compare_with(arguments.before, arguments.request, *evaluation, stop); !compared)
             return compared;

@@ -8,6 +8,7 @@
 #include "core/base/file_names.h"
 #include "core/project/certificate_logo.h"
 #include "core/project/csv_table.h"
+#include "core/project/kind_lookup.h"
 #include "core/project/linked_files.h"
 #include "core/project/project_file.h"
 #include "core/writers/writers.h"
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 
 /// Larger results stay outside: a report is to be sent and opened.
 constexpr std::size_t largest_results = 50'000'000;
+constexpr std::size_t largest_meshes = 50'000'000;  ///< all together
 
 /// The file still says what was read from it.
 bool is_as_read(const fs::path& file, const SetupTable& table, const FieldSpec& field) {
@@ -55,6 +57,7 @@ private:
             }
         });
         add_logo(project, linked);
+        add_meshes(project, linked);
         files_.push_back({carried::project, project_text(project), "application/json",
                           "The project that this report was made of (open it with Covaria)",
                           AttachedAs::source});
@@ -75,6 +78,26 @@ private:
         if (taken_.insert(path.generic_string()).second)
             files.push_back({path.generic_string(), std::move(logo->bytes), logo->media_type,
                              "Logo of the certificate", AttachedAs::source});
+    }
+
+    /// What set-ups name beside the project; what is too large, or lies elsewhere, is not carried, and the
+    /// project says so when it is read.
+    void add_meshes(const Project& project, std::vector<AttachedFile>& files) {
+        std::size_t bytes_carried = 0;
+        for (const AssetEntry& asset : project.assets) {
+            const SetupSchema* schema = schema_of(asset);
+            if (!schema) continue;
+            for (const NamedFile& named : named_files(project, *schema, asset.setup)) {
+                const fs::path path = fs::path(named.name).lexically_normal();
+                if (path.is_absolute() || *path.begin() == ".." || is_ours(path.generic_string())) continue;
+                auto bytes = read_file(named.path);
+                if (!bytes || bytes_carried + bytes->size() > largest_meshes) continue;
+                if (!taken_.insert(path.generic_string()).second) continue;
+                bytes_carried += bytes->size();
+                files.push_back({path.generic_string(), *std::move(bytes), "model/stl",
+                                 "Context of the scene: it influences no number", AttachedAs::source});
+            }
+        }
     }
 
     static bool is_ours(const std::string& name) {

@@ -4,6 +4,7 @@
 
 #include "core/kinds/ballbar/assets.h"
 #include "core/kinds/ballbar/model.h"
+#include "core/kinds/context/assets.h"
 #include "core/kinds/curve/model.h"
 #include "core/kinds/equation/model.h"
 #include "core/kinds/force/assets.h"
@@ -51,7 +52,8 @@ const std::vector<AssetDescriptor>& asset_registry() {
         artefact_points_kind(),     length_standard_kind(),     spherical_instrument_kind(),
         sensor_network_kind(),      point_specification_kind(), ballbar_set_kind(),
         robot_repeatability_kind(), serial_robot_kind(),        identified_robot_kind(),
-        calibrated_robot_kind(),    force_calibrator_kind(),    force_sensor_kind()};
+        calibrated_robot_kind(),    force_calibrator_kind(),    force_sensor_kind(),
+        context_mesh_kind()};
     return kinds;
 }
 

@@ -24,6 +24,7 @@ struct MadeEntry {
 
 struct MadeAsset : MadeEntry {
     AssetLibrary::Entry made = {};  ///< its asset is null after an error
+    std::string files = {};         ///< which files its set-up names, and their state when it was made
 };
 
 /// What a chain of analyses is made of: an analysis that another one takes something from.

@@ -2,6 +2,7 @@
 
 #include "core/kinds/registries.h"
 #include "core/project/kind_lookup.h"
+#include "core/project/linked_files.h"
 #include "core/setup/setup_schema.h"
 
 namespace covaria {
@@ -29,6 +30,22 @@ std::shared_ptr<const Asset> create(const Project& project, const AssetEntry& en
     if (problems.has_errors()) return nullptr;
     auto asset = kind.create(SetupReader(kind.schema, entry.setup), made.assets, problems);
     return problems.has_errors() ? nullptr : std::move(asset);
+}
+
+/// Path, size and time of the files that the set-up names; they are read anew where this has changed.
+std::string state_of_files(const Project& project, const AssetEntry& entry) {
+    std::string state;
+    const SetupSchema* schema = schema_of(entry);
+    if (!schema) return state;
+    for (const NamedFile& file : named_files(project, *schema, entry.setup)) {
+        std::error_code gone;
+        const auto size = std::filesystem::file_size(file.path, gone);
+        const auto time = std::filesystem::last_write_time(file.path, gone);
+        state += file.path.string() + '\n';
+        if (!gone)
+            state += std::to_string(size) + ' ' + std::to_string(time.time_since_epoch().count()) + '\n';
+    }
+    return state;
 }
 
 template <class Entry>
@@ -81,13 +98,15 @@ void ProjectMaking::make_asset(std::size_t index) {
     const AssetEntry& entry = made_->project().assets[index];
     auto made = std::make_shared<MadeAsset>();
     made->uses = uses_of(index);
+    made->files = state_of_files(made_->project(), entry);
     const auto then = assets_before_.find(entry.id);
     if (then != assets_before_.end()) {
         const AssetEntry& was = before_->project().assets[then->second];
         const auto& kept = before_->entries_[then->second];
         const bool same = was.kind == entry.kind && was.setup == entry.setup;
         keeps_numbers_[index] = same && references_keep_numbers(index);
-        if (same && making::stay(made->uses, kept->uses)) {
+        const bool files_stay = static_cast<const MadeAsset&>(*kept).files == made->files;
+        if (same && files_stay && making::stay(made->uses, kept->uses)) {
             ++made_->counts_.taken;
             made_->entries_[index] = kept;
             if (was.name == entry.name) return;
@@ -100,6 +119,7 @@ void ProjectMaking::make_asset(std::size_t index) {
     }
     ++made_->counts_.assets;
     made->assets = library_of(made->uses);
+    made->assets.set_folder(made_->project().directory);
     made->made = {entry.name, find_asset_kind(entry.kind), nullptr};
     if (!made->made.descriptor) {
         made->problems.error("/kind", unknown_kind(entry));

@@ -3,6 +3,7 @@
 // A model asks an asset for a capability (an interface, core/model/capability.h), never for its kind.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -60,7 +61,7 @@ const C* offers(const Owner& asset) {  // a shared or unique pointer
     return offers<C>(asset.get());
 }
 
-enum class AssetCategory { artefact, instrument, robot, points };
+enum class AssetCategory { artefact, instrument, robot, points, context };
 
 struct Reference {
     std::string text;  ///< "Porath, Gross, Eger: Experimental-numerical approach ..., Eqs 1-6"
@@ -95,8 +96,12 @@ public:
         return it == entries_.end() ? nullptr : &it->second;
     }
     const std::map<std::string, Entry>& entries() const { return entries_; }
+    /// Where the files are that set-ups name.
+    const std::filesystem::path& folder() const { return folder_; }
+    void set_folder(std::filesystem::path folder) { folder_ = std::move(folder); }
 
 private:
+    std::filesystem::path folder_;
     std::map<std::string, Entry> entries_;
 };
 

@@ -7,9 +7,12 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "core/model/triangle_mesh.h"
 
 namespace covaria {
 
@@ -83,12 +86,28 @@ struct LayoutVector {
     Eigen::Matrix3d R_WQ = Eigen::Matrix3d::Identity();  ///< ... along these axes
 };
 
+enum class MeshColour { grey, blue, green, orange, red };
+
+/// A surface for context: the cell, the part, the fixture. No number depends on it.
+struct LayoutMesh {
+    std::string name;
+    std::shared_ptr<const TriangleMesh> triangles = {};  ///< never null in a layout
+    double scale = 1.0;                                  ///< m in one unit of the triangles
+    Eigen::Isometry3d X_WM = Eigen::Isometry3d::Identity();
+    MeshColour colour = MeshColour::grey;
+    double opacity = 1.0;  ///< 0 ... 1
+    LayoutSource source = {};
+    /// It looks the same: the same triangles are the same object.
+    bool looks_like(const LayoutMesh& other) const;
+};
+
 struct Layout {
     std::vector<LayoutFrame> frames;
     std::vector<LayoutPoint> points;
     std::vector<LayoutLink> links;
     std::vector<LayoutBody> bodies;
     std::vector<LayoutVector> vectors;
+    std::vector<LayoutMesh> meshes = {};
 };
 
 /// The layout of an asset as part of another layout: what is written in its own set-up is marked with its id.

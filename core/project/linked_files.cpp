@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "core/project/certificate.h"
 #include "core/project/kind_lookup.h"
 
 namespace covaria {
@@ -34,6 +35,28 @@ std::vector<std::string> linked_files(const Project& project) {
     };
     for (const AssetEntry& asset : project.assets) collect(asset.setup);
     for (const AnalysisEntry& analysis : project.analyses) collect(analysis.setup);
+    return {names.begin(), names.end()};
+}
+
+std::vector<NamedFile> named_files(const Project& project, const SetupSchema& schema, const Setup& setup) {
+    std::vector<NamedFile> files;
+    for (const FieldSpec& field : schema.fields()) {
+        if (field.file_ending.empty()) continue;
+        const auto* name = std::get_if<std::string>(&value_of(field, setup));
+        if (name && !is_blank(*name)) files.push_back({*name, project.directory / *name});
+    }
+    return files;
+}
+
+std::vector<std::string> context_files(const Project& project) {
+    std::set<std::string> names;
+    const auto collect = [&](const auto& entry) {
+        if (const SetupSchema* schema = schema_of(entry))
+            for (const NamedFile& file : named_files(project, *schema, entry.setup)) names.insert(file.name);
+    };
+    for (const AssetEntry& asset : project.assets) collect(asset);
+    for (const AnalysisEntry& analysis : project.analyses) collect(analysis);
+    if (!is_blank(project.certificate.logo)) names.insert(project.certificate.logo);
     return {names.begin(), names.end()};
 }
 

@@ -1,6 +1,7 @@
 // The CSV files a project refers to.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,6 +16,16 @@ void for_linked_tables(Project& project, const std::function<void(SetupTable&, c
 
 /// Names as written in the project, each once.
 std::vector<std::string> linked_files(const Project& project);
+
+/// A file that a text of a set-up names (FieldSpec::file_ending).
+struct NamedFile {
+    std::string name;  ///< as written
+    std::filesystem::path path;
+};
+/// Of one set-up, in the order of its schema; blank names are left out.
+std::vector<NamedFile> named_files(const Project& project, const SetupSchema& schema, const Setup& setup);
+/// Names of files that influence no number, each once: what set-ups name, and the logo of the certificate.
+std::vector<std::string> context_files(const Project& project);
 
 /// Puts all tables into the project itself: it needs no file beside it any more.
 void unlink_tables(Project& project);

@@ -30,8 +30,9 @@ struct Further {
     Range range = {};
     SetupValue default_value = {};  ///< of a field
     bool optional = false;
-    std::size_t min_rows = 0;    ///< of a table
-    bool several_lines = false;  ///< of a text
+    std::size_t min_rows = 0;      ///< of a table
+    bool several_lines = false;    ///< of a text
+    std::string file_ending = {};  ///< of a text that names a file
 };
 
 /// Three columns alike with these keys as titles; '*' in the help is the axis, x, y or z.
@@ -72,6 +73,7 @@ Spec spec_of(std::string key, std::string title, std::string help, Further more)
         spec.default_value = std::move(more.default_value);
         spec.min_rows = more.min_rows;
         spec.several_lines = more.several_lines;
+        spec.file_ending = std::move(more.file_ending);
     }
     return spec;
 }

@@ -65,6 +65,8 @@ struct FieldSpec {
     /// statement, a, b and nu; it is what a budget is typed into.
     bool states_quantities = false;
     bool several_lines = false;  ///< of a text: a list of lines in files; problems name the line ("/text/2")
+    /// Of a text that names a file beside the project: how such names end ("stl"); empty: it names none.
+    std::string file_ending = {};
 };
 
 class SetupSchema {

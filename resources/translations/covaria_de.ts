@@ -4695,6 +4695,90 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Results before and after</source>
         <translation>Ergebnisse vorher und nachher</translation>
     </message>
+    <message>
+        <source>Context mesh</source>
+        <translation>Umgebungsnetz</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>STL file</source>
+        <translation>STL-Datei</translation>
+    </message>
+    <message>
+        <source>A binary or ASCII STL file beside the project, up to 200 MB and 5 million triangles. It is drawn in the scenes of all analyses and influences no number.</source>
+        <translation>Eine binäre oder ASCII-STL-Datei neben dem Projekt, bis zu 200 MB und 5 Millionen Dreiecke. Sie wird in den Szenen aller Analysen gezeichnet und beeinflusst keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>STL files do not say in which unit their numbers are.</source>
+        <translation>STL-Dateien sagen nicht, in welcher Einheit ihre Zahlen sind.</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>metre</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Position and orientation</source>
+        <translation>Lage und Orientierung</translation>
+    </message>
+    <message>
+        <source>Where the origin of the file stands in the world frame, and how its axes are turned.</source>
+        <translation>Wo der Ursprung der Datei im Weltsystem liegt und wie ihre Achsen gedreht sind.</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Of the surface, on a light and on a dark ground.</source>
+        <translation>Der Oberfläche, auf hellem und auf dunklem Grund.</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>grau</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blau</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grün</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>orange</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rot</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
+        <translation>100 % verdeckt, was hinter der Oberfläche ist; weniger lässt die gemessenen Punkte sehen.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6434,6 +6518,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>At most %1.</source>
         <translation>Höchstens %1.</translation>
     </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1-Dateien</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
@@ -7755,6 +7843,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>%1 of %2 requirements not met</source>
         <translation>%1 von %2 Anforderungen nicht erfüllt</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>Umgebung</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -8447,6 +8539,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>× auto</source>
         <translation>× auto</translation>
+    </message>
+    <message>
+        <source>Context Meshes</source>
+        <translation>Umgebungsnetze</translation>
     </message>
 </context>
 <context>

@@ -4695,6 +4695,90 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>Results before and after</source>
         <translation>Resultados antes y después</translation>
     </message>
+    <message>
+        <source>Context mesh</source>
+        <translation>Malla de contexto</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Malla</translation>
+    </message>
+    <message>
+        <source>STL file</source>
+        <translation>Archivo STL</translation>
+    </message>
+    <message>
+        <source>A binary or ASCII STL file beside the project, up to 200 MB and 5 million triangles. It is drawn in the scenes of all analyses and influences no number.</source>
+        <translation>Un archivo STL binario o ASCII junto al proyecto, de hasta 200 MB y 5 millones de triángulos. Se dibuja en las escenas de todos los análisis y no influye en ningún número.</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Unidad del archivo</translation>
+    </message>
+    <message>
+        <source>STL files do not say in which unit their numbers are.</source>
+        <translation>Los archivos STL no indican en qué unidad están sus números.</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>milímetro</translation>
+    </message>
+    <message>
+        <source>metre</source>
+        <translation>metro</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pulgada</translation>
+    </message>
+    <message>
+        <source>Position and orientation</source>
+        <translation>Posición y orientación</translation>
+    </message>
+    <message>
+        <source>Where the origin of the file stands in the world frame, and how its axes are turned.</source>
+        <translation>Dónde está el origen del archivo en el sistema global y cómo están girados sus ejes.</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Of the surface, on a light and on a dark ground.</source>
+        <translation>De la superficie, sobre fondo claro y sobre fondo oscuro.</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>gris</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>azul</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>verde</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>naranja</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rojo</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
+        <translation>100 % oculta lo que hay detrás de la superficie; con menos se ven los puntos medidos.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6434,6 +6518,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>At most %1.</source>
         <translation>Como máximo %1.</translation>
     </message>
+    <message>
+        <source>%1 files</source>
+        <translation>Archivos %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
@@ -7755,6 +7843,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <source>%1 of %2 requirements not met</source>
         <translation>%1 de %2 requisitos no cumplidos</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>Contexto</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -8447,6 +8539,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>× auto</source>
         <translation>× auto</translation>
+    </message>
+    <message>
+        <source>Context Meshes</source>
+        <translation>Mallas de contexto</translation>
     </message>
 </context>
 <context>

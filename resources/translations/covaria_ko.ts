@@ -4695,6 +4695,90 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <source>Results before and after</source>
         <translation>전후 결과</translation>
     </message>
+    <message>
+        <source>Context mesh</source>
+        <translation>주변 메시</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>메시</translation>
+    </message>
+    <message>
+        <source>STL file</source>
+        <translation>STL 파일</translation>
+    </message>
+    <message>
+        <source>A binary or ASCII STL file beside the project, up to 200 MB and 5 million triangles. It is drawn in the scenes of all analyses and influences no number.</source>
+        <translation>프로젝트 옆에 있는 이진 또는 ASCII STL 파일로, 최대 200 MB, 삼각형 500만 개입니다. 모든 분석의 장면에 그려지며 어떤 수치에도 영향을 주지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>파일의 단위</translation>
+    </message>
+    <message>
+        <source>STL files do not say in which unit their numbers are.</source>
+        <translation>STL 파일에는 수치의 단위가 적혀 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>밀리미터</translation>
+    </message>
+    <message>
+        <source>metre</source>
+        <translation>미터</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>인치</translation>
+    </message>
+    <message>
+        <source>Position and orientation</source>
+        <translation>위치와 자세</translation>
+    </message>
+    <message>
+        <source>Where the origin of the file stands in the world frame, and how its axes are turned.</source>
+        <translation>파일의 원점이 월드 좌표계에서 놓인 곳과 축들이 회전된 정도.</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>모양</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>색</translation>
+    </message>
+    <message>
+        <source>Of the surface, on a light and on a dark ground.</source>
+        <translation>표면의 색. 밝은 배경과 어두운 배경에 쓰입니다.</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>회색</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>파랑</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>초록</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>주황</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>빨강</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>불투명도</translation>
+    </message>
+    <message>
+        <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
+        <translation>100 %이면 표면 뒤의 것이 가려지고, 더 작으면 측정한 점이 보입니다.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6432,6 +6516,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>At most %1.</source>
         <translation>%1 이하.</translation>
     </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 파일</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
@@ -7752,6 +7840,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>%1 of %2 requirements not met</source>
         <translation>요구사항 %2개 중 %1개 미충족</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>주변</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -8444,6 +8536,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>× auto</source>
         <translation>× 자동</translation>
+    </message>
+    <message>
+        <source>Context Meshes</source>
+        <translation>주변 메시</translation>
     </message>
 </context>
 <context>

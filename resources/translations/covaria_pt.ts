@@ -4695,6 +4695,90 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>Results before and after</source>
         <translation>Resultados antes e depois</translation>
     </message>
+    <message>
+        <source>Context mesh</source>
+        <translation>Malha de contexto</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Malha</translation>
+    </message>
+    <message>
+        <source>STL file</source>
+        <translation>Arquivo STL</translation>
+    </message>
+    <message>
+        <source>A binary or ASCII STL file beside the project, up to 200 MB and 5 million triangles. It is drawn in the scenes of all analyses and influences no number.</source>
+        <translation>Um arquivo STL binário ou ASCII ao lado do projeto, de até 200 MB e 5 milhões de triângulos. É desenhado nas cenas de todas as análises e não influencia nenhum número.</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Unidade do arquivo</translation>
+    </message>
+    <message>
+        <source>STL files do not say in which unit their numbers are.</source>
+        <translation>Arquivos STL não dizem em que unidade estão seus números.</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>milímetro</translation>
+    </message>
+    <message>
+        <source>metre</source>
+        <translation>metro</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>polegada</translation>
+    </message>
+    <message>
+        <source>Position and orientation</source>
+        <translation>Posição e orientação</translation>
+    </message>
+    <message>
+        <source>Where the origin of the file stands in the world frame, and how its axes are turned.</source>
+        <translation>Onde está a origem do arquivo no referencial do mundo e como seus eixos estão girados.</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aparência</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Cor</translation>
+    </message>
+    <message>
+        <source>Of the surface, on a light and on a dark ground.</source>
+        <translation>Da superfície, sobre fundo claro e sobre fundo escuro.</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>cinza</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>azul</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>verde</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>laranja</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>vermelho</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidade</translation>
+    </message>
+    <message>
+        <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
+        <translation>100 % esconde o que está atrás da superfície; com menos se veem os pontos medidos.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6434,6 +6518,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>At most %1.</source>
         <translation>No máximo %1.</translation>
     </message>
+    <message>
+        <source>%1 files</source>
+        <translation>Arquivos %1</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
@@ -7755,6 +7843,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>%1 of %2 requirements not met</source>
         <translation>%1 de %2 requisitos não atendidos</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>Contexto</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -8447,6 +8539,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>× auto</source>
         <translation>× auto</translation>
+    </message>
+    <message>
+        <source>Context Meshes</source>
+        <translation>Malhas de contexto</translation>
     </message>
 </context>
 <context>

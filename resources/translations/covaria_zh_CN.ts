@@ -4695,6 +4695,90 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <source>Results before and after</source>
         <translation>前后结果</translation>
     </message>
+    <message>
+        <source>Context mesh</source>
+        <translation>环境网格</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>STL file</source>
+        <translation>STL 文件</translation>
+    </message>
+    <message>
+        <source>A binary or ASCII STL file beside the project, up to 200 MB and 5 million triangles. It is drawn in the scenes of all analyses and influences no number.</source>
+        <translation>项目旁边的二进制或 ASCII STL 文件，最大 200 MB、500 万个三角形。它绘制在所有分析的场景中，不影响任何数值。</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>文件的单位</translation>
+    </message>
+    <message>
+        <source>STL files do not say in which unit their numbers are.</source>
+        <translation>STL 文件不说明其数值的单位。</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>metre</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>Position and orientation</source>
+        <translation>位置和姿态</translation>
+    </message>
+    <message>
+        <source>Where the origin of the file stands in the world frame, and how its axes are turned.</source>
+        <translation>文件的原点在世界坐标系中的位置，以及其各轴的转动。</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>外观</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Of the surface, on a light and on a dark ground.</source>
+        <translation>曲面的颜色，用于浅色和深色背景。</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>灰色</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>红色</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
+        <translation>100 % 会遮住曲面后面的东西；较小的值能看到被测点。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -6432,6 +6516,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>At most %1.</source>
         <translation>不大于 %1。</translation>
     </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 文件</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FieldHelp</name>
@@ -7752,6 +7840,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>%1 of %2 requirements not met</source>
         <translation>%2 项要求中有 %1 项不满足</translation>
     </message>
+    <message>
+        <source>Context</source>
+        <translation>环境</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -8444,6 +8536,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>× auto</source>
         <translation>× 自动</translation>
+    </message>
+    <message>
+        <source>Context Meshes</source>
+        <translation>环境网格</translation>
     </message>
 </context>
 <context>

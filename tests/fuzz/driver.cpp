@@ -72,6 +72,7 @@ std::unique_ptr<Kind> kind_named(const std::string& name) {
     if (name == "equations") return equation_kind();
     if (name == "csv") return csv_kind();
     if (name == "urdf") return urdf_kind();
+    if (name == "stl") return stl_kind();
     if (name == "readers") return reader_kind();
     return nullptr;
 }

@@ -62,6 +62,7 @@ std::unique_ptr<Kind> project_kind();
 std::unique_ptr<Kind> equation_kind();
 std::unique_ptr<Kind> csv_kind();
 std::unique_ptr<Kind> urdf_kind();
+std::unique_ptr<Kind> stl_kind();
 std::unique_ptr<Kind> reader_kind();
 
 }  // namespace covaria::fuzz

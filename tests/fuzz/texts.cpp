@@ -1,9 +1,13 @@
-// CSV tables read by the schemas of all kinds, and robots from URDF.
+// CSV tables read by the schemas of all kinds, robots from URDF, meshes from STL.
+#include <bit>
+
 #include "core/base/guarded.h"
+#include "core/kinds/context/stl.h"
 #include "core/kinds/registries.h"
 #include "core/kinds/robot/urdf.h"
 #include "core/project/csv_table.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/stl_files.h"
 
 namespace covaria::fuzz {
 
@@ -134,8 +138,56 @@ private:
                                           "&amp;", "<!--", "]]>", "nan", "1e999",  "\n"};
 };
 
+/// Both forms, with a few triangles.
+class Stl : public Kind {
+public:
+    std::string make(Noise& noise) override {
+        const std::size_t triangles = noise.below(4);
+        std::string text = noise.chance(2) ? binary(triangles, noise) : ascii(triangles, noise);
+        return noise.chance(4) ? text : damaged_text(std::move(text), words_, noise);
+    }
+
+    Outcome run(const std::string& input) override {
+        const auto read = guarded([&] { return mesh_from_stl(input); });
+        if (!read) return {false, false, "thrown: " + read.error().message};
+        if (!*read) return {false, false, (*read).error().message.empty() ? "an error without words" : ""};
+        const TriangleMesh& mesh = **read;
+        const bool right = mesh.triangles() > 0 && mesh.corners.size() % 9 == 0 &&
+                           mesh.box.sizes().allFinite() && mesh.corners.size() <= input.size();
+        return {true, false, right ? "" : "a mesh that is none"};
+    }
+
+private:
+    std::string binary(std::size_t triangles, Noise& noise) {
+        std::string header = noise.pick(headers_);
+        header.resize(80, ' ');
+        std::vector<test::StlTriangle> made(triangles);
+        for (test::StlTriangle& triangle : made)
+            for (float& coordinate : triangle)
+                coordinate = noise.chance(40) ? std::bit_cast<float>(static_cast<std::uint32_t>(noise.next()))
+                                              : static_cast<float>(noise.below(100));
+        return test::binary_stl(made, header);
+    }
+    std::string ascii(std::size_t triangles, Noise& noise) {
+        const auto corner = [&] {
+            return noise.pick(figures_) + " " + noise.pick(figures_) + " " + noise.pick(figures_);
+        };
+        std::string text = "solid s\n";
+        for (std::size_t i = 0; i < triangles; ++i) text += test::ascii_facet(corner(), corner(), corner());
+        return text + "endsolid s\n";
+    }
+
+    const std::vector<std::string> headers_{"solid", "made", ""};
+    const std::vector<std::string> figures_{"0", "1", "-2.5", "1e3", "+4", "1e-400", "12.5", "7"};
+    const std::vector<std::string> words_{"solid", "facet", "vertex", "endloop",  "nan",
+                                          "1e999", "\n",    " ",      "endsolid", std::string(1, '\0')};
+};
+
 }  // namespace
 
+std::unique_ptr<Kind> stl_kind() {
+    return std::make_unique<Stl>();
+}
 std::unique_ptr<Kind> csv_kind() {
     return std::make_unique<Csv>();
 }

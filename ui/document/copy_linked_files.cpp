@@ -20,10 +20,11 @@ Result<void> copy_linked_files(const Project& project, const std::filesystem::pa
                           target.string(),
                           0});
     }
-    if (const fs::path logo(project.certificate.logo); logo.is_relative() && !logo.empty()) {
-        std::error_code error;  // without it the certificate says so
-        fs::create_directories((folder / logo).parent_path(), error);
-        fs::copy_file(project.directory / logo, folder / logo, fs::copy_options::skip_existing, error);
+    for (const fs::path name : context_files(project)) {
+        std::error_code error;  // what is missing is warned of where it is used
+        if (!name.is_relative()) continue;
+        fs::create_directories((folder / name).parent_path(), error);
+        fs::copy_file(project.directory / name, folder / name, fs::copy_options::skip_existing, error);
     }
     return {};
 }

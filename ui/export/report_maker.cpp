@@ -52,7 +52,8 @@ void ReportMaker::make(Source source, Use use, JobQueue::Failure failure) {
             const ReportDocument document =
                 build_document(source.kind, *source.made, source.analyses, source.failed, false,
                                document_language(source.made->project()));
-            ScenePictures scenes(source.analyses);
+            const ReportSource evaluated{*source.made, source.analyses, source.failed};
+            ScenePictures scenes(evaluated);
             FigurePainters painters = report_painters(scenes);
             painters.paint_plot = [this, stop, paint = painters.paint_plot](
                                       QPainter& painter, const QRectF& area, const PlotSpecification& plot) {

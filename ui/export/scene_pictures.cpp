@@ -1,6 +1,7 @@
 #include "ui/export/scene_pictures.h"
 
 #include "viz/scene/analysis_scene.h"
+#include "viz/scene/context_meshes.h"
 #include "viz/scene/design_scene.h"
 #include "viz/vtk/scene_renderer.h"
 
@@ -27,8 +28,10 @@ struct ScenePictures::Renderer {
     SceneRenderer renderer;
 };
 
-ScenePictures::ScenePictures(const std::vector<EvaluatedAnalysis>& analyses)
-    : analyses_(analyses), renderer_(std::make_unique<Renderer>()) {}
+ScenePictures::ScenePictures(const ReportSource& source)
+    : analyses_(source.analyses),
+      context_(context_meshes(source.made)),
+      renderer_(std::make_unique<Renderer>()) {}
 
 ScenePictures::~ScenePictures() = default;
 
@@ -37,6 +40,7 @@ QImage ScenePictures::render(const SceneBlock& block, QSize size) {
         if (evaluated.analysis->id != block.analysis) continue;
         SceneOptions options;
         options.group = block.group;
+        options.context = context_;
         options.probability = evaluated.result->coverage_probability;
         auto scene = scene_of(evaluated, block.design, options);
         if (!scene) {

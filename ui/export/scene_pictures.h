@@ -5,6 +5,7 @@
 #include <QSize>
 #include <vector>
 
+#include "core/model/layout.h"
 #include "core/report/report.h"
 
 namespace covaria::ui {
@@ -12,7 +13,8 @@ namespace covaria::ui {
 /// Draws scenes of evaluated analyses off screen, with one renderer for all of them. Usable on any thread.
 class ScenePictures {
 public:
-    explicit ScenePictures(const std::vector<EvaluatedAnalysis>& analyses);
+    /// `source` outlives it.
+    explicit ScenePictures(const ReportSource& source);
     ~ScenePictures();
 
     /// A null image if the block names an unknown analysis or the machine cannot render; `problem` then says
@@ -23,6 +25,7 @@ public:
 private:
     struct Renderer;
     const std::vector<EvaluatedAnalysis>& analyses_;
+    std::vector<LayoutMesh> context_;
     std::unique_ptr<Renderer> renderer_;
     std::string problem_;
 };

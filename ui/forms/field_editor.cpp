@@ -2,6 +2,7 @@
 #include "ui/forms/field_editor.h"
 
 #include "ui/document/quantity_text.h"
+#include "ui/forms/file_editor.h"
 #include "ui/forms/lines_editor.h"
 #include "ui/forms/pose_editor.h"
 #include "ui/forms/simple_editors.h"
@@ -23,6 +24,13 @@ FieldEditor* make_field_editor(const FieldSpec& field, const FieldContext& conte
         case FieldKind::choice:
             return new ListEditor(field, parent);
         case FieldKind::text:
+            if (!field.file_ending.empty()) {
+                const QString ending = to_qt(field.file_ending);
+                const QString filter = FieldEditor::tr("%1 files").arg(ending.toUpper());
+                return new FileEditor(field, context.document,
+                                      QStringLiteral("%1 (*.%2 *.%3)").arg(filter, ending, ending.toUpper()),
+                                      parent);
+            }
             if (field.several_lines) return new LinesEditor(field, context, parent);
             return new TextEditor(field, parent);
         case FieldKind::flag:

@@ -14,7 +14,8 @@ namespace {
 QString category_icon(int category) {
     static const std::array<QString, ProjectTreeModel::category_count> names{
         QStringLiteral("project"), QStringLiteral("artefact"), QStringLiteral("instrument"),
-        QStringLiteral("robot"),   QStringLiteral("points"),   QStringLiteral("analysis")};
+        QStringLiteral("robot"),   QStringLiteral("points"),   QStringLiteral("layers"),
+        QStringLiteral("analysis")};
     const bool known = category >= 0 && category < ProjectTreeModel::category_count;
     return known ? names[static_cast<std::size_t>(category)] : QString();
 }

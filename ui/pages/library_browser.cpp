@@ -34,6 +34,7 @@ QString icon_of_category(const AssetEntry& asset) {
         case AssetCategory::points:
             return QStringLiteral("points");
         case AssetCategory::artefact:
+        case AssetCategory::context:
             break;
     }
     return QStringLiteral("artefact");

@@ -83,6 +83,7 @@ void AnalysisRunner::reset() {
 
 void AnalysisRunner::take_made() {
     const Project& project = made()->project();
+    emit made_changed();
     std::erase_if(entries_, [&](const auto& entry) { return !project.find_analysis(entry.first); });
     const std::deque<RunKey> waiting = runs_.waiting();
     for (const RunKey& key : waiting)

@@ -62,6 +62,7 @@ public:
     bool wait_until_idle(int milliseconds);
 
 signals:
+    void made_changed();  ///< another state of the project; what of it concerns an analysis follows
     void state_changed(const QString& id);
     void result_changed(const QString& id);
     /// Some ten times a second at most.

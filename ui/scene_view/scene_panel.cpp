@@ -8,6 +8,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "core/model/has_layout.h"
@@ -17,6 +18,7 @@
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "viz/scene/analysis_scene.h"
+#include "viz/scene/context_meshes.h"
 
 namespace covaria::ui {
 namespace {
@@ -74,6 +76,14 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     connect(&runner_, &AnalysisRunner::result_changed, this, refresh_if_shown);
     connect(&runner_, &AnalysisRunner::state_changed, this, refresh_if_shown);
     connect(&runner_.kept(), &KeptStates::changed, this, refresh_if_shown);
+    connect(&runner_, &AnalysisRunner::made_changed, this, &ScenePanel::take_context);
+}
+
+void ScenePanel::take_context() {
+    std::vector<LayoutMesh> context = context_meshes(*runner_.made());
+    if (std::ranges::equal(context, context_, &LayoutMesh::looks_like)) return;
+    context_ = std::move(context);
+    refresh();
 }
 
 void ScenePanel::put_below_equations(QWidget* page) {
@@ -146,7 +156,8 @@ void ScenePanel::make_layers_menu() {
         {Layer::axes, tr("Axes")},
         {Layer::legend, tr("Legend")},
         {Layer::map, tr("Map of a Study or Design")},
-        {Layer::ellipsoids_before, tr("Ellipsoids of the Kept State")}};
+        {Layer::ellipsoids_before, tr("Ellipsoids of the Kept State")},
+        {Layer::meshes, tr("Context Meshes")}};
     auto* button = new QToolButton(this);
     auto* menu = new QMenu(button);
     for (const auto& [layer, text] : layers) {
@@ -223,6 +234,7 @@ SceneOptions ScenePanel::options() const {
     if (const QVariant factor = magnification_->currentData(); factor.isValid())
         options.magnification = factor.toDouble();
     options.probability = probability_->currentData().toDouble();
+    options.context = context_;
     return options;
 }
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "ui/document/setup_address.h"
 #include "ui/jobs/job_queue.h"
@@ -69,6 +70,7 @@ signals:
 private:
     void make_toolbar();
     void make_layers_menu();
+    void take_context();
     void refresh();
     void build_scene();
     std::function<Result<Scene>()> scene_to_build(const AnalysisStatus& status) const;
@@ -90,6 +92,7 @@ private:
     QString equations_of_;  ///< the analysis whose equations are shown
     std::shared_ptr<const StudyResult> study_;
     StudySceneOptions study_options_;
+    std::vector<LayoutMesh> context_;  ///< of the project
     std::shared_ptr<const DesignResult> design_;
     QString design_remark_;
     std::string source_asset_, source_;          ///< the selected set-up field

@@ -30,11 +30,12 @@ SceneBounds box_of(const SceneCloud& cloud) {
     const Eigen::Map<const Eigen::Matrix3Xf> offsets(cloud.offsets.data(), 3,
                                                      static_cast<Eigen::Index>(cloud.size()));
     SceneBounds box{offsets.rowwise().minCoeff().cast<double>(), offsets.rowwise().maxCoeff().cast<double>()};
-    // A flat cloud still gets walls to draw on; a gap keeps the outermost trials off them.
+    // A flat cloud still gets walls to draw on; a margin keeps the outermost trials off them.
     const Eigen::Vector3d extent = box.high - box.low;
-    const Eigen::Vector3d gap = (0.5 * (0.3 * extent.maxCoeff() - extent.array()).max(0.04 * extent.array()));
-    box.low += cloud.item.position - gap;
-    box.high += cloud.item.position + gap;
+    const Eigen::Vector3d margin =
+        (0.5 * (0.3 * extent.maxCoeff() - extent.array()).max(0.04 * extent.array()));
+    box.low += cloud.item.position - margin;
+    box.high += cloud.item.position + margin;
     return box;
 }
 

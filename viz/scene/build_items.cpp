@@ -34,6 +34,12 @@ double diagonal_of(const SceneBuild& build) {
     }
     for (const LayoutVector& vector : layout.vectors)
         if (build.shows(vector.group)) box.extend(vector.at_W);
+    if (box.isEmpty())
+        for (const LayoutMesh& mesh : layout.meshes)
+            for (int i = 0; i < 8; ++i) {
+                const auto corner = static_cast<Eigen::AlignedBox3f::CornerType>(i);
+                box.extend(mesh.X_WM * (mesh.scale * mesh.triangles->box.corner(corner).cast<double>()));
+            }
     if (box.isEmpty()) return 0.0;
     const double diagonal = box.diagonal().norm();
     return std::isfinite(diagonal) && diagonal > 0 ? diagonal : smallest_size;
@@ -222,6 +228,21 @@ void add_vectors(SceneBuild& build) {
     }
 }
 
+void add_meshes(SceneBuild& build, const std::vector<LayoutMesh>& meshes) {
+    for (const LayoutMesh& mesh : meshes) {
+        SceneMesh& added = build.scene.meshes.emplace_back();
+        added.triangles = mesh.triangles;
+        added.scale = mesh.scale;
+        added.X_WM = mesh.X_WM;
+        added.colour = mesh.colour;
+        added.opacity = mesh.opacity;
+        added.item.id = build.unique_id("mesh", mesh.name);
+        added.item.name = mesh.name;
+        added.item.position = added.in_W(mesh.triangles->box.center().cast<double>());
+        added.item.source = mesh.source;
+    }
+}
+
 /// Points on the outline of a body, axes at its place, and lines that start from it and from no other.
 void attach_to_bodies(SceneBuild& build) {
     Scene& scene = build.scene;
@@ -258,6 +279,8 @@ void add_items(SceneBuild& build) {
     if (build.options.bodies) add_bodies(build);
     if (build.options.links) add_links(build);
     add_vectors(build);
+    add_meshes(build, build.source.layout->meshes);
+    add_meshes(build, build.options.context);
     attach_to_bodies(build);
 }
 

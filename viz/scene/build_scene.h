@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/model/layout.h"
 #include "core/result/comparison.h"
@@ -18,8 +19,9 @@ struct SceneOptions {
     std::optional<double> magnification =
         {};  ///< empty = automatic (a round number, so that the largest ellipsoid is seen)
     bool ellipsoids = true, clouds = true, wall_histograms = true, labels = true, links = true, bodies = true;
-    std::size_t cloud_limit = 20'000;  ///< points of each cloud; more trials are thinned evenly
-    std::string histograms_of = {};    ///< name of the point; empty = the first with output quantities
+    std::size_t cloud_limit = 20'000;      ///< points of each cloud; more trials are thinned evenly
+    std::string histograms_of = {};        ///< name of the point; empty = the first with output quantities
+    std::vector<LayoutMesh> context = {};  ///< drawn around a layout that is not empty (context_meshes)
 };
 
 /// `result` and the trials may be null (layout only; no clouds). Column t of the trials is trial t, as

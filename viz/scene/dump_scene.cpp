@@ -104,6 +104,10 @@ void put_solids(std::ostream& out, const Scene& scene) {
         put_item(out << (vector.kind == VectorKind::moment ? "moment " : "force "), vector.item);
         out << " arrow " << mm(vector.arrow) << "\n";
     }
+    for (const SceneMesh& mesh : scene.meshes) {
+        put_item(out << "mesh ", mesh.item);
+        out << " triangles " << mesh.triangles->triangles() << " opacity " << mesh.opacity << "\n";
+    }
 }
 
 void put_uncertainties(std::ostream& out, const Scene& scene) {

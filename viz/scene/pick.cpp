@@ -100,6 +100,29 @@ void offer_bodies(const Scene& scene, const View& view, Best& best) {
     }
 }
 
+/// Depth at which the ray meets a triangle first (Möller and Trumbore, 1997), in the mesh's own frame.
+std::optional<double> meets(const View& view, const SceneMesh& mesh) {
+    const Eigen::Isometry3d X_MW = mesh.X_WM.inverse();
+    const Eigen::Vector3f o = (X_MW * view.origin() / mesh.scale).cast<float>();
+    const Eigen::Vector3f d = (X_MW.linear() * view.direction()).cast<float>();
+    std::optional<float> nearest;
+    const float* corner = mesh.triangles->corners.data();
+    for (std::size_t i = 0; i < mesh.triangles->triangles(); ++i, corner += 9) {
+        const Eigen::Map<const Eigen::Vector3f> a(corner), b(corner + 3), c(corner + 6);
+        const Eigen::Vector3f e = b - a, f = c - a, p = d.cross(f), s = o - a;
+        const float det = e.dot(p);
+        const float u = s.dot(p) / det;
+        if (!(u >= 0 && u <= 1)) continue;
+        const Eigen::Vector3f q = s.cross(e);
+        const float v = d.dot(q) / det;
+        if (!(v >= 0 && u + v <= 1)) continue;
+        const float t = f.dot(q) / det;
+        if (!nearest || t < *nearest) nearest = t;
+    }
+    if (!nearest) return std::nullopt;
+    return view.depth(view.origin() + mesh.scale * static_cast<double>(*nearest) * view.direction());
+}
+
 }  // namespace
 
 std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
@@ -138,6 +161,9 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
                 best.offer(5, depth, link.item.id);
         }
     if (shown(Layer::bodies)) offer_bodies(scene, view, best);
+    if (!best.id() && shown(Layer::meshes))
+        for (const SceneMesh& mesh : scene.meshes)
+            if (const auto depth = meets(view, mesh)) best.offer(7, *depth, mesh.item.id);
     return best.id();
 }
 

@@ -15,8 +15,9 @@ public:
         low_ = low_.cwiseMin(p - Eigen::Vector3d::Constant(margin));
         high_ = high_.cwiseMax(p + Eigen::Vector3d::Constant(margin));
     }
+    bool is_empty() const { return (low_.array() > high_.array()).any(); }
     SceneBounds bounds() const {
-        if ((low_.array() > high_.array()).any()) return {};
+        if (is_empty()) return {};
         return {low_, high_};
     }
 
@@ -39,48 +40,7 @@ void add_uncertainties(const Scene& scene, Box& box) {
                     Eigen::Vector3d(cloud.offsets[i], cloud.offsets[i + 1], cloud.offsets[i + 2]));
 }
 
-template <class Items>
-const SceneItem* find_in(const Items& items, const std::string& id) {
-    const auto found =
-        std::find_if(items.begin(), items.end(), [&](const auto& i) { return i.item.id == id; });
-    return found == items.end() ? nullptr : &found->item;
-}
-
-}  // namespace
-
-const char* layer_key(Layer layer) {
-    static constexpr const char* keys[layer_count] = {
-        "frames",          "points", "bodies", "links",  "vectors", "ellipsoids",       "clouds",
-        "wall_histograms", "labels", "axes",   "legend", "map",     "ellipsoids_before"};
-    return keys[static_cast<std::size_t>(layer)];
-}
-
-bool SceneMap::operator==(const SceneMap& other) const {
-    const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-    return title == other.title && positions == other.positions && shown == other.shown &&
-           radius == other.radius && low == other.low && high == other.high && ticks == other.ticks &&
-           grid == other.grid && levels == other.levels && marked == other.marked && ways == other.ways &&
-           way_radius == other.way_radius &&
-           std::equal(values.begin(), values.end(), other.values.begin(), other.values.end(), same);
-}
-
-bool SceneItem::operator==(const SceneItem& other) const {
-    return id == other.id && body == other.body && name == other.name && group == other.group &&
-           position == other.position && u == other.u && U == other.U && source.path == other.source.path &&
-           source.asset == other.source.asset && source.draggable == other.source.draggable &&
-           source.X_WS.matrix() == other.source.X_WS.matrix();
-}
-
-const SceneItem* find_item(const Scene& scene, const std::string& id) {
-    if (const SceneItem* item = find_in(scene.points, id)) return item;
-    if (const SceneItem* item = find_in(scene.frames, id)) return item;
-    if (const SceneItem* item = find_in(scene.bodies, id)) return item;
-    if (const SceneItem* item = find_in(scene.links, id)) return item;
-    return find_in(scene.vectors, id);
-}
-
-SceneBounds bounds_of(const Scene& scene) {
-    Box box;
+void add_all_but_meshes(const Scene& scene, Box& box) {
     for (const SceneFrame& frame : scene.frames) {
         box.add(frame.item.position);
         for (int i = 0; i < 3; ++i) box.add(frame.item.position + frame.length * frame.R_WF.col(i));
@@ -106,6 +66,73 @@ SceneBounds bounds_of(const Scene& scene) {
         box.add(scene.axes->low);
         box.add(scene.axes->high);
     }
+}
+
+void add_meshes(const Scene& scene, Box& box) {
+    for (const SceneMesh& mesh : scene.meshes)
+        for (int i = 0; i < 8; ++i) {
+            const auto corner = static_cast<Eigen::AlignedBox3f::CornerType>(i);
+            box.add(mesh.in_W(mesh.triangles->box.corner(corner).cast<double>()));
+        }
+}
+
+template <class Items>
+const SceneItem* find_in(const Items& items, const std::string& id) {
+    const auto found =
+        std::find_if(items.begin(), items.end(), [&](const auto& i) { return i.item.id == id; });
+    return found == items.end() ? nullptr : &found->item;
+}
+
+}  // namespace
+
+const char* layer_key(Layer layer) {
+    static constexpr const char* keys[layer_count] = {
+        "frames",          "points", "bodies", "links",  "vectors", "ellipsoids",        "clouds",
+        "wall_histograms", "labels", "axes",   "legend", "map",     "ellipsoids_before", "meshes"};
+    return keys[static_cast<std::size_t>(layer)];
+}
+
+bool SceneMap::operator==(const SceneMap& other) const {
+    const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    return title == other.title && positions == other.positions && shown == other.shown &&
+           radius == other.radius && low == other.low && high == other.high && ticks == other.ticks &&
+           grid == other.grid && levels == other.levels && marked == other.marked && ways == other.ways &&
+           way_radius == other.way_radius &&
+           std::equal(values.begin(), values.end(), other.values.begin(), other.values.end(), same);
+}
+
+bool SceneItem::operator==(const SceneItem& other) const {
+    return id == other.id && body == other.body && name == other.name && group == other.group &&
+           position == other.position && u == other.u && U == other.U && source.path == other.source.path &&
+           source.asset == other.source.asset && source.draggable == other.source.draggable &&
+           source.X_WS.matrix() == other.source.X_WS.matrix();
+}
+
+bool SceneMesh::operator==(const SceneMesh& other) const {
+    return item == other.item && triangles == other.triangles && scale == other.scale &&
+           X_WM.matrix() == other.X_WM.matrix() && colour == other.colour && opacity == other.opacity;
+}
+
+const SceneItem* find_item(const Scene& scene, const std::string& id) {
+    if (const SceneItem* item = find_in(scene.points, id)) return item;
+    if (const SceneItem* item = find_in(scene.frames, id)) return item;
+    if (const SceneItem* item = find_in(scene.bodies, id)) return item;
+    if (const SceneItem* item = find_in(scene.links, id)) return item;
+    if (const SceneItem* item = find_in(scene.vectors, id)) return item;
+    return find_in(scene.meshes, id);
+}
+
+SceneBounds bounds_of(const Scene& scene) {
+    Box box;
+    add_all_but_meshes(scene, box);
+    if (box.is_empty()) add_meshes(scene, box);
+    return box.bounds();
+}
+
+SceneBounds bounds_with_meshes(const Scene& scene) {
+    Box box;
+    add_all_but_meshes(scene, box);
+    add_meshes(scene, box);
     return box.bounds();
 }
 

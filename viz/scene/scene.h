@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,9 +48,10 @@ enum class Layer {
     axes,
     legend,
     map,
-    ellipsoids_before
+    ellipsoids_before,
+    meshes
 };
-inline constexpr std::size_t layer_count = 13;
+inline constexpr std::size_t layer_count = 14;
 /// Key of a layer in settings and dumps: "wall_histograms".
 const char* layer_key(Layer layer);
 
@@ -114,6 +116,18 @@ struct SceneVector {
     Eigen::Vector3d arrow = Eigen::Vector3d::Zero();  ///< as drawn, m: scaled to the scene
     double radius = 0.0;
     bool operator==(const SceneVector&) const = default;
+};
+
+/// A surface for context, outside the box of the scene unless there is nothing else.
+struct SceneMesh {
+    SceneItem item;  ///< position: the middle of its box
+    std::shared_ptr<const TriangleMesh> triangles = {};
+    double scale = 1.0;  ///< m in one unit of the triangles
+    Eigen::Isometry3d X_WM = Eigen::Isometry3d::Identity();
+    MeshColour colour = MeshColour::grey;
+    double opacity = 1.0;
+    Eigen::Vector3d in_W(const Eigen::Vector3d& of_file) const { return X_WM * (scale * of_file); }
+    bool operator==(const SceneMesh& other) const;  ///< the same triangles: the same object
 };
 
 /// { centre + axes * s, |s| <= 1 }: coverage region of a point, magnified.
@@ -222,6 +236,7 @@ struct Scene {
     std::vector<SceneBody> bodies;
     std::vector<SceneLink> links;
     std::vector<SceneVector> vectors;
+    std::vector<SceneMesh> meshes = {};
     std::vector<SceneEllipsoid> ellipsoids;
     /// Of the results that are compared with, about the same points, magnified alike.
     std::vector<SceneEllipsoid> ellipsoids_before = {};
@@ -238,11 +253,15 @@ struct Scene {
 /// The item with this id, or null.
 const SceneItem* find_item(const Scene& scene, const std::string& id);
 
-/// Box around everything that is drawn (axes included).
+/// A box in W, m.
 struct SceneBounds {
     Eigen::Vector3d low = Eigen::Vector3d::Zero();
     Eigen::Vector3d high = Eigen::Vector3d::Zero();
 };
+/// Around everything that is drawn, axes included, without context meshes if there is anything else: they may
+/// be a whole hall, and what is measured small in it.
 SceneBounds bounds_of(const Scene& scene);
+/// The same with the meshes.
+SceneBounds bounds_with_meshes(const Scene& scene);
 
 }  // namespace covaria

@@ -62,6 +62,7 @@ Scene visible_part(Scene scene, const Visibility& visibility) {
     keep(scene.bodies, true);
     keep(scene.links, true);
     keep(scene.vectors, true);
+    keep(scene.meshes, false);
     const auto is_gone = [&](const auto& each) { return !shown.contains(each.item.id); };
     std::erase_if(scene.ellipsoids, is_gone);
     std::erase_if(scene.ellipsoids_before, is_gone);

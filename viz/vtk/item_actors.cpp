@@ -208,6 +208,8 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Vector&
             return axes_actors(scene, origin, palette);
         case Layer::map:
             return map_actors(scene, origin, palette);
+        case Layer::meshes:
+            return mesh_actors(scene, origin, palette);
         case Layer::labels:
         case Layer::legend:
             return {};

@@ -34,6 +34,8 @@ bool same(Layer layer, const Scene& a, const Scene& b) {
             return a.axes == b.axes;
         case Layer::map:
             return a.map == b.map;
+        case Layer::meshes:
+            return a.meshes == b.meshes;
         case Layer::labels:
         case Layer::legend:
             return true;

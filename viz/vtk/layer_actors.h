@@ -65,6 +65,8 @@ std::vector<LayerActor> histogram_actors(const Scene& scene, const Eigen::Vector
                                          ScenePalette palette);
 /// Coloured points, and iso-surfaces of a grid of them.
 std::vector<LayerActor> map_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
+/// Context; the triangles of a mesh are VTK's once, however often its actor is made.
+std::vector<LayerActor> mesh_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 std::vector<LayerActor> cloud_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 
 }  // namespace covaria::detail

@@ -85,6 +85,22 @@ Colour colour_of(Role role, ScenePalette palette) {
     return palette == ScenePalette::light ? light(role) : dark(role);
 }
 
+Colour colour_of(MeshColour colour, ScenePalette palette) {
+    switch (colour) {
+        case MeshColour::grey:
+            return colour_of(Role::body, palette);
+        case MeshColour::blue:
+            return colour_of(Role::axis_z, palette);
+        case MeshColour::green:
+            return colour_of(Role::axis_y, palette);
+        case MeshColour::orange:
+            return colour_of(Role::input, palette);
+        case MeshColour::red:
+            return colour_of(Role::axis_x, palette);
+    }
+    return {};
+}
+
 Colour magnitude_colour(double t) {
     static constexpr std::array<Colour, 9> points = {{{0x44, 0x01, 0x54},
                                                       {0x47, 0x2D, 0x7B},

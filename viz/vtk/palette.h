@@ -15,6 +15,7 @@ struct Colour {
 };
 
 Colour colour_of(Role role, ScenePalette palette);
+Colour colour_of(MeshColour colour, ScenePalette palette);
 /// The ground fades from top to bottom.
 /// Perceptually uniform magnitude, 0 <= t <= 1 (clamped): control points of viridis (S. van der Walt, N.
 /// Smith, 2015, CC0), interpolated.

@@ -98,7 +98,7 @@ void SceneRenderer::Implementation::aim(double scale, RenderQuality quality) {
     renderer->SetUseFXAA(quality == RenderQuality::full);
     const double per_pixel = metres_per_pixel(camera, size) / scale;
     actors.prepare({camera, layers, scale * pixel_ratio(), per_pixel, moving});
-    const SceneBounds bounds = bounds_of(scene);
+    const SceneBounds bounds = bounds_with_meshes(scene);  // nothing is cut off
     const double radius = std::max(1e-9, (bounds.high - bounds.low).norm());
     const double middle = ((bounds.low + bounds.high) / 2 - camera.focal_point).dot(camera.direction);
     const Eigen::Vector3d focal = camera.focal_point - actors.origin();

@@ -1,6 +1,7 @@
 // What a report carries, taken out of it again: the same project, the same results; what differs is named.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/base/file_io.h"
@@ -117,6 +118,24 @@ TEST(Carried, TheLogoOfTheCertificateLiesBesideTheProject) {
     EXPECT_EQ(carried_logo("pictures/logo.png"), "pictures/logo.png");
     EXPECT_EQ(carried_logo((folder / "pictures/logo.png").string()), "") << "it lies elsewhere for others";
     EXPECT_EQ(carried_logo("pictures/none.png"), "");
+}
+
+TEST(Carried, MeshesOfTheSceneLieBesideTheProject) {
+    const fs::path folder = fresh_folder("mesh");
+    ASSERT_TRUE(write_file_atomically(folder / "cell.stl", "solid s\nendsolid s"));
+    Project project = writers_test::loaded(data_directory() / "projects/gum/h1-end-gauge.covaria");
+    project.directory = folder;
+    for (const std::string& file : {std::string("cell.stl"), (folder / "cell.stl").string()}) {
+        AssetEntry cell{file == "cell.stl" ? "beside" : "elsewhere", "context-mesh", "Cell", {}, {}};
+        cell.setup.values["file"] = file;
+        project.assets.push_back(cell);
+    }
+    const std::vector<AttachedFile> files = data_of(writers_test::evaluate(project));
+    const AttachedFile* mesh = find(files, "cell.stl");
+    ASSERT_NE(mesh, nullptr);
+    EXPECT_EQ(mesh->mime, "model/stl");
+    EXPECT_EQ(std::ranges::count(files, "model/stl", &AttachedFile::mime), 1);
+    EXPECT_FALSE(load_carried("report.pdf", files).problems.has_errors());
 }
 
 TEST(Carried, WhatDiffersIsNamed) {

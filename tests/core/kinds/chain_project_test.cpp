@@ -126,8 +126,6 @@ protected:
     std::vector<std::vector<Wire>> wires_;
 };
 
-}  // namespace
-
 TEST_F(ChainByHand, EstimatesAndUncertaintiesByTheLawOfPropagation) {
     const std::vector<double> y = evaluate(estimates());
     ASSERT_EQ(y.size(), 3u);
@@ -257,4 +255,5 @@ TEST_F(ChainByHand, APointThatTheNetworkHasNotIsNamed) {
     EXPECT_NE(problems.items().front().message.find("does not offer"), std::string::npos);
 }
 
+}  // namespace
 }  // namespace covaria::chain_project_test

@@ -155,6 +155,19 @@ TEST_F(DocumentFileTest, LinkedFilesGoAlong) {
     EXPECT_NE(copied.error().message.find("data/points.csv"), std::string::npos);
 }
 
+TEST_F(DocumentFileTest, MeshesOfTheSceneGoAlongWhereTheyAreThere) {
+    Project project;
+    project.directory = to_path(folder.path());
+    for (const char* file : {"data/cell.stl", "data/none.stl"})
+        project.assets.push_back({file, "context-mesh", "A", {}, {{{"file", std::string(file)}}}});
+    ASSERT_TRUE(QDir(folder.path()).mkpath("data"));
+    ASSERT_TRUE(QDir(folder.path()).mkpath("other"));
+    write("data/cell.stl", "solid");
+    ASSERT_TRUE(copy_linked_files(project, to_path(path("other")))) << "one that is missing is no obstacle";
+    EXPECT_EQ(bytes("other/data/cell.stl"), "solid");
+    EXPECT_FALSE(QFile::exists(path("other/data/none.stl")));
+}
+
 TEST_F(DocumentFileTest, ACleanEndLeavesNothingToRecover) {
     const RecoveryStore store(path("recovery"));
     {

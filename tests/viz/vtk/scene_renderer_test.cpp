@@ -185,7 +185,8 @@ TEST(SceneRenderer, HiddenLayersAreNotDrawn) {
     const Image all = picture(renderer);
     for (std::size_t i = 0; i < layer_count; ++i) {
         if (static_cast<Layer>(i) == Layer::links || static_cast<Layer>(i) == Layer::vectors ||
-            static_cast<Layer>(i) == Layer::map || static_cast<Layer>(i) == Layer::ellipsoids_before)
+            static_cast<Layer>(i) == Layer::map || static_cast<Layer>(i) == Layer::ellipsoids_before ||
+            static_cast<Layer>(i) == Layer::meshes)
             continue;  // none here
         LayerVisibility layers;
         layers[static_cast<Layer>(i)] = false;
