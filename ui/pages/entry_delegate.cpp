@@ -54,7 +54,9 @@ QIcon on_disc(const QIcon& of, const QStyleOptionViewItem& option) {
     painter.setBrush(option.palette.color(QPalette::Base));
     painter.drawEllipse(QRectF(QPointF(), QSizeF(size)));
     of.paint(&painter, QRect(QPoint(), size).marginsRemoved({1, 1, 1, 1}));
-    return QIcon(made);
+    QIcon state(made);
+    state.addPixmap(made, QIcon::Selected);  // else it is blended with the selection
+    return state;
 }
 
 }  // namespace

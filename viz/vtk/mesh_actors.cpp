@@ -18,7 +18,7 @@ namespace covaria::detail {
 namespace {
 
 vtkSmartPointer<vtkPolyData> surface_of(const TriangleMesh& mesh) {
-    const auto corners = static_cast<vtkIdType>(3 * mesh.triangles());
+    const auto corners = 3 * static_cast<vtkIdType>(mesh.triangles());
     vtkNew<vtkPoints> points;  // single precision
     points->SetNumberOfPoints(corners);
     std::copy(mesh.corners.begin(), mesh.corners.end(), static_cast<float*>(points->GetVoidPointer(0)));
