@@ -2,6 +2,7 @@
 #include <QLabel>
 
 #include "tests/ui/main_window/session_fixture.h"
+#include "ui/pages/unit_button.h"
 
 namespace covaria::ui::measure_session_test {
 namespace {
