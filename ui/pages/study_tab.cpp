@@ -9,6 +9,7 @@
 #include "core/text/numbers.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
+#include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
 #include "ui/models/number_words.h"
 #include "ui/pages/sortable_table.h"
@@ -44,8 +45,10 @@ StudyTab::StudyTab(Document& document, AnalysisRunner& runner, Selection& select
 
 void StudyTab::make_head() {
     head_ = new QWidget;
-    auto* row = new QHBoxLayout(head_);
-    row->setContentsMargins(4, 2, 4, 2);
+    auto* around = new QHBoxLayout(head_);
+    around->setContentsMargins(4, 2, 4, 2);
+    auto* row = new FlowLayout;  // a narrow pane has them in two lines
+    around->addLayout(row);
     const auto combo = [](const QString& name, const QString& tip) {
         auto* made = new TypesetComboBox;
         made->setAccessibleName(name);
@@ -69,10 +72,12 @@ void StudyTab::make_head() {
     ellipsoids_ = new QCheckBox(tr("ellipsoids"));
     ellipsoids_->setToolTip(tr("In the scene: coverage ellipsoids at the grid points"));
     state_ = new ElidedLabel;
+    state_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);  // else no room in a line
+    state_->setMinimumWidth(1);
     for (QWidget* each : std::initializer_list<QWidget*>{list_, run_, edit_, quantity_, kind_, fixed_, slice_,
                                                          only_slice_, ellipsoids_})
         row->addWidget(each);
-    row->addWidget(state_, 1);
+    row->addWidget(state_);
     connect(list_, &QComboBox::activated, this,
             [this](int index) { selection_.select_study(list_->itemData(index).toString()); });
     connect(run_, &QPushButton::clicked, this, [this] {
