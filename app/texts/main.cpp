@@ -10,8 +10,10 @@
 
 #include "core/kinds/registries.h"
 #include "core/made/analysis_templates.h"
+#include "core/made/library.h"
 #include "core/made/load_project.h"
 #include "core/project/certificate.h"
+#include "core/project/design_fields.h"
 #include "core/project/option_fields.h"
 #include "core/project/report_contents.h"
 #include "core/project/requirement_fields.h"
@@ -21,6 +23,7 @@
 #include "core/readers/readers.h"
 #include "core/report/certificate_words.h"
 #include "core/report/comparison_columns.h"
+#include "core/report/plot_words.h"
 #include "core/report/result_columns.h"
 #include "core/text/symbol.h"
 #include "core/writers/writers.h"
@@ -104,7 +107,11 @@ void say_parts_of_project(TextList& list) {
             list.say(std::string("Help on ") + field.title, field.help);
         }
     }
-    for (const char* phrase : Phrase::all()) list.say_word("Words of a certificate", phrase);
+    for (const DesignObjective objective :
+         {DesignObjective::largest, DesignObjective::mean, DesignObjective::root_mean_square})
+        for (const bool targets : {true, false})
+            list.say("What a design makes smallest", objective_words(objective, targets));
+    for (const char* phrase : Phrase::all()) list.say_word("Words of a certificate or a chart", phrase);
     for (const ReportChapterField& chapter : report_chapters())
         list.say("Chapter of a report", chapter.title);
     for (const DistributionKindInfo& kind : distribution_kinds()) {
@@ -113,6 +120,8 @@ void say_parts_of_project(TextList& list) {
             list.say_word("Parameter of a distribution", parameter.title);
     }
     list.say("Examples of statements in the cell of a budget; the notations stay", statement_examples());
+    for (const LibraryItem& item : load_library().items)
+        if (!item.own) list.say("Collection of the library", item.collection);
     for (const Reader& reader : reader_registry()) list.say("Format of a file that is read", reader.title);
     for (const Writer& writer : writer_registry()) list.say("Format of a file that is written", writer.title);
 }
@@ -124,6 +133,7 @@ void say_table(TextList& list, const Table& table, const std::set<std::string>& 
         if (spans.size() == 1 && !spans[0].italic && spans[0].script == Script::line)
             list.say("Head of a column of results", spans[0].letters);
         list.say("Help on a column of results", column.help);
+        for (const std::string& word : column.undeclared) list.say("Cell of a table of results", word);
     }
 }
 
@@ -153,7 +163,7 @@ bool say_tables(TextList& list) {
             if (!evaluated) return false;
             say_tables_of(list, std::make_shared<const UncertaintyResult>(std::move(*evaluated)));
         }
-    for (const std::string& word : words_of_cells()) list.say("Cell of a table of results", word);
+    for (const std::string& word : {Answer{}.yes, Answer{}.no}) list.say("Cell of a table of results", word);
     return true;
 }
 

@@ -11,6 +11,7 @@
 #include "core/design/reduction_search.h"
 #include "core/design/row_search.h"
 #include "core/design/value_search.h"
+#include "core/project/design_fields.h"
 #include "core/propagation/engine.h"
 
 namespace covaria {
@@ -21,20 +22,6 @@ using namespace detail;
 
 constexpr double least_gain_of_source = 1e-3;  ///< that is stated
 constexpr std::size_t most_sources = 20;
-
-const char* words_of(DesignObjective objective, bool targets) {
-    switch (objective) {
-        case DesignObjective::mean:
-            return targets ? "mean U/target" : "mean U relative to the present design";
-        case DesignObjective::root_mean_square:
-            return targets ? "root mean square of U/target"
-                           : "root mean square of U relative to the present design";
-        case DesignObjective::largest:
-        case DesignObjective::cost:
-            break;
-    }
-    return targets ? "largest U/target" : "largest U relative to the present design";
-}
 
 Candidate present_candidate(const PreparedDesign& design) {
     Candidate present{design.present, {}};
@@ -244,7 +231,7 @@ private:
         result_.id = design.id;
         result_.name = design.name.empty() ? design.id : design.name;
         result_.analysis = design_.numbers.analysis->id;
-        result_.objective_words = words_of(design.objective, has_targets());
+        result_.objective_words = objective_words(design.objective, has_targets());
         result_.candidates = design_.table ? design_.table->rows.rows.size() : 0;
         result_.seed = design.seed;
         result_.coverage_probability = design_.numbers.analysis->options.coverage_probability;

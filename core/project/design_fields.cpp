@@ -37,6 +37,20 @@ OneOf<PriceLaw> price_laws() {
 
 }  // namespace
 
+const char* objective_words(DesignObjective objective, bool targets) {
+    switch (objective) {
+        case DesignObjective::mean:
+            return targets ? "mean U/target" : "mean U relative to the present design";
+        case DesignObjective::root_mean_square:
+            return targets ? "root mean square of U/target"
+                           : "root mean square of U relative to the present design";
+        case DesignObjective::largest:
+        case DesignObjective::cost:
+            break;
+    }
+    return targets ? "largest U/target" : "largest U relative to the present design";
+}
+
 const JsonFields<DesignVariable>& variable_fields() {
     static const auto fields = JsonFields<DesignVariable>("a variable of a design", Style::one_line)
                                    .part(&DesignVariable::number, varied_number_fields())

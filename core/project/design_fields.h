@@ -14,4 +14,8 @@ const JsonFields<StudyAxis>& reduced_number_fields();
 const JsonFields<DesignChoice>& choice_fields();
 const JsonFields<DesignBox>& box_fields();
 
+/// What the search makes smallest: "mean U/target"; relative to the present design where no targets are
+/// given.
+const char* objective_words(DesignObjective objective, bool targets);
+
 }  // namespace covaria

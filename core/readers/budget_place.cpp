@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/in_quotes.h"
+#include "core/readers/entry_texts.h"
 #include "core/readers/xml_text.h"
 #include "core/setup/message_text.h"
 

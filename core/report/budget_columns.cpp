@@ -91,7 +91,8 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at)
         .digits(3);
     add("distribution", [](L l) -> Cell { return l.component.distribution; })
         .print("Distribution")
-        .window("Distribution");
+        .window("Distribution")
+        .of_own_words();
     add("type", [](L l) -> Cell { return report_parts::type_text(l.component.type); })
         .print("Type")
         .window("Type", "Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)");

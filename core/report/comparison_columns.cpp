@@ -45,7 +45,8 @@ public:
         add("name", [](P p) -> Cell { return p.quantity().name; }).window("Output quantity");
         add("in", [](P p) -> Cell { return std::string(presence(p.before, p.after)); })
             .print("In")
-            .window("In", "Whether both results have the quantity");
+            .window("In", "Whether both results have the quantity")
+            .of_own_words({"both", "only before", "only after"});
         add("unit", [](P p) -> Cell { return p.quantity().unit; }).print("Unit").window("Unit");
         both("U", "U", &OutputResult::expanded_uncertainty, Scale::interval, "Expanded uncertainty")
             .digits(2);
@@ -215,7 +216,8 @@ Table compared_budget_table(const ResultComparison& comparison, std::vector<Comp
     add("id", [](P p) -> Cell { return p.either().id; });
     add("what", [](P p) -> Cell { return change_word(p); })
         .print("What")
-        .window("What", "Changed, the same, new, or gone");
+        .window("What", "Changed, the same, new, or gone")
+        .of_own_words({"new", "gone", "changed", "same"});
     add("unit", [](P p) -> Cell { return p.either().unit; })
         .print("Unit")
         .window("Unit", "Of the component's u");

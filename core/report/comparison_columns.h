@@ -5,6 +5,7 @@
 
 #include "core/report/table.h"
 #include "core/result/comparison.h"
+#include "core/text/document_language.h"
 #include "core/text/plot_specification.h"
 
 namespace covaria {
@@ -29,9 +30,9 @@ bool has_changed(const ResultComparison& comparison, const ComparedPlace& place)
 /// Distributions over each other: trials where they ran, else the normal one of the law of propagation.
 PlotSpecification compared_distributions_plot(const ResultComparison& comparison, std::size_t output,
                                               const DisplayUnits& units = {},
-                                              const NumberLocale& numbers = {});
+                                              const DocumentLanguage& language = {});
 /// The largest changes of the budget as bars (at most `rows`, the rest summed).
 PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::size_t output,
-                                      std::size_t rows = 10);
+                                      const DocumentLanguage& language = {}, std::size_t rows = 10);
 
 }  // namespace covaria

@@ -4,6 +4,7 @@
 
 #include "core/math/normal_quantile.h"
 #include "core/report/comparison_columns.h"
+#include "core/report/plot_words.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
 
@@ -27,7 +28,7 @@ PlotSeries density_line(const PlottedOutput& y) {
         line = plot_parts::curve(mean - 4.0 * u, mean + 4.0 * u, 161,
                                  [&](double x) { return normal_density((x - mean) / u) / u; });
     }
-    line.name = trials ? "Monte Carlo" : "normal, first order";
+    line.name = y.language().say(trials ? plot_words::monte_carlo : plot_words::normal_of_first_order);
     return line;
 }
 
@@ -57,54 +58,56 @@ Text component_label(const ResultComparison& comparison, const ComparedPlace& pl
 }  // namespace
 
 PlotSpecification compared_distributions_plot(const ResultComparison& comparison, std::size_t output,
-                                              const DisplayUnits& units, const NumberLocale& numbers) {
+                                              const DisplayUnits& units, const DocumentLanguage& language) {
     const ComparedOutput& at = comparison.outputs[output];
     PlotSpecification plot;
     DisplayUnits shown = units;  // one unit for both
     if (at.in_both()) shown.choose(units.of(comparison.output_after(at)->quantity.unit));
-    const auto add = [&](const UncertaintyResult& result, std::optional<std::size_t> index, const char* words,
-                         SeriesRole role) {
+    const auto add = [&](const UncertaintyResult& result, std::optional<std::size_t> index,
+                         const Phrase& phrase, SeriesRole role) {
         if (!index) return;
-        const PlottedOutput y(result, *index, shown, numbers);
+        const PlottedOutput y(result, *index, shown, language);
+        const std::string words = language.say(phrase);
         plot.id = y.id("compared");
-        plot.title = "Distributions of " + y.label();
+        plot.title = language.say_text(plot_words::distributions, {y.label()});
         plot.x.title = y.with_unit(y.symbol());
         plot.y.title = y.density_title();
         PlotSeries line = density_line(y);
         if (line.x.empty()) return;
-        line.name = Text(words) + ": " + line.name;
+        line.name = words + ": " + line.name;
         line.role = role;
         extend(plot.x, y, plot.series.empty());
-        plot.marks.push_back({std::string(words) + " " + y.result_text(y.output().estimate),
-                              y.value(y.output().estimate), false, role});
+        plot.marks.push_back(
+            {words + " " + y.result_text(y.output().estimate), y.value(y.output().estimate), false, role});
         plot.series.push_back(std::move(line));
     };
-    add(*comparison.before, at.before, "before", SeriesRole::family_1);
-    add(*comparison.after, at.after, "after", SeriesRole::family_2);
+    add(*comparison.before, at.before, plot_words::before, SeriesRole::family_1);
+    add(*comparison.after, at.after, plot_words::after, SeriesRole::family_2);
     if (plot.series.empty())
-        return plot_parts::nothing_to_show(plot.id, "The output quantity has no distribution to show");
+        return plot_parts::nothing_to_show(plot.id, language.say(plot_words::no_distribution));
     return plot;
 }
 
 PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::size_t output,
-                                      std::size_t rows) {
+                                      const DocumentLanguage& language, std::size_t rows) {
     const ComparedOutput& at = comparison.outputs[output];
     const OutputResult* either = comparison.output_after(at);
     if (!either) either = comparison.output_before(at);
     const Text label = report_parts::output_text(either->quantity);
     const std::string id =
         "budget-changes-" + report_parts::id_part(either->quantity.symbol + " " + either->quantity.group);
-    if (!at.in_both()) return plot_parts::nothing_to_show(id, "Only one of the results has " + label);
+    if (!at.in_both())
+        return plot_parts::nothing_to_show(id, language.say_text(plot_words::in_one_only, {label}));
     std::vector<ComparedPlace> places = compared_places(comparison, output);
     std::erase_if(places, [&](const ComparedPlace& place) { return !has_changed(comparison, place); });
     const double u = comparison.output_before(at)->first_order.standard_uncertainty;
     if (places.empty() || !(u > 0.0))
-        return plot_parts::nothing_to_show(id, "The budget of " + label + " has not changed");
+        return plot_parts::nothing_to_show(id, language.say_text(plot_words::budget_unchanged, {label}));
     PlotSpecification plot;
     plot.id = id;
-    plot.title = "Changes of the budget of " + label;
+    plot.title = language.say_text(plot_words::budget_changes, {label});
     plot.horizontal_bars = true;
-    plot.x.title = "change of the variance (% of the variance before)";
+    plot.x.title = language.say(plot_words::change_of_variance);
     PlotSeries bars{"", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.72};
     const std::size_t shown = places.size() <= rows ? places.size() : rows - 1;
     double rest = 0.0;
@@ -118,7 +121,8 @@ PlotSpecification budget_changes_plot(const ResultComparison& comparison, std::s
         bars.x.push_back(change);
     }
     if (shown < places.size()) {
-        plot.y.categories.push_back(std::to_string(places.size() - shown) + " others");
+        plot.y.categories.push_back(
+            language.say(plot_words::others, {std::to_string(places.size() - shown)}));
         bars.x.push_back(rest);
     }
     for (std::size_t i = 0; i < bars.x.size(); ++i) bars.y.push_back(static_cast<double>(i));

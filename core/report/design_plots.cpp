@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/text/numbers.h"
+#include "core/report/plot_words.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -14,7 +14,7 @@ Text capital(std::string words) {
     return words;
 }
 
-PlotSpecification plot_of(const DesignResult& result, const char* chart, const char* title) {
+PlotSpecification plot_of(const DesignResult& result, const char* chart, const std::string& title) {
     PlotSpecification plot;
     plot.id = "design-" + result.id + "-" + chart;
     plot.title = title;
@@ -32,10 +32,10 @@ std::vector<double> ratios(const DesignResult& result, bool before) {
     return ratios;
 }
 
-PlotSpecification outputs_plot(const DesignResult& result) {
-    PlotSpecification plot = plot_of(result, "outputs", "Uncertainties before and after");
+PlotSpecification outputs_plot(const DesignResult& result, const DocumentLanguage& language) {
+    PlotSpecification plot = plot_of(result, "outputs", language.say(plot_words::before_and_after));
     const bool targets = !result.goals.empty() && result.goals.front().target;
-    plot.y.title = targets ? "U / target" : "U relative to the present design";
+    plot.y.title = language.say(targets ? plot_words::relative_to_target : plot_words::relative_to_present);
     for (const DesignGoal& goal : result.goals) {
         Text name = goal.output.group.empty() ? Text() : Text(goal.output.group + ": ");
         name += symbol_text(goal.output.symbol);
@@ -43,7 +43,7 @@ PlotSpecification outputs_plot(const DesignResult& result) {
     }
     for (const bool before : {true, false}) {
         PlotSeries series;
-        series.name = before ? "before" : "designed";
+        series.name = language.say(before ? plot_words::before : plot_words::designed);
         series.kind = SeriesKind::points;
         series.role = before ? SeriesRole::reference : SeriesRole::emphasis;
         series.y = ratios(result, before);
@@ -52,18 +52,18 @@ PlotSpecification outputs_plot(const DesignResult& result) {
         plot.y.high = std::max(plot.y.high, 1.1 * *std::ranges::max_element(series.y));
         plot.series.push_back(std::move(series));
     }
-    if (targets) plot.marks.push_back({"target", 1.0, true, SeriesRole::reference});
+    if (targets) plot.marks.push_back({language.say(plot_words::target), 1.0, true, SeriesRole::reference});
     plot.y.high = std::max(plot.y.high, 1.1);
     return plot;
 }
 
 /// "3: −38 %": what the last of so many rows has given.
-PlotSpecification curve_plot(const DesignResult& result) {
-    PlotSpecification plot = plot_of(result, "curve", "What more rows give");
-    plot.x.title = "rows";
-    plot.y.title = capital(result.objective_words);
+PlotSpecification curve_plot(const DesignResult& result, const DocumentLanguage& language) {
+    PlotSpecification plot = plot_of(result, "curve", language.say(plot_words::more_rows));
+    plot.x.title = language.say(plot_words::rows);
+    plot.y.title = capital(language.say_declared(result.objective_words));
     PlotSeries line;
-    line.name = "best found";
+    line.name = language.say(plot_words::best_found);
     for (const DesignCount& count : result.curve) {
         line.x.push_back(static_cast<double>(count.rows));
         line.y.push_back(count.objective);
@@ -75,14 +75,15 @@ PlotSpecification curve_plot(const DesignResult& result) {
     plot.y.logarithmic = low > 0.0 && high > 30.0 * low;
     if (!plot.y.logarithmic) plot.y.high = 1.06 * high;
     plot.series = {std::move(line), std::move(points)};
-    plot.marks.push_back({"kept", static_cast<double>(result.rows.size()), false, SeriesRole::emphasis});
+    plot.marks.push_back({language.say(plot_words::kept), static_cast<double>(result.rows.size()), false,
+                          SeriesRole::emphasis});
     return plot;
 }
 
-PlotSpecification rows_plot(const DesignResult& result) {
+PlotSpecification rows_plot(const DesignResult& result, const DocumentLanguage& language) {
     constexpr std::size_t most = 40;
-    PlotSpecification plot = plot_of(result, "rows", "What each row kept is worth");
-    plot.x.title = "growth of the objective without it (%)";
+    PlotSpecification plot = plot_of(result, "rows", language.say(plot_words::worth_of_rows));
+    plot.x.title = language.say(plot_words::growth_without);
     plot.horizontal_bars = true;
     std::vector<const DesignRow*> rows;
     for (const DesignRow& row : result.rows)
@@ -102,27 +103,29 @@ PlotSpecification rows_plot(const DesignResult& result) {
     return plot;
 }
 
-PlotSpecification front_plot(const DesignResult& result) {
-    PlotSpecification plot = plot_of(result, "front", "What a smaller uncertainty costs");
-    plot.x.title = "largest U / target";
-    plot.y.title = "cost";
+PlotSpecification front_plot(const DesignResult& result, const DocumentLanguage& language) {
+    PlotSpecification plot = plot_of(result, "front", language.say(plot_words::front));
+    plot.x.title = language.say(plot_words::largest_ratio);
+    plot.y.title = language.say(plot_words::cost);
     PlotSeries line;
-    line.name = result.rows.empty() ? "cheapest reductions" : "cheapest rows";
+    line.name =
+        language.say(result.rows.empty() ? plot_words::cheapest_reductions : plot_words::cheapest_rows);
     for (const DesignCost& cost : result.front) {
         line.x.push_back(cost.largest_ratio);
         line.y.push_back(cost.cost);
     }
     plot.series.push_back(std::move(line));
-    plot.marks.push_back({"targets", 1.0, false, SeriesRole::emphasis});
+    plot.marks.push_back({language.say(plot_words::targets), 1.0, false, SeriesRole::emphasis});
     return plot;
 }
 
-PlotSpecification path_plot(const DesignResult& result) {
-    PlotSpecification plot = plot_of(result, "path", "The way of the search");
-    plot.x.title = "evaluations";
-    plot.y.title = result.cost ? "Cost" : capital(result.objective_words);
+PlotSpecification path_plot(const DesignResult& result, const DocumentLanguage& language) {
+    PlotSpecification plot = plot_of(result, "path", language.say(plot_words::way));
+    plot.x.title = language.say(plot_words::evaluations);
+    plot.y.title =
+        capital(result.cost ? language.say(plot_words::cost) : language.say_declared(result.objective_words));
     PlotSeries line;
-    line.name = "best so far";
+    line.name = language.say(plot_words::best_so_far);
     for (const DesignStep& step : result.path) {
         const auto at = static_cast<double>(step.evaluation);
         if (!line.y.empty()) {
@@ -136,20 +139,20 @@ PlotSpecification path_plot(const DesignResult& result) {
     line.y.push_back(line.y.back());
     plot.series.push_back(std::move(line));
     if (result.before && result.why_not_before.empty() && !result.cost)
-        plot.marks.push_back({"before", *result.before, true, SeriesRole::reference});
+        plot.marks.push_back({language.say(plot_words::before), *result.before, true, SeriesRole::reference});
     return plot;
 }
 
 }  // namespace
 
-std::vector<PlotSpecification> design_plots(const DesignResult& result) {
+std::vector<PlotSpecification> design_plots(const DesignResult& result, const DocumentLanguage& language) {
     std::vector<PlotSpecification> plots;
     if (!result.found) return plots;
-    if (result.curve.size() > 1) plots.push_back(curve_plot(result));
-    if (!result.rows.empty()) plots.push_back(rows_plot(result));
-    if (!result.front.empty()) plots.push_back(front_plot(result));
-    plots.push_back(outputs_plot(result));
-    if (result.path.size() > 1) plots.push_back(path_plot(result));
+    if (result.curve.size() > 1) plots.push_back(curve_plot(result, language));
+    if (!result.rows.empty()) plots.push_back(rows_plot(result, language));
+    if (!result.front.empty()) plots.push_back(front_plot(result, language));
+    plots.push_back(outputs_plot(result, language));
+    if (result.path.size() > 1) plots.push_back(path_plot(result, language));
     std::erase_if(plots, [](const PlotSpecification& plot) { return plot.series.empty(); });
     return plots;
 }

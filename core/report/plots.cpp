@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/math/normal_quantile.h"
+#include "core/report/plot_words.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
@@ -24,11 +25,11 @@ constexpr double cells_per_u = 12.0;    // at most: finer cells are not told apa
 constexpr std::size_t curve_points = 161;
 
 /// Empty if the output has a distribution to show, else why not.
-Text missing_distribution(const PlottedOutput& y, const std::string& what) {
+Text missing_distribution(const PlottedOutput& y, const Phrase& run) {
     const MonteCarloOutput* trials = y.trials();
-    if (!trials) return "Run Monte Carlo to see " + what + " of " + y.label();
+    if (!trials) return y.language().say_text(run, {y.label()});
     if (!(trials->standard_uncertainty > 0.0))
-        return y.label() + " has the same value in every trial: give its inputs components of uncertainty";
+        return y.language().say_text(plot_words::same_in_every_trial, {y.label()});
     return {};
 }
 
@@ -78,13 +79,13 @@ void add_normal_curves(PlotSpecification& plot, const PlottedOutput& y) {
     const FirstOrderOutput& first = y.output().first_order;
     if (std::isfinite(mc.standard_uncertainty)) {
         PlotSeries fit = normal_curve(plot.x, y.value(mc.mean), y.interval(mc.standard_uncertainty));
-        fit.name = "normal, same mean and u";
+        fit.name = y.language().say(plot_words::normal_of_moments);
         fit.role = SeriesRole::fit;
         plot.series.push_back(std::move(fit));
     }
     if (!(first.standard_uncertainty > 0.0)) return;
     PlotSeries other = normal_curve(plot.x, y.value(first.estimate), y.interval(first.standard_uncertainty));
-    other.name = "normal, first order";
+    other.name = y.language().say(plot_words::normal_of_first_order);
     other.role = SeriesRole::first_order;
     plot.series.push_back(std::move(other));
 }
@@ -92,18 +93,20 @@ void add_normal_curves(PlotSpecification& plot, const PlottedOutput& y) {
 void add_interval(PlotSpecification& plot, const PlottedOutput& y, double probability) {
     const MonteCarloOutput& mc = *y.trials();
     const double low = y.value(mc.symmetric.low), high = y.value(mc.symmetric.high);
-    const std::string words =
-        typeset_number(format_typed(100.0 * probability), y.numbers()) + "\u00a0%" + " coverage interval";
-    plot.bands.push_back({words, low, high, SeriesRole::reference});
+    const std::string percent =
+        typeset_number(format_typed(100.0 * probability), y.language().numbers()) + "\u00a0%";
+    plot.bands.push_back(
+        {y.language().say(plot_words::interval, {percent}), low, high, SeriesRole::reference});
     plot.marks.push_back({y.result_text(mc.symmetric.low), low, false, SeriesRole::reference});
-    plot.marks.push_back({"mean " + y.result_text(mc.mean), y.value(mc.mean), false, SeriesRole::emphasis});
+    plot.marks.push_back({y.language().say(plot_words::mean, {y.result_text(mc.mean)}), y.value(mc.mean),
+                          false, SeriesRole::emphasis});
     plot.marks.push_back({y.result_text(mc.symmetric.high), high, false, SeriesRole::reference});
 }
 
 }  // namespace
 
 bool plot_parts::has_histogram(const PlottedOutput& y) {
-    if (!missing_distribution(y, "the distribution").empty()) return false;
+    if (!missing_distribution(y, plot_words::run_for_distribution).empty()) return false;
     const Histogram& histogram = y.trials()->histogram;
     return !histogram.counts.empty() && histogram.high > histogram.low && trials_of(histogram) > 0.0;
 }
@@ -115,7 +118,8 @@ PlotSeries plot_parts::histogram_bars(const PlottedOutput& y) {
     const std::size_t cells = histogram.counts.size();
     const std::size_t join = cells_to_join(histogram, spread_of(mc), all);
     const double step = (histogram.high - histogram.low) / static_cast<double>(cells);
-    PlotSeries bars{"Monte Carlo", SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.0};
+    PlotSeries bars{
+        y.language().say(plot_words::monte_carlo), SeriesKind::bars, SeriesRole::data, {}, {}, {}, 0.0};
     bars.bar_width = y.interval(step * static_cast<double>(join));
     for (std::size_t first = 0; first < cells; first += join) {
         std::uint64_t count = 0;
@@ -128,17 +132,16 @@ PlotSeries plot_parts::histogram_bars(const PlottedOutput& y) {
 }
 
 PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output,
-                                 const DisplayUnits& units, const NumberLocale& numbers) {
-    const PlottedOutput y(result, output, units, numbers);
+                                 const DisplayUnits& units, const DocumentLanguage& language) {
+    const PlottedOutput y(result, output, units, language);
     const std::string id = y.id("histogram");
-    if (const Text why = missing_distribution(y, "the distribution"); !why.empty())
+    if (const Text why = missing_distribution(y, plot_words::run_for_distribution); !why.empty())
         return nothing_to_show(id, why);
     if (!has_histogram(y))
-        return nothing_to_show(id,
-                               "Run Monte Carlo with more trials to see the distribution of " + y.label());
+        return nothing_to_show(id, language.say_text(plot_words::more_for_distribution, {y.label()}));
     PlotSpecification plot;
     plot.id = id;
-    plot.title = "Distribution of " + y.label();
+    plot.title = language.say_text(plot_words::distribution, {y.label()});
     plot.x.title = y.with_unit(y.symbol());
     plot.y.title = y.density_title();
     plot.series.push_back(histogram_bars(y));
@@ -149,21 +152,21 @@ PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t ou
 }
 
 PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::size_t output,
-                                       const DisplayUnits& units) {
-    const PlottedOutput y(result, output, units);
+                                       const DisplayUnits& units, const DocumentLanguage& language) {
+    const PlottedOutput y(result, output, units, language);
     const std::string id = y.id("quantiles");
-    if (const Text why = missing_distribution(y, "the quantiles"); !why.empty())
+    if (const Text why = missing_distribution(y, plot_words::run_for_quantiles); !why.empty())
         return nothing_to_show(id, why);
     const MonteCarloOutput& mc = *y.trials();
     const std::size_t n = mc.quantiles.size();
-    if (n < 3)
-        return nothing_to_show(id, "Run Monte Carlo with more trials to see the quantiles of " + y.label());
+    if (n < 3) return nothing_to_show(id, language.say_text(plot_words::more_for_quantiles, {y.label()}));
     PlotSpecification plot;
     plot.id = id;
-    plot.title = "Normal quantiles of " + y.label();
-    plot.x.title = "quantile of the standard normal distribution";
-    plot.y.title = y.with_unit("quantile of " + y.symbol());
-    PlotSeries points{"Monte Carlo", SeriesKind::points, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
+    plot.title = language.say_text(plot_words::normal_quantiles, {y.label()});
+    plot.x.title = language.say(plot_words::standard_quantile);
+    plot.y.title = y.with_unit(language.say_text(plot_words::quantile, {y.symbol()}));
+    PlotSeries points{
+        language.say(plot_words::monte_carlo), SeriesKind::points, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
     for (std::size_t i = 0; i < n; ++i) {
         points.x.push_back(normal_quantile((static_cast<double>(i) + 0.5) / static_cast<double>(n)));
         points.y.push_back(y.value(mc.quantiles[i]));
@@ -171,7 +174,8 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
     const double reach = 1.04 * points.x.back();
     const double mean = y.value(mc.mean), u = y.interval(spread_of(mc));
     PlotSeries line = curve(-reach, reach, 2, [&](double z) { return mean + z * u; });
-    line.name = std::isfinite(mc.standard_uncertainty) ? "normal, same mean and u" : "normal, same interval";
+    line.name = language.say(std::isfinite(mc.standard_uncertainty) ? plot_words::normal_of_moments
+                                                                    : plot_words::normal_of_interval);
     line.role = SeriesRole::fit;
     plot.series = {std::move(line), std::move(points)};
     return plot;

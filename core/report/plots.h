@@ -7,28 +7,29 @@
 
 #include "core/result/uncertainty_result.h"
 #include "core/text/display_units.h"
-#include "core/text/numbers.h"
+#include "core/text/document_language.h"
 #include "core/text/plot_specification.h"
 
 namespace covaria {
 
-// Where there is nothing to show, the specification has no series and its title says what to do. `numbers`:
-// how the labels write theirs.
+// Where there is nothing to show, the specification has no series and its title says what to do. `language`:
+// of words and numbers.
 
 /// Histogram with mean, coverage interval, fitted normal and first-order normal. Needs Monte Carlo.
 PlotSpecification histogram_plot(const UncertaintyResult& result, std::size_t output,
-                                 const DisplayUnits& units = {}, const NumberLocale& numbers = {});
+                                 const DisplayUnits& units = {}, const DocumentLanguage& language = {});
 /// Quantiles against those of a normal distribution. Needs Monte Carlo.
 PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::size_t output,
-                                       const DisplayUnits& units = {});
+                                       const DisplayUnits& units = {}, const DocumentLanguage& language = {});
 /// The largest contributions to an output (at most `rows`, the rest summed).
 PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t output,
-                                    std::size_t rows = 12);
+                                    const DocumentLanguage& language = {}, std::size_t rows = 12);
 /// Correlation matrix of a group's outputs (empty group: all).
-PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group);
+PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group,
+                                   const DocumentLanguage& language = {});
 /// Running u (and mean) against trials with two standard errors.
 PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output,
-                                   const DisplayUnits& units = {}, const NumberLocale& numbers = {});
+                                   const DisplayUnits& units = {}, const DocumentLanguage& language = {});
 
 /// The data shown as CSV (RFC 4180, full precision): x and y of every series side by side, each with its axis
 /// title; a heat map as a matrix with its categories.

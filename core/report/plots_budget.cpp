@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/report/plot_words.h"
 #include "core/report/plots.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
@@ -40,7 +41,8 @@ struct Bars {
     std::vector<double> alone;  ///< in %, one at a time; empty if not evaluated
 };
 
-Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t most) {
+Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t most,
+             const DocumentLanguage& language) {
     const std::vector<BudgetRow>& all = result.budget.rows[output];
     const std::size_t shown = all.size() <= most ? all.size() : most - 1;
     const std::vector<BudgetRow> rows(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown));
@@ -55,7 +57,7 @@ Bars bars_of(const UncertaintyResult& result, std::size_t output, std::size_t mo
     if (shown < all.size()) {
         double rest = 0.0;
         for (std::size_t i = shown; i < all.size(); ++i) rest += 100.0 * all[i].share;
-        bars.labels.push_back(std::to_string(all.size() - shown) + " others");
+        bars.labels.push_back(language.say(plot_words::others, {std::to_string(all.size() - shown)}));
         bars.share.push_back(rest);
     }
     return bars;
@@ -79,25 +81,25 @@ std::vector<std::size_t> outputs_to_correlate(const UncertaintyResult& result, c
 
 }  // namespace
 
-PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t output, std::size_t rows) {
+PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t output,
+                                    const DocumentLanguage& language, std::size_t rows) {
     const PlottedOutput y(result, output);
     const std::string id = y.id("contributions");
     if (output >= result.budget.rows.size() || result.budget.rows[output].empty())
-        return nothing_to_show(id, "No input quantity with an uncertainty influences " + y.label() +
-                                       ": give its inputs components of uncertainty");
-    Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2));
+        return nothing_to_show(id, language.say_text(plot_words::nothing_influences, {y.label()}));
+    Bars bars = bars_of(result, output, std::max<std::size_t>(rows, 2), language);
     PlotSpecification plot;
     plot.id = id;
-    plot.title = "Contributions to u(" + y.symbol() + ")" +
+    plot.title = language.say_text(plot_words::contributions, {y.symbol()}) +
                  (y.output().quantity.group.empty() ? "" : ", " + y.output().quantity.group);
     plot.horizontal_bars = true;
-    plot.x.title = "share of the variance (%)";
+    plot.x.title = language.say(plot_words::share);
     plot.y.categories = bars.labels;
-    const std::string name = bars.alone.empty() ? "" : "first order";
+    const std::string name = bars.alone.empty() ? "" : language.say(plot_words::first_order);
     plot.series.push_back(
         {name, SeriesKind::bars, SeriesRole::data, bars.share, counted(bars.share.size()), {}, 0.72});
     if (!bars.alone.empty())
-        plot.series.push_back({"one at a time, Monte Carlo",
+        plot.series.push_back({language.say(plot_words::one_at_a_time),
                                SeriesKind::points,
                                SeriesRole::emphasis,
                                bars.alone,
@@ -107,22 +109,23 @@ PlotSpecification contribution_plot(const UncertaintyResult& result, std::size_t
     return plot;
 }
 
-PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group) {
+PlotSpecification correlation_plot(const UncertaintyResult& result, const std::string& group,
+                                   const DocumentLanguage& language) {
     const std::string id = "correlation" + (group.empty() ? "" : "-" + report_parts::id_part(group));
     const std::vector<std::size_t> outputs = outputs_to_correlate(result, group);
-    if (outputs.size() < 2)
-        return nothing_to_show(id, "A single output quantity has nothing to be correlated with");
+    if (outputs.size() < 2) return nothing_to_show(id, language.say(plot_words::single_output));
     const Eigen::MatrixXd correlation = correlation_of(result.covariance);
     PlotSpecification plot;
     plot.id = id;
-    plot.title = "Correlation coefficients" + (group.empty() ? "" : ", " + group);
+    plot.title = language.say(plot_words::correlation) + (group.empty() ? "" : ", " + group);
     for (const std::size_t i : outputs) {
         const OutputQuantity& quantity = result.outputs[i].quantity;
         plot.y.categories.push_back(group.empty() ? report_parts::output_text(quantity)
                                                   : symbol_text(quantity.symbol));
     }
     plot.x.categories = plot.y.categories;
-    PlotSeries map{"correlation coefficient", SeriesKind::heat_map, SeriesRole::data, {}, {}, {}, 0.0};
+    PlotSeries map{
+        language.say(plot_words::coefficient), SeriesKind::heat_map, SeriesRole::data, {}, {}, {}, 0.0};
     for (const std::size_t i : outputs)
         for (const std::size_t j : outputs)
             map.z.push_back(correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));

@@ -1,6 +1,7 @@
 // How the standard uncertainty of an output settles as trials accumulate.
 #include <cmath>
 
+#include "core/report/plot_words.h"
 #include "core/report/plots.h"
 #include "core/report/plots_parts.h"
 
@@ -10,29 +11,25 @@ using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
 PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t output,
-                                   const DisplayUnits& units, const NumberLocale& numbers) {
-    const PlottedOutput y(result, output, units, numbers);
+                                   const DisplayUnits& units, const DocumentLanguage& language) {
+    const PlottedOutput y(result, output, units, language);
     const std::string id = y.id("convergence");
     if (!y.trials() || result.convergence.empty())
-        return nothing_to_show(id, "Run Monte Carlo to see how u of " + y.label() + " settles");
+        return nothing_to_show(id, language.say_text(plot_words::run_for_convergence, {y.label()}));
     const MonteCarloOutput& mc = *y.trials();
     PlotSpecification plot;
     plot.id = id;
-    plot.title = "u(" + y.symbol() + ")" +
-                 (y.output().quantity.group.empty() ? "" : ", " + y.output().quantity.group) +
-                 ", against the number of trials" + (result.stabilised ? "" : " (not stabilised)");
-    plot.x.title = "trials";
+    const Text u = "u(" + y.symbol() + ")", group = y.output().quantity.group;
+    plot.title = language.say_text(plot_words::against_trials, {group.empty() ? u : u + ", " + group});
+    if (!result.stabilised) plot.title = language.say_text(plot_words::not_stabilised, {plot.title});
+    plot.x.title = language.say(plot_words::trials);
     plot.x.logarithmic = true;
-    plot.y.title = y.with_unit("u(" + y.symbol() + ")");
+    plot.y.title = y.with_unit(u);
     const bool single = result.convergence.size() == 1;
-    PlotSeries running{"u(" + y.symbol() + ")",
-                       single ? SeriesKind::points : SeriesKind::line,
-                       SeriesRole::monte_carlo,
-                       {},
-                       {},
-                       {},
-                       0.0};
-    PlotSeries low{"± 2 standard errors", SeriesKind::line, SeriesRole::reference, {}, {}, {}, 0.0};
+    PlotSeries running{
+        u, single ? SeriesKind::points : SeriesKind::line, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
+    PlotSeries low{
+        language.say(plot_words::standard_errors), SeriesKind::line, SeriesRole::reference, {}, {}, {}, 0.0};
     PlotSeries high = low;
     high.name = {};
     // The standard error of u falls with the root of the number of trials.
@@ -40,16 +37,17 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
     for (const ConvergencePoint& point : result.convergence) {
         const auto trials = static_cast<double>(point.trials);
         const double error = y.interval(mc.standard_error_of_uncertainty) * std::sqrt(used / trials);
-        const double u = y.interval(point.standard_uncertainty.at(output));
+        const double shown = y.interval(point.standard_uncertainty.at(output));
         for (PlotSeries* series : {&running, &low, &high}) series->x.push_back(trials);
-        running.y.push_back(u);
-        low.y.push_back(std::max(0.0, u - 2.0 * error));
-        high.y.push_back(u + 2.0 * error);
+        running.y.push_back(shown);
+        low.y.push_back(std::max(0.0, shown - 2.0 * error));
+        high.y.push_back(shown + 2.0 * error);
     }
     plot.series = {std::move(running), std::move(low), std::move(high)};
     if (std::isfinite(mc.standard_uncertainty))
-        plot.marks.push_back({"final u " + y.uncertainty_text(mc.standard_uncertainty, 3),
-                              y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
+        plot.marks.push_back(
+            {language.say(plot_words::final_u, {y.uncertainty_text(mc.standard_uncertainty, 3)}),
+             y.interval(mc.standard_uncertainty), true, SeriesRole::emphasis});
     return plot;
 }
 

@@ -1,6 +1,7 @@
 // Labels and display units of charts.
 #include "core/report/plots_parts.h"
 
+#include "core/report/plot_words.h"
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
@@ -21,8 +22,8 @@ std::string unit_after_number(const Unit& unit) {
 }  // namespace
 
 PlottedOutput::PlottedOutput(const UncertaintyResult& result, std::size_t output, const DisplayUnits& units,
-                             const NumberLocale& numbers)
-    : output_(result.outputs.at(output)), unit_(units.of(output_.quantity.unit)), numbers_(numbers) {}
+                             const DocumentLanguage& language)
+    : output_(result.outputs.at(output)), unit_(units.of(output_.quantity.unit)), language_(language) {}
 
 Text PlottedOutput::symbol() const {
     return symbol_text(output_.quantity.symbol);
@@ -41,19 +42,20 @@ Text PlottedOutput::with_unit(const Text& words) const {
 }
 
 std::string PlottedOutput::density_title() const {
-    if (is_one(unit_)) return "probability density";
+    if (is_one(unit_)) return language_.say(plot_words::density);
     const std::string text = unit_.display();
     const bool compound = text.find('/') != std::string::npos || text.find("·") != std::string::npos;
-    return "probability density (1/" + (compound ? "(" + text + ")" : text) + ")";
+    return language_.say(plot_words::density_per, {compound ? "(" + text + ")" : text});
 }
 
 std::string PlottedOutput::result_text(double si) const {
     const std::string number = format_to_match(value(si), interval(output_.standard_uncertainty));
-    return typeset_number(number, numbers_) + unit_after_number(unit_);
+    return typeset_number(number, language_.numbers()) + unit_after_number(unit_);
 }
 
 std::string PlottedOutput::uncertainty_text(double si, int digits) const {
-    return typeset_number(format_significant(interval(si), digits), numbers_) + unit_after_number(unit_);
+    return typeset_number(format_significant(interval(si), digits), language_.numbers()) +
+           unit_after_number(unit_);
 }
 
 PlotSpecification nothing_to_show(std::string id, Text title) {

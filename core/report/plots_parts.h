@@ -7,7 +7,7 @@
 
 #include "core/result/uncertainty_result.h"
 #include "core/text/display_units.h"
-#include "core/text/numbers.h"
+#include "core/text/document_language.h"
 #include "core/text/plot_specification.h"
 
 namespace covaria::plot_parts {
@@ -16,9 +16,9 @@ namespace covaria::plot_parts {
 class PlottedOutput {
 public:
     PlottedOutput(const UncertaintyResult& result, std::size_t output, const DisplayUnits& units = {},
-                  const NumberLocale& numbers = {});
+                  const DocumentLanguage& language = {});
 
-    const NumberLocale& numbers() const { return numbers_; }
+    const DocumentLanguage& language() const { return language_; }
     const OutputResult& output() const { return output_; }
     const MonteCarloOutput* trials() const { return output_.monte_carlo ? &*output_.monte_carlo : nullptr; }
     double value(double si) const { return unit_.from_si(si); }
@@ -35,7 +35,7 @@ public:
 private:
     const OutputResult& output_;
     Unit unit_;
-    NumberLocale numbers_;
+    DocumentLanguage language_;
 };
 
 /// A chart without series; the title says why and what to do.

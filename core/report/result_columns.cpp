@@ -309,14 +309,9 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
         .not_in_files();
     table.add("met", [rows](std::size_t row) { return (*rows)[row].met; })
         .window("Requirement", "Whether the target uncertainty is met and the value is accepted")
-        .of_own_words()
+        .of_own_words({met_word, not_met_word})
         .not_in_files();
     return table;
-}
-
-const std::vector<std::string>& words_of_cells() {
-    static const std::vector<std::string> words{met_word, not_met_word, Answer{}.yes, Answer{}.no};
-    return words;
 }
 
 Table results_table(const UncertaintyResult& result) {

@@ -19,8 +19,6 @@ Table results_table(const UncertaintyResult& result);  ///< all of them
 /// With what the requirements say of each row: "target", "U/target", "met".
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
                     const std::vector<RequirementResult>& verdicts);
-/// What cells of columns `of_own_words` say, and answers: what a window has to translate.
-const std::vector<std::string>& words_of_cells();
 /// Keys of the columns "U, ... held", one for each contributor.
 std::vector<std::string> contributor_keys(const UncertaintyResult& result);
 

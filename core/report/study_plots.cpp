@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "core/report/plot_words.h"
 #include "core/report/plots_parts.h"
 #include "core/report/report_parts.h"
 #include "core/text/numbers.h"
@@ -69,11 +70,11 @@ void choose_y_range(PlotSpecification& plot) {
     plot.y.high = 1.06 * high;  // from zero: lengths can be compared
 }
 
-void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const NumberLocale& numbers) {
+void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const DocumentLanguage& language) {
     const auto [low, high] = std::minmax(axis.values.front(), axis.values.back());
     if (axis.present < low || axis.present > high) return;
-    plot.marks.push_back(
-        {"as set up: " + value_text(axis.present, numbers), axis.present, false, SeriesRole::reference});
+    plot.marks.push_back({language.say(plot_words::as_set_up, {value_text(axis.present, language.numbers())}),
+                          axis.present, false, SeriesRole::reference});
 }
 
 /// Outputs whose lines can share a chart with the quantity.
@@ -92,13 +93,14 @@ std::vector<StudyQuantity> companions(const std::vector<StudyQuantity>& all, con
     return found;
 }
 
-PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen, const NumberLocale& numbers) {
+PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen,
+                        const DocumentLanguage& language) {
     PlotSpecification plot;
     const StudyAxisValues& axis = study.axes.front();
     plot.title = study.name;
     plot.x.title = with_unit(axis.title, axis.unit);
     plot.x.logarithmic = axis.logarithmic;
-    plot.y.title = with_unit("uncertainty", chosen.unit);
+    plot.y.title = with_unit(language.say(plot_words::uncertainty), chosen.unit);
     const std::vector<StudyQuantity> lines = companions(study_quantities(study), study, chosen);
     for (std::size_t k = 0; k < lines.size(); ++k) {
         std::vector<double> y;
@@ -106,7 +108,7 @@ PlotSpecification sweep(const StudyResult& study, const StudyQuantity& chosen, c
         add_line(plot, lines[k].title, family[k], axis.values, y);
     }
     choose_y_range(plot);
-    mark_present(plot, axis, numbers);
+    mark_present(plot, axis, language);
     return plot;
 }
 
@@ -137,19 +139,20 @@ Plane plane_of(const StudyResult& study, const StudyView& view) {
 }
 
 Text title_of(const StudyResult& study, const StudyView& view, const StudyQuantity& quantity,
-              const NumberLocale& numbers) {
+              const DocumentLanguage& language) {
     Text title = study.name + ": " + with_unit(quantity.title, quantity.unit);
     if (study.axes.size() < 3) return title;
     const StudyAxisValues& axis = study.axes[std::min<std::size_t>(view.fixed_axis, 2)];
     const double value = axis.values[std::min(view.slice, axis.values.size() - 1)];
-    return title + " at " + axis.title + " = " + value_text(value, numbers) +
-           (axis.unit == Unit{} ? "" : " " + axis.unit.display());
+    const std::string at =
+        value_text(value, language.numbers()) + (axis.unit == Unit{} ? "" : " " + axis.unit.display());
+    return language.say_text(plot_words::slice_at, {title, axis.title, at});
 }
 
-PlotAxis category_axis(const StudyAxisValues& values, bool downwards, const NumberLocale& numbers) {
+PlotAxis category_axis(const StudyAxisValues& values, bool downwards, const DocumentLanguage& language) {
     PlotAxis axis;
     axis.title = with_unit(values.title, values.unit);
-    for (const double value : values.values) axis.categories.push_back(value_text(value, numbers));
+    for (const double value : values.values) axis.categories.push_back(value_text(value, language.numbers()));
     if (downwards) std::reverse(axis.categories.begin(), axis.categories.end());
     return axis;
 }
@@ -164,10 +167,10 @@ void set_colour_range(PlotSpecification& plot, const StudyResult& study, const S
 }
 
 PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQuantity& quantity,
-                      const NumberLocale& numbers) {
+                      const DocumentLanguage& language) {
     PlotSpecification plot;
-    plot.x = category_axis(study.axes[plane.x], false, numbers);
-    plot.y = category_axis(study.axes[plane.y], true, numbers);
+    plot.x = category_axis(study.axes[plane.x], false, language);
+    plot.y = category_axis(study.axes[plane.y], true, language);
     PlotSeries cells;
     cells.kind = SeriesKind::heat_map;
     cells.name = with_unit(quantity.title, quantity.unit);
@@ -180,7 +183,7 @@ PlotSpecification map(const StudyResult& study, const Plane& plane, const StudyQ
 }
 
 PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
-                                   const StudyQuantity& quantity, const NumberLocale& numbers) {
+                                   const StudyQuantity& quantity, const DocumentLanguage& language) {
     PlotSpecification plot;
     const StudyAxisValues &x = study.axes[plane.x], &other = study.axes[plane.y];
     plot.x.title = with_unit(x.title, x.unit);
@@ -193,33 +196,34 @@ PlotSpecification lines_over_first(const StudyResult& study, const Plane& plane,
         for (std::size_t i = 0; i < x.values.size(); ++i)
             y.push_back(shown(study, quantity, point_of(study, plane, i, j)));
         const std::string unit = other.unit == Unit{} ? "" : " " + other.unit.display();
-        add_line(plot, other.title + " = " + value_text(other.values[j], numbers) + unit, family[k], x.values,
-                 y);
+        add_line(plot, other.title + " = " + value_text(other.values[j], language.numbers()) + unit,
+                 family[k], x.values, y);
     }
     choose_y_range(plot);
-    mark_present(plot, x, numbers);
+    mark_present(plot, x, language);
     return plot;
 }
 
 }  // namespace
 
-PlotSpecification study_plot(const StudyResult& study, const StudyView& view, const NumberLocale& numbers) {
+PlotSpecification study_plot(const StudyResult& study, const StudyView& view,
+                             const DocumentLanguage& language) {
     const std::string id = "study-" + study.id;
     const std::vector<StudyQuantity> quantities = study_quantities(study);
     if (quantities.empty() || study.failed() == study.points.size())
         return plot_parts::nothing_to_show(
             id, study.points.empty() || quantities.empty()
-                    ? "Run the study \u201c" + study.name + "\u201d to see it"
-                    : "No grid point of \u201c" + study.name + "\u201d has values: " + study.reasons.back());
+                    ? language.say(plot_words::run_study, {study.name})
+                    : language.say(plot_words::no_values, {study.name, study.reasons.back()}));
     const StudyQuantity& quantity = quantities[std::min(view.quantity, quantities.size() - 1)];
     PlotSpecification plot;
     if (study.axes.size() == 1) {
-        plot = sweep(study, quantity, numbers);
+        plot = sweep(study, quantity, language);
     } else {
         const Plane plane = plane_of(study, view);
-        plot = view.lines ? lines_over_first(study, plane, quantity, numbers)
-                          : map(study, plane, quantity, numbers);
-        plot.title = title_of(study, view, quantity, numbers);
+        plot = view.lines ? lines_over_first(study, plane, quantity, language)
+                          : map(study, plane, quantity, language);
+        plot.title = title_of(study, view, quantity, language);
     }
     plot.id = id + "-" + report_parts::id_part(quantity.id);
     return plot;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/result/study_result.h"
-#include "core/text/numbers.h"
+#include "core/text/document_language.h"
 #include "core/text/plot_specification.h"
 
 namespace covaria {
@@ -20,10 +20,10 @@ struct StudyView {
 
 /// One axis: U of the outputs that have the unit of the quantity (those of its group first, at most six
 /// lines) against the axis. Two axes: a map of the quantity, or lines over the first axis. Three: that of a
-/// slice. Where there is nothing to show, the specification has no series and its title says why. `numbers`:
-/// how texts write theirs.
+/// slice. Where there is nothing to show, the specification has no series and its title says why. `language`:
+/// of words and numbers.
 PlotSpecification study_plot(const StudyResult& study, const StudyView& view,
-                             const NumberLocale& numbers = {});
+                             const DocumentLanguage& language = {});
 
 /// Those of a report: every group of outputs of a sweep; the first quantities of a map, in its middle slice.
 std::vector<PlotSpecification> study_plots(const StudyResult& study, std::size_t most = 3);

@@ -58,6 +58,7 @@ struct Column {
     std::optional<Unit> unit = {};  ///< of all its numbers: the head says it
     bool in_files = true;
     bool own_words = false;  ///< its texts are the program's ("not met"), not people's
+    std::vector<std::string> undeclared = {};  ///< those of them that no registry declares
 
     // To write columns down on a line.
     Column& print(std::string words) { return head = std::move(words), *this; }
@@ -70,7 +71,9 @@ struct Column {
     Column& match(std::string to) { return rule.match = std::move(to), *this; }
     Column& in(std::optional<Unit> common) { return unit = std::move(common), *this; }
     Column& of_symbols() { return symbols = true, *this; }
-    Column& of_own_words() { return own_words = true, *this; }
+    Column& of_own_words(std::vector<std::string> others = {}) {
+        return own_words = true, undeclared = std::move(others), *this;
+    }
     Column& not_in_files() { return in_files = false, *this; }
 };
 

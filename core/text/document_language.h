@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/text/numbers.h"
+#include "core/text/text.h"
 
 namespace covaria {
 
@@ -37,6 +38,8 @@ public:
     const NumberLocale& numbers() const { return numbers_; }
 
     std::string say(const Phrase& phrase, std::initializer_list<std::string> arguments = {}) const;
+    /// With symbols in it.
+    Text say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const;
     /// What a registry declares: the title of a field, the name of an output. Names that people gave stay.
     std::string say_declared(const std::string& english) const;
 

@@ -4779,6 +4779,342 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
         <translation>100 % verdeckt, was hinter der Oberfläche ist; weniger lässt die gemessenen Punkte sehen.</translation>
     </message>
+    <message>
+        <source>largest U/target</source>
+        <translation>größtes U/Ziel</translation>
+    </message>
+    <message>
+        <source>largest U relative to the present design</source>
+        <translation>größtes U, bezogen auf den jetzigen Entwurf</translation>
+    </message>
+    <message>
+        <source>mean U/target</source>
+        <translation>Mittel von U/Ziel</translation>
+    </message>
+    <message>
+        <source>mean U relative to the present design</source>
+        <translation>Mittel von U, bezogen auf den jetzigen Entwurf</translation>
+    </message>
+    <message>
+        <source>root mean square of U/target</source>
+        <translation>quadratisches Mittel von U/Ziel</translation>
+    </message>
+    <message>
+        <source>root mean square of U relative to the present design</source>
+        <translation>quadratisches Mittel von U, bezogen auf den jetzigen Entwurf</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the distribution of %1</source>
+        <translation>Monte Carlo ausführen, um die Verteilung von %1 zu sehen</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the quantiles of %1</source>
+        <translation>Monte Carlo ausführen, um die Quantile von %1 zu sehen</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the distribution of %1</source>
+        <translation>Monte Carlo mit mehr Versuchen ausführen, um die Verteilung von %1 zu sehen</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the quantiles of %1</source>
+        <translation>Monte Carlo mit mehr Versuchen ausführen, um die Quantile von %1 zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 has the same value in every trial: give its inputs components of uncertainty</source>
+        <translation>%1 hat in jedem Versuch denselben Wert: den Eingangsgrößen Unsicherheitskomponenten geben</translation>
+    </message>
+    <message>
+        <source>Distribution of %1</source>
+        <translation>Verteilung von %1</translation>
+    </message>
+    <message>
+        <source>probability density</source>
+        <translation>Wahrscheinlichkeitsdichte</translation>
+    </message>
+    <message>
+        <source>probability density (1/%1)</source>
+        <translation>Wahrscheinlichkeitsdichte (1/%1)</translation>
+    </message>
+    <message>
+        <source>normal, same mean and u</source>
+        <translation>Normalverteilung, gleicher Mittelwert und gleiches u</translation>
+    </message>
+    <message>
+        <source>normal, same interval</source>
+        <translation>Normalverteilung, gleiches Intervall</translation>
+    </message>
+    <message>
+        <source>normal, first order</source>
+        <translation>Normalverteilung, erste Ordnung</translation>
+    </message>
+    <message>
+        <source>%1 coverage interval</source>
+        <translation>Überdeckungsintervall %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>Mittelwert %1</translation>
+    </message>
+    <message>
+        <source>Normal quantiles of %1</source>
+        <translation>Normalquantile von %1</translation>
+    </message>
+    <message>
+        <source>quantile of the standard normal distribution</source>
+        <translation>Quantil der Standardnormalverteilung</translation>
+    </message>
+    <message>
+        <source>quantile of %1</source>
+        <translation>Quantil von %1</translation>
+    </message>
+    <message>
+        <source>No input quantity with an uncertainty influences %1: give its inputs components of uncertainty</source>
+        <translation>Keine Eingangsgröße mit einer Unsicherheit beeinflusst %1: den Eingangsgrößen Unsicherheitskomponenten geben</translation>
+    </message>
+    <message>
+        <source>Contributions to u(%1)</source>
+        <translation>Beiträge zu u(%1)</translation>
+    </message>
+    <message>
+        <source>share of the variance (%)</source>
+        <translation>Anteil an der Varianz (%)</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>erste Ordnung</translation>
+    </message>
+    <message>
+        <source>one at a time, Monte Carlo</source>
+        <translation>einzeln, Monte Carlo</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>A single output quantity has nothing to be correlated with</source>
+        <translation>Eine einzelne Ausgangsgröße kann mit nichts korreliert sein</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients</source>
+        <translation>Korrelationskoeffizienten</translation>
+    </message>
+    <message>
+        <source>correlation coefficient</source>
+        <translation>Korrelationskoeffizient</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see how u of %1 settles</source>
+        <translation>Monte Carlo ausführen, um zu sehen, wie sich u von %1 einstellt</translation>
+    </message>
+    <message>
+        <source>%1, against the number of trials</source>
+        <translation>%1 über der Zahl der Versuche</translation>
+    </message>
+    <message>
+        <source>%1 (not stabilised)</source>
+        <translation>%1 (nicht stabilisiert)</translation>
+    </message>
+    <message>
+        <source>± 2 standard errors</source>
+        <translation>± 2 Standardfehler</translation>
+    </message>
+    <message>
+        <source>final u %1</source>
+        <translation>zuletzt u %1</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>Distributions of %1</source>
+        <translation>Verteilungen von %1</translation>
+    </message>
+    <message>
+        <source>The output quantity has no distribution to show</source>
+        <translation>Die Ausgangsgröße hat keine Verteilung, die gezeigt werden könnte</translation>
+    </message>
+    <message>
+        <source>Only one of the results has %1</source>
+        <translation>Nur eines der Ergebnisse hat %1</translation>
+    </message>
+    <message>
+        <source>The budget of %1 has not changed</source>
+        <translation>Das Budget von %1 hat sich nicht geändert</translation>
+    </message>
+    <message>
+        <source>Changes of the budget of %1</source>
+        <translation>Änderungen des Budgets von %1</translation>
+    </message>
+    <message>
+        <source>change of the variance (% of the variance before)</source>
+        <translation>Änderung der Varianz (% der vorherigen Varianz)</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>Unsicherheit</translation>
+    </message>
+    <message>
+        <source>as set up: %1</source>
+        <translation>wie eingestellt: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 = %3</source>
+        <translation>%1 bei %2 = %3</translation>
+    </message>
+    <message>
+        <source>Run the study “%1” to see it</source>
+        <translation>Die Studie „%1“ ausführen, um sie zu sehen</translation>
+    </message>
+    <message>
+        <source>No grid point of “%1” has values: %2</source>
+        <translation>Kein Gitterpunkt von „%1“ hat Werte: %2</translation>
+    </message>
+    <message>
+        <source>Uncertainties before and after</source>
+        <translation>Unsicherheiten vorher und nachher</translation>
+    </message>
+    <message>
+        <source>U relative to the present design</source>
+        <translation>U, bezogen auf den jetzigen Entwurf</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>What more rows give</source>
+        <translation>Was mehr Zeilen bringen</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>best found</source>
+        <translation>bestes gefundenes</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>behalten</translation>
+    </message>
+    <message>
+        <source>What each row kept is worth</source>
+        <translation>Was jede behaltene Zeile wert ist</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it (%)</source>
+        <translation>Zuwachs der Zielgröße ohne sie (%)</translation>
+    </message>
+    <message>
+        <source>What a smaller uncertainty costs</source>
+        <translation>Was eine kleinere Unsicherheit kostet</translation>
+    </message>
+    <message>
+        <source>largest U / target</source>
+        <translation>größtes U / Ziel</translation>
+    </message>
+    <message>
+        <source>cost</source>
+        <translation>Kosten</translation>
+    </message>
+    <message>
+        <source>cheapest reductions</source>
+        <translation>günstigste Verringerungen</translation>
+    </message>
+    <message>
+        <source>cheapest rows</source>
+        <translation>günstigste Zeilen</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>The way of the search</source>
+        <translation>Der Weg der Suche</translation>
+    </message>
+    <message>
+        <source>evaluations</source>
+        <translation>Auswertungen</translation>
+    </message>
+    <message>
+        <source>best so far</source>
+        <translation>bisher bestes</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>in beiden</translation>
+    </message>
+    <message>
+        <source>only before</source>
+        <translation>nur vorher</translation>
+    </message>
+    <message>
+        <source>only after</source>
+        <translation>nur nachher</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>entfallen</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>number of trials</source>
+        <translation>Zahl der Versuche</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Coordinate measuring machines and arms</source>
+        <translation>Koordinatenmessgeräte und -messarme</translation>
+    </message>
+    <message>
+        <source>Distance meters</source>
+        <translation>Entfernungsmesser</translation>
+    </message>
+    <message>
+        <source>Laser scanners</source>
+        <translation>Laserscanner</translation>
+    </message>
+    <message>
+        <source>Laser trackers</source>
+        <translation>Lasertracker</translation>
+    </message>
+    <message>
+        <source>Length standards and ballbars</source>
+        <translation>Längennormale und Kugelstäbe</translation>
+    </message>
+    <message>
+        <source>Robot arms</source>
+        <translation>Roboterarme</translation>
+    </message>
+    <message>
+        <source>Total stations</source>
+        <translation>Totalstationen</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -4779,6 +4779,342 @@ nu 18 tras cualquiera de ellas: grados de libertad</translation>
         <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
         <translation>100 % oculta lo que hay detrás de la superficie; con menos se ven los puntos medidos.</translation>
     </message>
+    <message>
+        <source>largest U/target</source>
+        <translation>mayor U/objetivo</translation>
+    </message>
+    <message>
+        <source>largest U relative to the present design</source>
+        <translation>mayor U respecto al diseño actual</translation>
+    </message>
+    <message>
+        <source>mean U/target</source>
+        <translation>media de U/objetivo</translation>
+    </message>
+    <message>
+        <source>mean U relative to the present design</source>
+        <translation>media de U respecto al diseño actual</translation>
+    </message>
+    <message>
+        <source>root mean square of U/target</source>
+        <translation>media cuadrática de U/objetivo</translation>
+    </message>
+    <message>
+        <source>root mean square of U relative to the present design</source>
+        <translation>media cuadrática de U respecto al diseño actual</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the distribution of %1</source>
+        <translation>Ejecute Monte Carlo para ver la distribución de %1</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the quantiles of %1</source>
+        <translation>Ejecute Monte Carlo para ver los cuantiles de %1</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the distribution of %1</source>
+        <translation>Ejecute Monte Carlo con más pruebas para ver la distribución de %1</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the quantiles of %1</source>
+        <translation>Ejecute Monte Carlo con más pruebas para ver los cuantiles de %1</translation>
+    </message>
+    <message>
+        <source>%1 has the same value in every trial: give its inputs components of uncertainty</source>
+        <translation>%1 tiene el mismo valor en todas las pruebas: dé componentes de incertidumbre a sus magnitudes de entrada</translation>
+    </message>
+    <message>
+        <source>Distribution of %1</source>
+        <translation>Distribución de %1</translation>
+    </message>
+    <message>
+        <source>probability density</source>
+        <translation>densidad de probabilidad</translation>
+    </message>
+    <message>
+        <source>probability density (1/%1)</source>
+        <translation>densidad de probabilidad (1/%1)</translation>
+    </message>
+    <message>
+        <source>normal, same mean and u</source>
+        <translation>normal, misma media y misma u</translation>
+    </message>
+    <message>
+        <source>normal, same interval</source>
+        <translation>normal, mismo intervalo</translation>
+    </message>
+    <message>
+        <source>normal, first order</source>
+        <translation>normal, primer orden</translation>
+    </message>
+    <message>
+        <source>%1 coverage interval</source>
+        <translation>intervalo de cobertura del %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>media %1</translation>
+    </message>
+    <message>
+        <source>Normal quantiles of %1</source>
+        <translation>Cuantiles normales de %1</translation>
+    </message>
+    <message>
+        <source>quantile of the standard normal distribution</source>
+        <translation>cuantil de la distribución normal estándar</translation>
+    </message>
+    <message>
+        <source>quantile of %1</source>
+        <translation>cuantil de %1</translation>
+    </message>
+    <message>
+        <source>No input quantity with an uncertainty influences %1: give its inputs components of uncertainty</source>
+        <translation>Ninguna magnitud de entrada con incertidumbre influye en %1: dé componentes de incertidumbre a sus magnitudes de entrada</translation>
+    </message>
+    <message>
+        <source>Contributions to u(%1)</source>
+        <translation>Contribuciones a u(%1)</translation>
+    </message>
+    <message>
+        <source>share of the variance (%)</source>
+        <translation>parte de la varianza (%)</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>primer orden</translation>
+    </message>
+    <message>
+        <source>one at a time, Monte Carlo</source>
+        <translation>de una en una, Monte Carlo</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>otras %1</translation>
+    </message>
+    <message>
+        <source>A single output quantity has nothing to be correlated with</source>
+        <translation>Una sola magnitud de salida no tiene con qué correlacionarse</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients</source>
+        <translation>Coeficientes de correlación</translation>
+    </message>
+    <message>
+        <source>correlation coefficient</source>
+        <translation>coeficiente de correlación</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see how u of %1 settles</source>
+        <translation>Ejecute Monte Carlo para ver cómo se estabiliza u de %1</translation>
+    </message>
+    <message>
+        <source>%1, against the number of trials</source>
+        <translation>%1 frente al número de pruebas</translation>
+    </message>
+    <message>
+        <source>%1 (not stabilised)</source>
+        <translation>%1 (no estabilizada)</translation>
+    </message>
+    <message>
+        <source>± 2 standard errors</source>
+        <translation>± 2 errores estándar</translation>
+    </message>
+    <message>
+        <source>final u %1</source>
+        <translation>u final %1</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>después</translation>
+    </message>
+    <message>
+        <source>Distributions of %1</source>
+        <translation>Distribuciones de %1</translation>
+    </message>
+    <message>
+        <source>The output quantity has no distribution to show</source>
+        <translation>La magnitud de salida no tiene distribución que mostrar</translation>
+    </message>
+    <message>
+        <source>Only one of the results has %1</source>
+        <translation>Solo uno de los resultados tiene %1</translation>
+    </message>
+    <message>
+        <source>The budget of %1 has not changed</source>
+        <translation>El balance de %1 no ha cambiado</translation>
+    </message>
+    <message>
+        <source>Changes of the budget of %1</source>
+        <translation>Cambios del balance de %1</translation>
+    </message>
+    <message>
+        <source>change of the variance (% of the variance before)</source>
+        <translation>cambio de la varianza (% de la varianza anterior)</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>incertidumbre</translation>
+    </message>
+    <message>
+        <source>as set up: %1</source>
+        <translation>como está configurado: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 = %3</source>
+        <translation>%1 en %2 = %3</translation>
+    </message>
+    <message>
+        <source>Run the study “%1” to see it</source>
+        <translation>Ejecute el estudio «%1» para verlo</translation>
+    </message>
+    <message>
+        <source>No grid point of “%1” has values: %2</source>
+        <translation>Ningún punto de la malla de «%1» tiene valores: %2</translation>
+    </message>
+    <message>
+        <source>Uncertainties before and after</source>
+        <translation>Incertidumbres antes y después</translation>
+    </message>
+    <message>
+        <source>U relative to the present design</source>
+        <translation>U respecto al diseño actual</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>diseño</translation>
+    </message>
+    <message>
+        <source>What more rows give</source>
+        <translation>Qué aportan más filas</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>filas</translation>
+    </message>
+    <message>
+        <source>best found</source>
+        <translation>el mejor hallado</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservadas</translation>
+    </message>
+    <message>
+        <source>What each row kept is worth</source>
+        <translation>Cuánto vale cada fila conservada</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it (%)</source>
+        <translation>aumento del objetivo sin ella (%)</translation>
+    </message>
+    <message>
+        <source>What a smaller uncertainty costs</source>
+        <translation>Cuánto cuesta una incertidumbre menor</translation>
+    </message>
+    <message>
+        <source>largest U / target</source>
+        <translation>mayor U / objetivo</translation>
+    </message>
+    <message>
+        <source>cost</source>
+        <translation>coste</translation>
+    </message>
+    <message>
+        <source>cheapest reductions</source>
+        <translation>reducciones más baratas</translation>
+    </message>
+    <message>
+        <source>cheapest rows</source>
+        <translation>filas más baratas</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>objetivos</translation>
+    </message>
+    <message>
+        <source>The way of the search</source>
+        <translation>El camino de la búsqueda</translation>
+    </message>
+    <message>
+        <source>evaluations</source>
+        <translation>evaluaciones</translation>
+    </message>
+    <message>
+        <source>best so far</source>
+        <translation>el mejor hasta ahora</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>en ambos</translation>
+    </message>
+    <message>
+        <source>only before</source>
+        <translation>solo antes</translation>
+    </message>
+    <message>
+        <source>only after</source>
+        <translation>solo después</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nueva</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>eliminada</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>cambiada</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>igual</translation>
+    </message>
+    <message>
+        <source>number of trials</source>
+        <translation>número de pruebas</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Coordinate measuring machines and arms</source>
+        <translation>Máquinas y brazos de medición por coordenadas</translation>
+    </message>
+    <message>
+        <source>Distance meters</source>
+        <translation>Distanciómetros</translation>
+    </message>
+    <message>
+        <source>Laser scanners</source>
+        <translation>Escáneres láser</translation>
+    </message>
+    <message>
+        <source>Laser trackers</source>
+        <translation>Seguidores láser</translation>
+    </message>
+    <message>
+        <source>Length standards and ballbars</source>
+        <translation>Patrones de longitud y barras de bolas</translation>
+    </message>
+    <message>
+        <source>Robot arms</source>
+        <translation>Brazos robóticos</translation>
+    </message>
+    <message>
+        <source>Total stations</source>
+        <translation>Estaciones totales</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

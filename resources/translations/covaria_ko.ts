@@ -4779,6 +4779,342 @@ resolution 0.01, MPE 3 + 0.1 %, observations, counts 12, constant
         <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
         <translation>100 %이면 표면 뒤의 것이 가려지고, 더 작으면 측정한 점이 보입니다.</translation>
     </message>
+    <message>
+        <source>largest U/target</source>
+        <translation>최대 U/목표</translation>
+    </message>
+    <message>
+        <source>largest U relative to the present design</source>
+        <translation>현재 설계에 대한 최대 U</translation>
+    </message>
+    <message>
+        <source>mean U/target</source>
+        <translation>U/목표의 평균</translation>
+    </message>
+    <message>
+        <source>mean U relative to the present design</source>
+        <translation>현재 설계에 대한 U의 평균</translation>
+    </message>
+    <message>
+        <source>root mean square of U/target</source>
+        <translation>U/목표의 제곱 평균 제곱근</translation>
+    </message>
+    <message>
+        <source>root mean square of U relative to the present design</source>
+        <translation>현재 설계에 대한 U의 제곱 평균 제곱근</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>몬테카를로</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the distribution of %1</source>
+        <translation>몬테카를로를 실행하면 %1의 분포를 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the quantiles of %1</source>
+        <translation>몬테카를로를 실행하면 %1의 분위수를 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the distribution of %1</source>
+        <translation>더 많은 시행으로 몬테카를로를 실행하면 %1의 분포를 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the quantiles of %1</source>
+        <translation>더 많은 시행으로 몬테카를로를 실행하면 %1의 분위수를 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 has the same value in every trial: give its inputs components of uncertainty</source>
+        <translation>%1의 값이 모든 시행에서 같습니다: 입력량에 불확도 성분을 주십시오</translation>
+    </message>
+    <message>
+        <source>Distribution of %1</source>
+        <translation>%1의 분포</translation>
+    </message>
+    <message>
+        <source>probability density</source>
+        <translation>확률 밀도</translation>
+    </message>
+    <message>
+        <source>probability density (1/%1)</source>
+        <translation>확률 밀도 (1/%1)</translation>
+    </message>
+    <message>
+        <source>normal, same mean and u</source>
+        <translation>정규분포, 같은 평균과 u</translation>
+    </message>
+    <message>
+        <source>normal, same interval</source>
+        <translation>정규분포, 같은 구간</translation>
+    </message>
+    <message>
+        <source>normal, first order</source>
+        <translation>정규분포, 1차</translation>
+    </message>
+    <message>
+        <source>%1 coverage interval</source>
+        <translation>%1 포함구간</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>평균 %1</translation>
+    </message>
+    <message>
+        <source>Normal quantiles of %1</source>
+        <translation>%1의 정규 분위수</translation>
+    </message>
+    <message>
+        <source>quantile of the standard normal distribution</source>
+        <translation>표준정규분포의 분위수</translation>
+    </message>
+    <message>
+        <source>quantile of %1</source>
+        <translation>%1의 분위수</translation>
+    </message>
+    <message>
+        <source>No input quantity with an uncertainty influences %1: give its inputs components of uncertainty</source>
+        <translation>불확도가 있는 어떤 입력량도 %1에 영향을 주지 않습니다: 입력량에 불확도 성분을 주십시오</translation>
+    </message>
+    <message>
+        <source>Contributions to u(%1)</source>
+        <translation>u(%1)에 대한 기여</translation>
+    </message>
+    <message>
+        <source>share of the variance (%)</source>
+        <translation>분산의 몫 (%)</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>1차</translation>
+    </message>
+    <message>
+        <source>one at a time, Monte Carlo</source>
+        <translation>하나씩, 몬테카를로</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>그 밖의 %1개</translation>
+    </message>
+    <message>
+        <source>A single output quantity has nothing to be correlated with</source>
+        <translation>출력량이 하나뿐이면 상관될 대상이 없습니다</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients</source>
+        <translation>상관계수</translation>
+    </message>
+    <message>
+        <source>correlation coefficient</source>
+        <translation>상관계수</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see how u of %1 settles</source>
+        <translation>몬테카를로를 실행하면 %1의 u가 어떻게 안정되는지 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>%1, against the number of trials</source>
+        <translation>시행 수에 따른 %1</translation>
+    </message>
+    <message>
+        <source>%1 (not stabilised)</source>
+        <translation>%1 (안정되지 않음)</translation>
+    </message>
+    <message>
+        <source>± 2 standard errors</source>
+        <translation>± 2 표준오차</translation>
+    </message>
+    <message>
+        <source>final u %1</source>
+        <translation>최종 u %1</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>이전</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>이후</translation>
+    </message>
+    <message>
+        <source>Distributions of %1</source>
+        <translation>%1의 분포들</translation>
+    </message>
+    <message>
+        <source>The output quantity has no distribution to show</source>
+        <translation>이 출력량에는 보여 줄 분포가 없습니다</translation>
+    </message>
+    <message>
+        <source>Only one of the results has %1</source>
+        <translation>결과 중 하나에만 %1이(가) 있습니다</translation>
+    </message>
+    <message>
+        <source>The budget of %1 has not changed</source>
+        <translation>%1의 불확도 총괄은 변하지 않았습니다</translation>
+    </message>
+    <message>
+        <source>Changes of the budget of %1</source>
+        <translation>%1의 불확도 총괄의 변화</translation>
+    </message>
+    <message>
+        <source>change of the variance (% of the variance before)</source>
+        <translation>분산의 변화 (이전 분산의 %)</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>불확도</translation>
+    </message>
+    <message>
+        <source>as set up: %1</source>
+        <translation>현재 설정: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 = %3</source>
+        <translation>%1, %2 = %3</translation>
+    </message>
+    <message>
+        <source>Run the study “%1” to see it</source>
+        <translation>연구 “%1”을(를) 실행하면 볼 수 있습니다</translation>
+    </message>
+    <message>
+        <source>No grid point of “%1” has values: %2</source>
+        <translation>“%1”의 어떤 격자점에도 값이 없습니다: %2</translation>
+    </message>
+    <message>
+        <source>Uncertainties before and after</source>
+        <translation>이전과 이후의 불확도</translation>
+    </message>
+    <message>
+        <source>U relative to the present design</source>
+        <translation>현재 설계에 대한 U</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>설계</translation>
+    </message>
+    <message>
+        <source>What more rows give</source>
+        <translation>행을 늘릴 때의 이득</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>행</translation>
+    </message>
+    <message>
+        <source>best found</source>
+        <translation>찾은 최선</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>유지</translation>
+    </message>
+    <message>
+        <source>What each row kept is worth</source>
+        <translation>유지된 각 행의 가치</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it (%)</source>
+        <translation>그 행이 없을 때 목적값의 증가 (%)</translation>
+    </message>
+    <message>
+        <source>What a smaller uncertainty costs</source>
+        <translation>더 작은 불확도의 비용</translation>
+    </message>
+    <message>
+        <source>largest U / target</source>
+        <translation>최대 U / 목표</translation>
+    </message>
+    <message>
+        <source>cost</source>
+        <translation>비용</translation>
+    </message>
+    <message>
+        <source>cheapest reductions</source>
+        <translation>가장 저렴한 감소</translation>
+    </message>
+    <message>
+        <source>cheapest rows</source>
+        <translation>가장 저렴한 행</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>목표</translation>
+    </message>
+    <message>
+        <source>The way of the search</source>
+        <translation>탐색 경로</translation>
+    </message>
+    <message>
+        <source>evaluations</source>
+        <translation>평가 횟수</translation>
+    </message>
+    <message>
+        <source>best so far</source>
+        <translation>지금까지의 최선</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>둘 다</translation>
+    </message>
+    <message>
+        <source>only before</source>
+        <translation>이전에만</translation>
+    </message>
+    <message>
+        <source>only after</source>
+        <translation>이후에만</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>새로 생김</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>없어짐</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>바뀜</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>같음</translation>
+    </message>
+    <message>
+        <source>number of trials</source>
+        <translation>시행 수</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Coordinate measuring machines and arms</source>
+        <translation>좌표 측정기와 측정 암</translation>
+    </message>
+    <message>
+        <source>Distance meters</source>
+        <translation>거리계</translation>
+    </message>
+    <message>
+        <source>Laser scanners</source>
+        <translation>레이저 스캐너</translation>
+    </message>
+    <message>
+        <source>Laser trackers</source>
+        <translation>레이저 트래커</translation>
+    </message>
+    <message>
+        <source>Length standards and ballbars</source>
+        <translation>길이 표준기와 볼바</translation>
+    </message>
+    <message>
+        <source>Robot arms</source>
+        <translation>로봇 팔</translation>
+    </message>
+    <message>
+        <source>Total stations</source>
+        <translation>토털 스테이션</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

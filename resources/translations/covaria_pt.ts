@@ -4779,6 +4779,342 @@ nu 18 após qualquer um deles: graus de liberdade</translation>
         <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
         <translation>100 % esconde o que está atrás da superfície; com menos se veem os pontos medidos.</translation>
     </message>
+    <message>
+        <source>largest U/target</source>
+        <translation>maior U/alvo</translation>
+    </message>
+    <message>
+        <source>largest U relative to the present design</source>
+        <translation>maior U em relação ao projeto atual</translation>
+    </message>
+    <message>
+        <source>mean U/target</source>
+        <translation>média de U/alvo</translation>
+    </message>
+    <message>
+        <source>mean U relative to the present design</source>
+        <translation>média de U em relação ao projeto atual</translation>
+    </message>
+    <message>
+        <source>root mean square of U/target</source>
+        <translation>média quadrática de U/alvo</translation>
+    </message>
+    <message>
+        <source>root mean square of U relative to the present design</source>
+        <translation>média quadrática de U em relação ao projeto atual</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the distribution of %1</source>
+        <translation>Execute Monte Carlo para ver a distribuição de %1</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the quantiles of %1</source>
+        <translation>Execute Monte Carlo para ver os quantis de %1</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the distribution of %1</source>
+        <translation>Execute Monte Carlo com mais ensaios para ver a distribuição de %1</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the quantiles of %1</source>
+        <translation>Execute Monte Carlo com mais ensaios para ver os quantis de %1</translation>
+    </message>
+    <message>
+        <source>%1 has the same value in every trial: give its inputs components of uncertainty</source>
+        <translation>%1 tem o mesmo valor em todos os ensaios: dê componentes de incerteza às suas grandezas de entrada</translation>
+    </message>
+    <message>
+        <source>Distribution of %1</source>
+        <translation>Distribuição de %1</translation>
+    </message>
+    <message>
+        <source>probability density</source>
+        <translation>densidade de probabilidade</translation>
+    </message>
+    <message>
+        <source>probability density (1/%1)</source>
+        <translation>densidade de probabilidade (1/%1)</translation>
+    </message>
+    <message>
+        <source>normal, same mean and u</source>
+        <translation>normal, mesma média e mesma u</translation>
+    </message>
+    <message>
+        <source>normal, same interval</source>
+        <translation>normal, mesmo intervalo</translation>
+    </message>
+    <message>
+        <source>normal, first order</source>
+        <translation>normal, primeira ordem</translation>
+    </message>
+    <message>
+        <source>%1 coverage interval</source>
+        <translation>intervalo de abrangência de %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>média %1</translation>
+    </message>
+    <message>
+        <source>Normal quantiles of %1</source>
+        <translation>Quantis normais de %1</translation>
+    </message>
+    <message>
+        <source>quantile of the standard normal distribution</source>
+        <translation>quantil da distribuição normal padrão</translation>
+    </message>
+    <message>
+        <source>quantile of %1</source>
+        <translation>quantil de %1</translation>
+    </message>
+    <message>
+        <source>No input quantity with an uncertainty influences %1: give its inputs components of uncertainty</source>
+        <translation>Nenhuma grandeza de entrada com incerteza influencia %1: dê componentes de incerteza às suas grandezas de entrada</translation>
+    </message>
+    <message>
+        <source>Contributions to u(%1)</source>
+        <translation>Contribuições para u(%1)</translation>
+    </message>
+    <message>
+        <source>share of the variance (%)</source>
+        <translation>parcela da variância (%)</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>primeira ordem</translation>
+    </message>
+    <message>
+        <source>one at a time, Monte Carlo</source>
+        <translation>uma de cada vez, Monte Carlo</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>outras %1</translation>
+    </message>
+    <message>
+        <source>A single output quantity has nothing to be correlated with</source>
+        <translation>Uma única grandeza de saída não tem com que se correlacionar</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients</source>
+        <translation>Coeficientes de correlação</translation>
+    </message>
+    <message>
+        <source>correlation coefficient</source>
+        <translation>coeficiente de correlação</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see how u of %1 settles</source>
+        <translation>Execute Monte Carlo para ver como u de %1 se estabiliza</translation>
+    </message>
+    <message>
+        <source>%1, against the number of trials</source>
+        <translation>%1 em função do número de ensaios</translation>
+    </message>
+    <message>
+        <source>%1 (not stabilised)</source>
+        <translation>%1 (não estabilizada)</translation>
+    </message>
+    <message>
+        <source>± 2 standard errors</source>
+        <translation>± 2 erros-padrão</translation>
+    </message>
+    <message>
+        <source>final u %1</source>
+        <translation>u final %1</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>depois</translation>
+    </message>
+    <message>
+        <source>Distributions of %1</source>
+        <translation>Distribuições de %1</translation>
+    </message>
+    <message>
+        <source>The output quantity has no distribution to show</source>
+        <translation>A grandeza de saída não tem distribuição para mostrar</translation>
+    </message>
+    <message>
+        <source>Only one of the results has %1</source>
+        <translation>Só um dos resultados tem %1</translation>
+    </message>
+    <message>
+        <source>The budget of %1 has not changed</source>
+        <translation>O balanço de %1 não mudou</translation>
+    </message>
+    <message>
+        <source>Changes of the budget of %1</source>
+        <translation>Alterações do balanço de %1</translation>
+    </message>
+    <message>
+        <source>change of the variance (% of the variance before)</source>
+        <translation>alteração da variância (% da variância anterior)</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>incerteza</translation>
+    </message>
+    <message>
+        <source>as set up: %1</source>
+        <translation>como está configurado: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 = %3</source>
+        <translation>%1 em %2 = %3</translation>
+    </message>
+    <message>
+        <source>Run the study “%1” to see it</source>
+        <translation>Execute o estudo “%1” para o ver</translation>
+    </message>
+    <message>
+        <source>No grid point of “%1” has values: %2</source>
+        <translation>Nenhum ponto da grade de “%1” tem valores: %2</translation>
+    </message>
+    <message>
+        <source>Uncertainties before and after</source>
+        <translation>Incertezas antes e depois</translation>
+    </message>
+    <message>
+        <source>U relative to the present design</source>
+        <translation>U em relação ao projeto atual</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>projeto</translation>
+    </message>
+    <message>
+        <source>What more rows give</source>
+        <translation>O que mais linhas trazem</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>linhas</translation>
+    </message>
+    <message>
+        <source>best found</source>
+        <translation>o melhor encontrado</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>mantidas</translation>
+    </message>
+    <message>
+        <source>What each row kept is worth</source>
+        <translation>Quanto vale cada linha mantida</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it (%)</source>
+        <translation>aumento do objetivo sem ela (%)</translation>
+    </message>
+    <message>
+        <source>What a smaller uncertainty costs</source>
+        <translation>Quanto custa uma incerteza menor</translation>
+    </message>
+    <message>
+        <source>largest U / target</source>
+        <translation>maior U / alvo</translation>
+    </message>
+    <message>
+        <source>cost</source>
+        <translation>custo</translation>
+    </message>
+    <message>
+        <source>cheapest reductions</source>
+        <translation>reduções mais baratas</translation>
+    </message>
+    <message>
+        <source>cheapest rows</source>
+        <translation>linhas mais baratas</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>alvos</translation>
+    </message>
+    <message>
+        <source>The way of the search</source>
+        <translation>O caminho da busca</translation>
+    </message>
+    <message>
+        <source>evaluations</source>
+        <translation>avaliações</translation>
+    </message>
+    <message>
+        <source>best so far</source>
+        <translation>o melhor até agora</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>em ambos</translation>
+    </message>
+    <message>
+        <source>only before</source>
+        <translation>só antes</translation>
+    </message>
+    <message>
+        <source>only after</source>
+        <translation>só depois</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nova</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>eliminada</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>alterada</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>igual</translation>
+    </message>
+    <message>
+        <source>number of trials</source>
+        <translation>número de ensaios</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Câmeras</translation>
+    </message>
+    <message>
+        <source>Coordinate measuring machines and arms</source>
+        <translation>Máquinas e braços de medição por coordenadas</translation>
+    </message>
+    <message>
+        <source>Distance meters</source>
+        <translation>Distanciômetros</translation>
+    </message>
+    <message>
+        <source>Laser scanners</source>
+        <translation>Scanners a laser</translation>
+    </message>
+    <message>
+        <source>Laser trackers</source>
+        <translation>Laser trackers</translation>
+    </message>
+    <message>
+        <source>Length standards and ballbars</source>
+        <translation>Padrões de comprimento e ballbars</translation>
+    </message>
+    <message>
+        <source>Robot arms</source>
+        <translation>Braços robóticos</translation>
+    </message>
+    <message>
+        <source>Total stations</source>
+        <translation>Estações totais</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

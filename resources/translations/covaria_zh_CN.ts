@@ -4779,6 +4779,342 @@ resolution 0.01、MPE 3 + 0.1 %、observations、counts 12、constant
         <source>100 % hides what is behind the surface; less lets the measured points be seen.</source>
         <translation>100 % 会遮住曲面后面的东西；较小的值能看到被测点。</translation>
     </message>
+    <message>
+        <source>largest U/target</source>
+        <translation>最大 U/目标值</translation>
+    </message>
+    <message>
+        <source>largest U relative to the present design</source>
+        <translation>相对当前设计的最大 U</translation>
+    </message>
+    <message>
+        <source>mean U/target</source>
+        <translation>U/目标值的平均值</translation>
+    </message>
+    <message>
+        <source>mean U relative to the present design</source>
+        <translation>相对当前设计的 U 平均值</translation>
+    </message>
+    <message>
+        <source>root mean square of U/target</source>
+        <translation>U/目标值的均方根</translation>
+    </message>
+    <message>
+        <source>root mean square of U relative to the present design</source>
+        <translation>相对当前设计的 U 均方根</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>蒙特卡洛</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the distribution of %1</source>
+        <translation>运行蒙特卡洛以查看 %1 的分布</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see the quantiles of %1</source>
+        <translation>运行蒙特卡洛以查看 %1 的分位数</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the distribution of %1</source>
+        <translation>用更多次试验运行蒙特卡洛以查看 %1 的分布</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo with more trials to see the quantiles of %1</source>
+        <translation>用更多次试验运行蒙特卡洛以查看 %1 的分位数</translation>
+    </message>
+    <message>
+        <source>%1 has the same value in every trial: give its inputs components of uncertainty</source>
+        <translation>%1 在每次试验中取值相同：请为其输入量给出不确定度分量</translation>
+    </message>
+    <message>
+        <source>Distribution of %1</source>
+        <translation>%1 的分布</translation>
+    </message>
+    <message>
+        <source>probability density</source>
+        <translation>概率密度</translation>
+    </message>
+    <message>
+        <source>probability density (1/%1)</source>
+        <translation>概率密度 (1/%1)</translation>
+    </message>
+    <message>
+        <source>normal, same mean and u</source>
+        <translation>正态分布，均值和 u 相同</translation>
+    </message>
+    <message>
+        <source>normal, same interval</source>
+        <translation>正态分布，区间相同</translation>
+    </message>
+    <message>
+        <source>normal, first order</source>
+        <translation>正态分布，一阶</translation>
+    </message>
+    <message>
+        <source>%1 coverage interval</source>
+        <translation>%1 包含区间</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>均值 %1</translation>
+    </message>
+    <message>
+        <source>Normal quantiles of %1</source>
+        <translation>%1 的正态分位数</translation>
+    </message>
+    <message>
+        <source>quantile of the standard normal distribution</source>
+        <translation>标准正态分布的分位数</translation>
+    </message>
+    <message>
+        <source>quantile of %1</source>
+        <translation>%1 的分位数</translation>
+    </message>
+    <message>
+        <source>No input quantity with an uncertainty influences %1: give its inputs components of uncertainty</source>
+        <translation>没有带不确定度的输入量影响 %1：请为其输入量给出不确定度分量</translation>
+    </message>
+    <message>
+        <source>Contributions to u(%1)</source>
+        <translation>对 u(%1) 的贡献</translation>
+    </message>
+    <message>
+        <source>share of the variance (%)</source>
+        <translation>方差占比 (%)</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>一阶</translation>
+    </message>
+    <message>
+        <source>one at a time, Monte Carlo</source>
+        <translation>逐个计算，蒙特卡洛</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>其他 %1 个</translation>
+    </message>
+    <message>
+        <source>A single output quantity has nothing to be correlated with</source>
+        <translation>单个输出量没有可相关的对象</translation>
+    </message>
+    <message>
+        <source>Correlation coefficients</source>
+        <translation>相关系数</translation>
+    </message>
+    <message>
+        <source>correlation coefficient</source>
+        <translation>相关系数</translation>
+    </message>
+    <message>
+        <source>Run Monte Carlo to see how u of %1 settles</source>
+        <translation>运行蒙特卡洛以查看 %1 的 u 如何趋于稳定</translation>
+    </message>
+    <message>
+        <source>%1, against the number of trials</source>
+        <translation>%1 随试验次数的变化</translation>
+    </message>
+    <message>
+        <source>%1 (not stabilised)</source>
+        <translation>%1（未稳定）</translation>
+    </message>
+    <message>
+        <source>± 2 standard errors</source>
+        <translation>± 2 倍标准误差</translation>
+    </message>
+    <message>
+        <source>final u %1</source>
+        <translation>最终 u %1</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>Distributions of %1</source>
+        <translation>%1 的各分布</translation>
+    </message>
+    <message>
+        <source>The output quantity has no distribution to show</source>
+        <translation>该输出量没有可显示的分布</translation>
+    </message>
+    <message>
+        <source>Only one of the results has %1</source>
+        <translation>只有一个结果含有 %1</translation>
+    </message>
+    <message>
+        <source>The budget of %1 has not changed</source>
+        <translation>%1 的不确定度概算没有变化</translation>
+    </message>
+    <message>
+        <source>Changes of the budget of %1</source>
+        <translation>%1 的不确定度概算的变化</translation>
+    </message>
+    <message>
+        <source>change of the variance (% of the variance before)</source>
+        <translation>方差的变化（占之前方差的 %）</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>不确定度</translation>
+    </message>
+    <message>
+        <source>as set up: %1</source>
+        <translation>当前设置：%1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 = %3</source>
+        <translation>%1，%2 = %3</translation>
+    </message>
+    <message>
+        <source>Run the study “%1” to see it</source>
+        <translation>运行研究“%1”以查看它</translation>
+    </message>
+    <message>
+        <source>No grid point of “%1” has values: %2</source>
+        <translation>“%1”的网格点均无数值：%2</translation>
+    </message>
+    <message>
+        <source>Uncertainties before and after</source>
+        <translation>前后的不确定度</translation>
+    </message>
+    <message>
+        <source>U relative to the present design</source>
+        <translation>相对当前设计的 U</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>设计后</translation>
+    </message>
+    <message>
+        <source>What more rows give</source>
+        <translation>增加行的收益</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>best found</source>
+        <translation>找到的最优</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>What each row kept is worth</source>
+        <translation>每一保留行的价值</translation>
+    </message>
+    <message>
+        <source>growth of the objective without it (%)</source>
+        <translation>去掉该行后目标函数的增长 (%)</translation>
+    </message>
+    <message>
+        <source>What a smaller uncertainty costs</source>
+        <translation>减小不确定度的代价</translation>
+    </message>
+    <message>
+        <source>largest U / target</source>
+        <translation>最大 U / 目标值</translation>
+    </message>
+    <message>
+        <source>cost</source>
+        <translation>成本</translation>
+    </message>
+    <message>
+        <source>cheapest reductions</source>
+        <translation>最便宜的减小方案</translation>
+    </message>
+    <message>
+        <source>cheapest rows</source>
+        <translation>最便宜的行</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>The way of the search</source>
+        <translation>搜索过程</translation>
+    </message>
+    <message>
+        <source>evaluations</source>
+        <translation>求值次数</translation>
+    </message>
+    <message>
+        <source>best so far</source>
+        <translation>目前最优</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>两者</translation>
+    </message>
+    <message>
+        <source>only before</source>
+        <translation>仅之前</translation>
+    </message>
+    <message>
+        <source>only after</source>
+        <translation>仅之后</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新增</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>已改变</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>number of trials</source>
+        <translation>试验次数</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Coordinate measuring machines and arms</source>
+        <translation>坐标测量机与测量臂</translation>
+    </message>
+    <message>
+        <source>Distance meters</source>
+        <translation>测距仪</translation>
+    </message>
+    <message>
+        <source>Laser scanners</source>
+        <translation>激光扫描仪</translation>
+    </message>
+    <message>
+        <source>Laser trackers</source>
+        <translation>激光跟踪仪</translation>
+    </message>
+    <message>
+        <source>Length standards and ballbars</source>
+        <translation>长度标准器与球杆仪</translation>
+    </message>
+    <message>
+        <source>Robot arms</source>
+        <translation>机器人手臂</translation>
+    </message>
+    <message>
+        <source>Total stations</source>
+        <translation>全站仪</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

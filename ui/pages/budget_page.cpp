@@ -12,7 +12,6 @@
 #include "core/report/result_statement.h"
 #include "core/text/symbol.h"
 #include "ui/forms/budget_sheet_view.h"
-#include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/follow_font.h"
@@ -163,7 +162,7 @@ void BudgetPage::take_correlation() {
 }
 
 QString BudgetPage::lines_of(const UncertaintyResult& result) const {
-    const DocumentLanguage in = language_of_window(user_numbers());
+    const DocumentLanguage in = language_of_window();
     QStringList lines;
     for (const OutputResult& output : result.outputs) {
         if (output.quantity.role != OutputRole::measurand) continue;

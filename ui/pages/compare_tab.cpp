@@ -11,9 +11,9 @@
 #include "core/report/comparison_columns.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/finish_typing.h"
-#include "ui/models/number_words.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/run/result_words.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
 
@@ -195,9 +195,10 @@ void CompareTab::show_output() {
 void CompareTab::show_chart() {
     const auto output = selected();
     if (!output) return chart_->set_plot({});
+    const DocumentLanguage in = language_of_window();
     PlotSpecification plot = chart_list_->currentIndex() == 0
-                                 ? compared_distributions_plot(*comparison_, *output, units_, user_numbers())
-                                 : budget_changes_plot(*comparison_, *output);
+                                 ? compared_distributions_plot(*comparison_, *output, units_, in)
+                                 : budget_changes_plot(*comparison_, *output, in);
     const QString said = reservation(runner_.status(selection_.analysis()));
     if (!said.isEmpty() && !plot.series.empty()) plot.title += " \u2013 " + to_std(said);
     chart_->set_plot(std::move(plot));

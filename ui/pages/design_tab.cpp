@@ -13,6 +13,8 @@
 #include "ui/models/number_words.h"
 #include "ui/pages/data_table_html.h"
 #include "ui/pages/evaluation_view.h"
+#include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -143,7 +145,7 @@ void DesignTab::show_result() {
                 : tr("A design finds where to stand and what to measure: add one.");
         return view_->show_evaluation(QStringLiteral("<p>%1</p>").arg(hint), {});
     }
-    std::vector<PlotSpecification> plots = design_plots(*shown_);
+    std::vector<PlotSpecification> plots = design_plots(*shown_, language_of_window());
     if (!current_)
         for (PlotSpecification& plot : plots) plot.title += to_std(tr(" – out of date"));
     view_->show_evaluation(html_of(readable_design_tables(*shown_)), std::move(plots));
@@ -169,7 +171,7 @@ QString DesignTab::state_words() const {
             (result.rows.empty() ? tr("The cheapest reductions cost %1") : tr("The cheapest rows cost %1"))
                 .arg(localized(format_significant(*result.cost, 4)));
     else if (result.found)
-        words = to_qt(result.objective_words) + QStringLiteral(" ") +
+        words = core_text(result.objective_words) + QStringLiteral(" ") +
                 localized(format_significant(result.objective, 4)) +
                 (result.before ? tr(", before %1").arg(localized(format_significant(*result.before, 4)))
                                : QString());

@@ -13,6 +13,7 @@
 #include "core/base/resource_path.h"
 #include "core/kinds/registries.h"
 #include "core/made/library.h"
+#include "ui/pages/library_menu.h"
 #include "ui/pages/start_page.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/icons.h"
@@ -184,10 +185,11 @@ void LibraryBrowser::add_assets() {
     for (const LibraryItem& item : load_library().items) {
         const AssetDescriptor* kind = find_asset_kind(item.asset.kind);
         Entry entry{
-            to_qt(item.asset.name),  to_qt(item.collection),  kind ? core_text(kind->title) : QString(),
+            to_qt(item.asset.name),  collection_title(item),  kind ? core_text(kind->title) : QString(),
             to_qt(item.asset.notes), from_path(item.picture), icon_of_category(item.asset)};
         entry.asset = item.asset;
         entry.texts = searched_texts(item);
+        entry.texts.push_back(to_std(entry.collection));
         entries_.push_back(std::move(entry));
     }
 }

@@ -4,9 +4,14 @@
 
 #include "core/made/library.h"
 #include "ui/document/project_edits.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+
+QString collection_title(const LibraryItem& item) {
+    return item.own ? to_qt(item.collection) : core_text(item.collection);
+}
 
 LibraryMenu::LibraryMenu(Document& document, Selection& selection, QWidget* parent)
     : QMenu(tr("From the &Library"), parent), document_(document), selection_(selection) {
@@ -21,7 +26,7 @@ void LibraryMenu::fill() {
     for (const LibraryItem& item : library.items) {
         QMenu*& menu = collections[item.collection];
         if (!menu) {
-            menu = addMenu(to_qt(item.collection));
+            menu = addMenu(collection_title(item));
             menu->setToolTipsVisible(true);
         }
         QAction* action = menu->addAction(to_qt(item.asset.name), this, [this, asset = item.asset] {

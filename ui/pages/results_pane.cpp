@@ -21,7 +21,6 @@
 #include "ui/charts/chart_view.h"
 #include "ui/document/missing_fields.h"
 #include "ui/document/setup_address.h"
-#include "ui/models/number_words.h"
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
@@ -32,6 +31,7 @@
 #include "ui/pages/unit_button.h"
 #include "ui/run/result_words.h"
 #include "ui/theme/core_text.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/tabs.h"
@@ -367,15 +367,17 @@ void ResultsPane::refresh_charts() {
     }
     const auto index = std::size_t(output);
     const QWidget* shown = tabs_->currentWidget();
-    if (shown->isAncestorOf(contributions_)) show_chart(*contributions_, contribution_plot(*result_, index));
+    const DocumentLanguage in = language_of_window();
+    if (shown->isAncestorOf(contributions_))
+        show_chart(*contributions_, contribution_plot(*result_, index, in));
     if (shown->isAncestorOf(histogram_)) {
-        show_chart(*histogram_, histogram_plot(*result_, index, units_->units(), user_numbers()));
-        show_chart(*quantiles_, normal_quantile_plot(*result_, index, units_->units()));
+        show_chart(*histogram_, histogram_plot(*result_, index, units_->units(), in));
+        show_chart(*quantiles_, normal_quantile_plot(*result_, index, units_->units(), in));
     }
     if (shown->isAncestorOf(correlation_map_))
-        show_chart(*correlation_map_, correlation_plot(*result_, result_->outputs[index].quantity.group));
+        show_chart(*correlation_map_, correlation_plot(*result_, result_->outputs[index].quantity.group, in));
     if (shown == convergence_)
-        show_chart(*convergence_, convergence_plot(*result_, index, units_->units(), user_numbers()));
+        show_chart(*convergence_, convergence_plot(*result_, index, units_->units(), in));
 }
 
 void ResultsPane::start_over() {

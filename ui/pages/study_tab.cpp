@@ -11,8 +11,8 @@
 #include "ui/forms/finish_typing.h"
 #include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
-#include "ui/models/number_words.h"
 #include "ui/pages/sortable_table.h"
+#include "ui/theme/document_language.h"
 #include "ui/theme/elided_label.h"
 #include "ui/theme/strings.h"
 
@@ -183,7 +183,7 @@ void StudyTab::show_study() {
     ellipsoids_->setVisible(result_ && !result_->triples.empty());
     PlotSpecification plot;
     if (result_)
-        plot = study_plot(*result_, view_, user_numbers());
+        plot = study_plot(*result_, view_, language_of_window());
     else
         plot.title = to_std(study_of_project()
                                 ? tr("Run the study to see how the uncertainty depends on what it varies")

@@ -20,8 +20,8 @@ DocumentLanguage document_language(const Project& project) {
             }};
 }
 
-DocumentLanguage language_of_window(const NumberLocale& numbers) {
-    return {QLocale().name().toStdString(), numbers, core_words};
+DocumentLanguage language_of_window() {
+    return {QLocale().name().toStdString(), number_locale(QLocale()), core_words};
 }
 
 }  // namespace covaria::ui

@@ -9,7 +9,7 @@ namespace covaria::ui {
 /// That of a project's certificate, with its numbers; English where its catalogue is not in the program. For
 /// any thread.
 DocumentLanguage document_language(const Project& project);
-/// That of the window, with the numbers that its user wants.
-DocumentLanguage language_of_window(const NumberLocale& numbers);
+/// That of the window.
+DocumentLanguage language_of_window();
 
 }  // namespace covaria::ui

@@ -62,8 +62,9 @@ TEST(HistogramPlot, MarksMeanAndCoverageIntervalAndBothNormals) {
 
 TEST(HistogramPlot, LabelsHaveTheDecimalSignThatIsAskedFor) {
     const UncertaintyResult result = test::plot_sample();
-    for (const PlotSpecification& plot : {histogram_plot(result, 0, {}, {.decimal = ","}),
-                                          convergence_plot(result, 0, {}, {.decimal = ","})}) {
+    const DocumentLanguage german("de", {.decimal = ","}, {});
+    for (const PlotSpecification& plot :
+         {histogram_plot(result, 0, {}, german), convergence_plot(result, 0, {}, german)}) {
         std::string labels;
         for (const PlotMark& mark : plot.marks) labels += to_unicode(mark.label) + "\n";
         EXPECT_NE(labels.find(','), std::string::npos) << labels;
@@ -106,7 +107,7 @@ TEST(QuantilePlot, PointsOfANormalLieOnTheLine) {
 }
 
 TEST(ContributionPlot, SharesAddUpAndTheRestIsOneBar) {
-    const PlotSpecification plot = contribution_plot(test::plot_sample(), 0, 6);
+    const PlotSpecification plot = contribution_plot(test::plot_sample(), 0, {}, 6);
     ASSERT_EQ(plot.y.categories.size(), 6U);
     EXPECT_EQ(to_unicode(plot.y.categories[0]), "p₁ₓ");
     EXPECT_EQ(to_unicode(plot.y.categories[1]), "length standard")
@@ -116,14 +117,15 @@ TEST(ContributionPlot, SharesAddUpAndTheRestIsOneBar) {
     EXPECT_NEAR(std::accumulate(bars.x.begin(), bars.x.end(), 0.0), 100.0, 1e-9);
     EXPECT_EQ(bars.y.back(), 5.0);
     EXPECT_TRUE(plot.horizontal_bars);
-    EXPECT_EQ(contribution_plot(test::plot_sample(), 0, 16).y.categories.size(), 16U) << "nothing to merge";
+    EXPECT_EQ(contribution_plot(test::plot_sample(), 0, {}, 16).y.categories.size(), 16U)
+        << "nothing to merge";
 }
 
 TEST(ContributionPlot, TellsComponentsOfOneQuantityApart) {
     UncertaintyResult result = test::plot_sample();
     result.budget.components[2].quantities = result.budget.components[0].quantities;
     result.budget.components[2].name = "temperature";
-    const PlotSpecification plot = contribution_plot(result, 0, 6);
+    const PlotSpecification plot = contribution_plot(result, 0, {}, 6);
     EXPECT_EQ(to_unicode(plot.y.categories[0]), "p₁ₓ, calibration of the artefact");
     EXPECT_EQ(to_unicode(plot.y.categories[2]), "p₁ₓ, temperature");
 }
@@ -132,7 +134,7 @@ TEST(ContributionPlot, ShowsOneAtATimeBesideFirstOrder) {
     UncertaintyResult result = test::plot_sample();
     for (BudgetRow& row : result.budget.rows[0])
         row.one_at_a_time = 0.5 * result.outputs[0].standard_uncertainty;
-    const PlotSpecification plot = contribution_plot(result, 0, 6);
+    const PlotSpecification plot = contribution_plot(result, 0, {}, 6);
     ASSERT_EQ(plot.series.size(), 2U);
     ASSERT_EQ(plot.series[1].x.size(), 5U);
     EXPECT_NEAR(plot.series[1].x[0], 25.0, 1e-9);
@@ -221,7 +223,7 @@ TEST(PlotCsv, HasColumnsPerSeriesAndQuotesCommas) {
 
 TEST(PlotCsv, WritesCategoriesAndMatrices) {
     const UncertaintyResult result = test::plot_sample();
-    const std::string bars = plot_csv(contribution_plot(result, 0, 3));
+    const std::string bars = plot_csv(contribution_plot(result, 0, {}, 3));
     EXPECT_NE(bars.find(",p₁ₓ\r\n"), std::string::npos) << bars;
     EXPECT_NE(bars.find(",14 others\r\n"), std::string::npos) << bars;
     PlotSpecification map;

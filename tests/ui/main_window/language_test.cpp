@@ -5,25 +5,36 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QFile>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTabBar>
 #include <QTableView>
+#include <QTextBrowser>
 #include <QToolButton>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
 #include "core/kinds/registries.h"
+#include "core/made/library.h"
+#include "core/project/study_target.h"
 #include "core/text/symbol.h"
 #include "tests/ui/main_window/session_fixture.h"
+#include "ui/charts/chart_view.h"
+#include "ui/forms/import_dialog.h"
 #include "ui/main_window/preferences_dialog.h"
+#include "ui/main_window/search_actions.h"
+#include "ui/pages/compare_tab.h"
 #include "ui/pages/library_browser.h"
+#include "ui/pages/page_list.h"
+#include "ui/pages/search_palette.h"
 #include "ui/pages/start_page.h"
 #include "ui/theme/languages.h"
 
@@ -102,10 +113,19 @@ protected:
                     learn(to_qt(to_unicode(plot.title)));
                 for (const OutputQuantity& output : prepared->model->outputs()) learn_output(output);
                 for (const UncertaintyComponent& component : prepared->inputs.components)
-                    learn(to_qt(component.id) + QLatin1Char('\n') + to_qt(component.name));
+                    for (const std::string& text : {component.id, component.name, component.origin})
+                        learn(to_qt(text));
             }
     }
-    /// Charts speak English.
+    /// What a study varies is called as in its file of results.
+    void learn_axes(const AnalysisEntry& analysis) {
+        const Project& project = window_->document().project();
+        for (const Study& study : analysis.studies)
+            for (const StudyAxis& axis : study.axes)
+                if (const auto target = find_study_target(project, analysis, nullptr, axis))
+                    learn(to_qt(to_unicode(target->title)));
+    }
+    /// Figures of models speak English.
     void learn_charts(const QString& file) {
         const LoadedProject loaded = load_project(to_path(file));
         ASSERT_TRUE(loaded.made);
@@ -115,6 +135,8 @@ protected:
     void learn_output(const OutputQuantity& output) {
         for (const std::string& text : {output.group, output.name, output.symbol})
             learn(to_qt(text) + QLatin1Char('\n') + to_qt(symbol_to_unicode(text)));
+        const std::string found = output.group.empty() ? "" : " (" + output.group + ")";
+        learn(to_qt(symbol_to_unicode(output.symbol) + found + ": " + output.name));
     }
     bool is_data(const QString& words) const {
         if (data_.contains(words)) return true;
@@ -154,6 +176,41 @@ protected:
         for (QAction* action : widget.actions()) {
             look_at(place + QStringLiteral(" action"), action->text());
             look_at(place + QStringLiteral(" action tip"), action->toolTip());
+        }
+    }
+    void look_at_cells(const QAbstractItemModel& model, const QString& place, const QModelIndex& below = {}) {
+        for (int r = 0; r < std::min(model.rowCount(below), 60); ++r)
+            for (int c = 0; c < model.columnCount(below); ++c)
+                look_at(place + QStringLiteral(" cell"), model.index(r, c, below).data().toString());
+    }
+    void look_at_chart(const PlotSpecification& plot) {
+        const QString place = QStringLiteral("chart ") + to_qt(plot.id);
+        std::vector<Text> texts{plot.title, plot.x.title, plot.y.title};
+        for (const PlotSeries& series : plot.series) texts.push_back(series.name);
+        for (const PlotMark& mark : plot.marks) texts.push_back(mark.label);
+        for (const PlotBand& band : plot.bands) texts.push_back(band.label);
+        for (const auto& categories : {plot.x.categories, plot.y.categories})
+            texts.insert(texts.end(), categories.begin(), categories.end());
+        for (const Text& text : texts) look_at(place, to_qt(to_unicode(text)));
+    }
+    /// What is filled: cells of tables and lists, and a chart that says why it is empty.
+    void look_at_contents(QWidget& top) {
+        for (auto* view : top.findChildren<QAbstractItemView*>()) {
+            const QString place = QString::fromLatin1(view->metaObject()->className()) + QLatin1Char(' ') +
+                                  view->objectName() + QLatin1Char(' ') + view->accessibleName();
+            const bool is_head = qobject_cast<QHeaderView*>(view) != nullptr;
+            const bool is_of_report = qobject_cast<PageList*>(view) != nullptr;  // in its own language
+            if (view->model() && !is_head && !is_of_report) look_at_cells(*view->model(), place);
+        }
+        for (auto* chart : top.findChildren<ChartView*>()) look_at_chart(chart->plot());
+    }
+    void look_at_tabs(QTabWidget& tabs) {
+        for (int i = 0; i < tabs.count(); ++i) {
+            if (!tabs.isTabVisible(i)) continue;
+            tabs.setCurrentIndex(i);
+            settle();
+            look_at_all(*tabs.widget(i));
+            look_at_contents(*tabs.widget(i));
         }
     }
     void look_at_all(QWidget& top) {
@@ -215,6 +272,70 @@ TEST_F(Languages, EveryTextOfTheWindowIsInTheCatalogues) {
             look_at_all(*window_);
         }
     }
+    for (const QString& one : found_.values()) ADD_FAILURE() << one.toStdString();
+    EXPECT_EQ(brackets_.unknown(), QStringList());
+}
+
+// Results, what was kept, studies and designs when they are there.
+TEST_F(Languages, EveryTextAboutResultsIsInTheCatalogues) {
+    for (const auto& [name, id] :
+         {std::pair("lsm-network", "recommended"), std::pair("ballbar-design", "")}) {
+        const QString file = project_copy(QString::fromLatin1(name));
+        learn(QStringLiteral("mm\nrad\nmrad\nµrad\nthou\n") + file);
+        learn_charts(file);
+        open(file);
+        wait_until_idle();
+        learn_project();
+        const AnalysisEntry& analysis = *id ? *window_->document().project().find_analysis(id)
+                                            : window_->document().project().analyses.front();
+        select(SetupOwner::analysis, analysis.id);
+        look_at_tabs(window_->results().tabs());
+        window_->runner().run_all();
+        const QString of = to_qt(analysis.id);
+        learn_axes(analysis);
+        for (const Study& study : analysis.studies) window_->runner().studies().run(of, to_qt(study.id));
+        for (const Design& design : analysis.designs) window_->runner().designs().run(of, to_qt(design.id));
+        wait_until_idle();
+        ASSERT_TRUE(wait_for([&] {
+            return std::ranges::all_of(
+                       analysis.studies,
+                       [&](const Study& study) {
+                           return window_->runner().studies().status(of, to_qt(study.id)).is_current();
+                       }) &&
+                   std::ranges::all_of(analysis.designs, [&](const Design& design) {
+                       return window_->runner().designs().status(of, to_qt(design.id)).is_current();
+                   });
+        }));
+        learn_project();
+        window_->results().compare_tab().findChild<QAction*>(QStringLiteral("keep_before"))->trigger();
+        window_->selection().select_output(0);
+        look_at_tabs(window_->results().tabs());
+        look_at_tabs(*window_->properties().tabs());
+    }
+    for (const QString& one : found_.values()) ADD_FAILURE() << one.toStdString();
+    EXPECT_EQ(brackets_.unknown(), QStringList());
+}
+
+TEST_F(Languages, EveryTextOfLibraryImportAndSearchIsInTheCatalogues) {
+    for (const char* subfolder : {"", "gum"})
+        for (const Example& example : shipped_examples(QString::fromLatin1(subfolder)))
+            learn(example.title + QLatin1Char('\n') + example.summary);
+    for (const LibraryItem& item : load_library().items) learn(to_qt(item.asset.name));
+    LibraryBrowser& library = window_->library();
+    library.show();
+    look_at_all(library);
+    look_at_contents(library);
+    learn(QStringLiteral("Cover\nBudget"));  // sheets of the workbook
+    for (const char* file : {"budget.xlsx", "traverse.obs"}) {
+        ImportDialog import(QStringLiteral(COVARIA_SOURCE_DIR "/tests/data/readers/") + QLatin1String(file));
+        look_at_all(import);
+    }
+    open(project_copy());
+    wait_until_idle();
+    learn_project();
+    trigger(QStringLiteral("\u27e6Find Anything …\u27e7"));
+    QTest::keyClicks(&window_->search().palette().field(), QStringLiteral("pose"));
+    look_at_contents(window_->search().palette());
     for (const QString& one : found_.values()) ADD_FAILURE() << one.toStdString();
     EXPECT_EQ(brackets_.unknown(), QStringList());
 }
