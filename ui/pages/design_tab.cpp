@@ -132,9 +132,8 @@ void DesignTab::refresh() {
     take_over_->setEnabled(current_ && shown_ && shown_->found);
     state_->setText(state_words());
     state_->setToolTip(state_->text());
-    if (!other) return;
-    show_result();
-    emit shown_changed();
+    if (other || !shown_) show_result();  // without a result it says what to do next
+    if (other) emit shown_changed();
 }
 
 void DesignTab::show_result() {

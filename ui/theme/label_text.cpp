@@ -48,8 +48,23 @@ double text_width(const Text& text, const QFont& font) {
 }
 
 Text shortened(const Text& text, const QFont& font, double width) {
-    if (text_width(text, font) <= width) return text;
-    return to_std(QFontMetricsF(font).elidedText(to_qt(to_unicode(text)), Qt::ElideMiddle, width));
+    if (text.empty() || text_width(text, font) <= width) return text;
+    const std::string letters = text.letters();
+    std::vector<std::size_t> begins;  // of characters
+    for (std::size_t at = 0; at < letters.size();
+         at += character_length(std::string_view(letters).substr(at)))
+        begins.push_back(at);
+    const auto with = [&](std::size_t kept) {
+        const std::size_t after = kept / 2, before = kept - after;
+        const std::size_t rest = after > 0 ? begins[begins.size() - after] : letters.size();
+        return text.part(0, begins[before]) + "…" + text.part(rest);
+    };
+    std::size_t most = 0, too_many = begins.size();
+    while (most + 1 < too_many) {
+        const std::size_t middle = (most + too_many) / 2;
+        (text_width(with(middle), font) <= width ? most : too_many) = middle;
+    }
+    return with(most);
 }
 
 std::vector<Text> wrapped(const Text& text, const QFont& font, double width) {

@@ -23,6 +23,18 @@ int Style::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* 
     return int(mix(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.16).rgb());
 }
 
+void Style::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                        const QWidget* widget) const {
+    const auto* box =
+        element == CE_ComboBoxLabel ? qstyleoption_cast<const QStyleOptionComboBox*>(option) : nullptr;
+    if (!box || box->editable) return QProxyStyle::drawControl(element, option, painter, widget);
+    QStyleOptionComboBox shown = *box;
+    const int beside = box->currentIcon.isNull() ? 2 : box->iconSize.width() + 6;  // as the base style leaves
+    const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - beside;
+    shown.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
+    QProxyStyle::drawControl(element, &shown, painter, widget);
+}
+
 void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                           const QWidget* widget) const {
     if (element != PE_IndicatorCheckBox) {

@@ -1,5 +1,5 @@
-// The Fusion style with what it lacks for us: grid lines and check boxes seen on dark ground, and
-// fields of forms under their labels where both have no room beside each other.
+// The Fusion style with what it lacks for us: grid lines and check boxes seen on dark ground, long choices
+// that end in dots, and fields of forms under their labels where both have no room beside each other.
 #pragma once
 
 #include <QProxyStyle>
@@ -13,6 +13,8 @@ public:
                   QStyleHintReturn* data = nullptr) const override;
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget = nullptr) const override;
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget = nullptr) const override;
 };
 
 }  // namespace covaria::ui

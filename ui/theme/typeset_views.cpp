@@ -48,7 +48,10 @@ void TypesetDelegate::initStyleOption(QStyleOptionViewItem* option, const QModel
     // "θ" of a model whose cell is "theta"; with scripts it is drawn by hand.
     if (const QVariant text = index.data(typeset_role); text.isValid() && !text.value<Text>().has_scripts())
         option->text = to_qt(to_unicode(text.value<Text>()));
-    if (option->displayAlignment & Qt::AlignRight) option->font = with_tabular_figures(option->font);
+    if (option->displayAlignment & Qt::AlignRight)
+        option->font = with_tabular_figures(option->font);
+    else
+        option->textElideMode = Qt::ElideMiddle;  // names differ at their end: "... of P12, azimuth"
 }
 
 void TypesetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

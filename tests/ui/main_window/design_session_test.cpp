@@ -64,6 +64,7 @@ TEST_F(DesignSession, AVariableIsSearchedTakenOverAsOneEditAndTakenBack) {
     const std::size_t before = analysis().designs.size();
     press(window_->properties(), "add_design");
     ASSERT_EQ(analysis().designs.size(), before + 1);
+    EXPECT_TRUE(tab().view().text().toPlainText().startsWith(QStringLiteral("Run the design")));
     ASSERT_TRUE(field<TargetBox>("variable_0_target")->choose(QStringLiteral("Targets, B: y")));
     type_into("variable_0_from", QStringLiteral("-1 m"));
     type_into("variable_0_to", QStringLiteral("1"));

@@ -144,5 +144,21 @@ TEST_F(Typeset, GridLinesAreSeenInBothThemes) {
     apply_theme(*qApp, Theme::light());
 }
 
+TEST(Shortened, TextFitsAndKeepsItsSubscripts) {
+    const QFont font = QApplication::font();
+    const Text whole = symbol_text("d_Fx") + ", repeatability of channel Fx";
+    for (const double part : {0.9, 0.6, 0.4}) {
+        const Text shown = shortened(whole, font, part * text_width(whole, font));
+        EXPECT_LE(text_width(shown, font), part * text_width(whole, font));
+        EXPECT_GT(text_width(shown, font), 0.8 * part * text_width(whole, font));
+        EXPECT_TRUE(shown.has_scripts()) << to_unicode(shown);
+        EXPECT_TRUE(shown.letters().starts_with("dFx, ")) << shown.letters();
+        EXPECT_TRUE(shown.letters().ends_with("Fx")) << shown.letters();
+    }
+    EXPECT_EQ(shortened(whole, font, text_width(whole, font)), whole);
+    EXPECT_EQ(shortened(Text(), font, -1.0), Text());
+    EXPECT_EQ(shortened("ü", font, 0.0), Text("…"));
+}
+
 }  // namespace
 }  // namespace covaria::ui::typeset_test
